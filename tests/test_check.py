@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub.analysis.checking import RULES, CheckRule
+from cncsub.checking import RULES, CheckRule
 from cncsub.cli import app
 from cncsub.reports.findings import Mended, finding_facts, github_annotations, junit, sarif
 

@@ -14,7 +14,7 @@ import pytest
 from typer.testing import CliRunner
 
 import cncsub
-from cncsub.analysis.checking import RULES, CheckRule
+from cncsub.checking import RULES, CheckRule
 from cncsub.cli import app
 from cncsub.reports.findings import finding_facts, junit, sarif
 

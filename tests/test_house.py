@@ -1,12 +1,16 @@
-"""The rooms of the engine, and which way their arrows point."""
+"""The rooms of the engine and of the package, and which way their arrows point."""
 
 from __future__ import annotations
 
+import ast
 import re
 from collections.abc import Iterator
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
+
+import cncsub
 
 ROOT = Path(__file__).parent.parent
 ENGINE = ROOT / "cpp" / "cncsub"
@@ -78,3 +82,103 @@ def test_the_engine_knows_neither_python_nor_a_terminal() -> None:
         if forbidden.search(file.read_text("utf-8"))
     ]
     assert not wrong
+
+
+# ---- the package ----
+
+PACKAGE = ROOT / "python" / "cncsub"
+
+# The modules at the top are three rooms: `base`, what programs, controls and options are; `face`,
+# what users hold; and `package`, the names that `import cncsub` gives.
+_FACE = {"library", "run", "stream", "loading", "sibling_files"}
+MAY_IMPORT = {
+    "base": set(),
+    "tables": {"base"},
+    "coverage": {"base"},
+    "analysis": {"base", "tables"},
+    "face": {"base", "tables", "coverage", "analysis"},
+    "comparison": {"base", "tables", "analysis", "face"},
+    "plot": {"base", "tables"},
+    "reports": {"base", "tables", "coverage", "analysis", "face", "plot"},
+    "archive": {"base", "tables", "face", "reports"},
+    "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
+    | {"archive"},
+    "testing": {"base", "analysis", "face", "package"},
+    "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
+    | {"archive", "package"},
+}
+
+
+def modules() -> dict[str, Path]:
+    """The modules of the package by name; of `cncsub.plot` the name stands for its `__init__`."""
+    files = sorted(PACKAGE.rglob("*.py"))
+    parts = {file: file.relative_to(PACKAGE.parent).with_suffix("").parts for file in files}
+    return {".".join(p[:-1] if p[-1] == "__init__" else p): f for f, p in parts.items()}
+
+
+MODULES = modules()
+
+
+def room_of(module: str) -> str:
+    name, _, inner = module.removeprefix("cncsub").removeprefix(".").partition(".")
+    if not name or name == "__main__":
+        return "package" if not name else "cli"
+    if inner or MODULES[module].name == "__init__.py":
+        return name
+    return "face" if name in _FACE else "base"
+
+
+def imports_of(module: str) -> Iterator[str]:
+    """What a module imports of the package, in functions too. What only annotates is not imported,
+    and a method `plot` imports what draws when a picture is asked for: it needs plotly.
+    """
+    waiting: list[tuple[ast.AST, bool]] = [(ast.parse(MODULES[module].read_text("utf-8")), False)]
+    while waiting:
+        node, draws = waiting.pop()
+        if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING":
+            continue
+        draws |= isinstance(node, ast.FunctionDef) and node.name == "plot"
+        named: list[str] = []
+        if isinstance(node, ast.Import):
+            named = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{module}: a relative import"
+            inner = [f"{node.module}.{alias.name}" for alias in node.names]
+            named = [
+                name if name in MODULES or name == "cncsub._core" else str(node.module)
+                for name in inner
+            ]
+        for name in named:
+            if name in MODULES and not (draws and room_of(name) == "plot"):
+                yield name
+        waiting += [(child, draws) for child in ast.iter_child_nodes(node)]
+
+
+@pytest.mark.parametrize("of", MAY_IMPORT)
+def test_the_imports_of_a_room_of_the_package_point_one_way(of: str) -> None:
+    wrong = [
+        f"{module} imports {name}"
+        for module in MODULES
+        if room_of(module) == of
+        for name in imports_of(module)
+        if room_of(name) not in {of, *MAY_IMPORT[of]}
+    ]
+    assert not wrong
+
+
+def test_every_module_of_the_package_stands_in_a_room() -> None:
+    assert {room_of(module) for module in MODULES} == set(MAY_IMPORT)
+
+
+def test_no_modules_of_the_package_import_each_other() -> None:
+    arrows = {module: set(imports_of(module)) - {module} for module in MODULES}
+    try:
+        TopologicalSorter(arrows).prepare()
+    except CycleError as error:
+        pytest.fail(f"a circle: {' <- '.join(error.args[1])}")
+
+
+def test_the_names_that_are_imported_later_stand_below_the_package() -> None:
+    later = {f"cncsub.{module}" for module in cncsub._LATER.values()}
+    assert later <= set(MODULES)
+    assert {room_of(module) for module in later} <= MAY_IMPORT["package"]

@@ -11,7 +11,7 @@ import pytest
 import cncsub
 import generator
 from cncsub import _core
-from cncsub.analysis.checking import RULES
+from cncsub.checking import RULES
 from cncsub.cli import COMMANDS
 from generator import api, assembling, control_pages, house
 from generator.markdown import source_anchor, words

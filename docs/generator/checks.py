@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cncsub
-from cncsub.analysis.checking import RULES, CheckRule
+from cncsub.checking import RULES, CheckRule
 from generator.markdown import anchor, code, fenced, table, words
 
 _PAGE = "reference/check.md"

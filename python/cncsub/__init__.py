@@ -27,12 +27,12 @@ from cncsub.tables.rows import Call, Change, Dropped, MissedSkip, Move, Origin, 
 from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 if TYPE_CHECKING:
-    from cncsub.analysis.checking import CheckRule, Edit, Finding, Flow, FlowEdge
     from cncsub.analysis.endless import Endless, LoopBlock, Why
     from cncsub.analysis.flattening import Flat, FlattenError, flatten
     from cncsub.analysis.listing import Listed
     from cncsub.analysis.notes import Note
     from cncsub.archive.many import check_many, run_many
+    from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
     from cncsub.comparison.changes import BlockChange
     from cncsub.comparison.compare import Comparison, compare
     from cncsub.comparison.rewriting import TranslateError
@@ -48,7 +48,7 @@ _LATER = {
     for module, names in {
         "archive.many": "check_many run_many",
         "comparison.changes": "BlockChange",
-        "analysis.checking": "CheckRule Edit Finding Flow FlowEdge",
+        "checking": "CheckRule Edit Finding Flow FlowEdge",
         "comparison.compare": "Comparison compare",
         "analysis.endless": "Endless LoopBlock Why",
         "analysis.flattening": "Flat FlattenError flatten",

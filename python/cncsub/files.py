@@ -44,6 +44,7 @@ _OTHER_ENDINGS = frozenset(
     """.split()  # noqa: SIM905
 )
 _NUMBERS = re.compile(r"([0-9]+)")
+TEXT = "<text>"  # what is read from no file
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
 _BOMS = (

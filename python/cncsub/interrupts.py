@@ -7,9 +7,11 @@ import os
 import signal
 import threading
 from collections.abc import Iterator
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
-from cncsub.run import Run, Stop
+if TYPE_CHECKING:
+    from cncsub.run import Run
+
 
 STATUS = 130  # what a shell says of a command that Ctrl-C ended
 _GRACE = 0.8  # seconds until what holds on to the process is left behind
@@ -20,7 +22,7 @@ _pressed = threading.Event()
 
 def uninterrupted(run: Run) -> Run:
     """The run; `KeyboardInterrupt` where Ctrl-C broke it off, for work that needs a whole one."""
-    if run.stop is Stop.INTERRUPTED:
+    if run.stop == "interrupted":
         raise KeyboardInterrupt
     return run
 

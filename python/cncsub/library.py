@@ -10,7 +10,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import CoreFile, clean
+from cncsub.files import TEXT, CoreFile, clean, cut
 from cncsub.inputs import Inputs
 from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
@@ -22,9 +22,9 @@ from cncsub.stream import Stream
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
 
-    from cncsub.analysis.checking import Finding, Flow
     from cncsub.analysis.flattening import Flat
     from cncsub.analysis.notes import Note
+    from cncsub.checking import Finding, Flow
     from cncsub.references import CallGraph
 
 _NEAR = 5000  # names are compared with one that is not there
@@ -185,6 +185,12 @@ class Library(Mapping[str, Program]):
 
         return tuple(notes_of(self))
 
+    @classmethod
+    def of_text(cls, text: str, control: Control) -> Library:
+        """One text as the memory of a control, as `loads` reads it."""
+        files: list[CoreFile] = [(TEXT, "", cut(text), False)]
+        return cls(_core.compile(control, files, False), [TEXT])
+
     def read_for(self, control: str | Control) -> Library:
         """The same texts, read again as the memory of another control.
 
@@ -247,7 +253,7 @@ class Library(Mapping[str, Program]):
         """The ways through a program, told by its blocks without running them: see `Flow`."""
         index = self._find(program)
         data = self._code.program(index)
-        from cncsub.analysis.checking import flow_of
+        from cncsub.checking import flow_of
 
         return flow_of(data, data.blocks)
 
@@ -259,7 +265,7 @@ class Library(Mapping[str, Program]):
         setup: Setup | Mapping[str, Any] | None = None,
     ) -> list[Finding]:
         """What the control would refuse or what will surprise, in any block, reached or not,
-        without running: see `Finding`; `cncsub.analysis.checking.RULES` lists the rules.
+        without running: see `Finding`; `cncsub.checking.RULES` lists the rules.
 
         `main`: the program that is run first, the first one without it. `rules`: the numbers
         (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
@@ -278,7 +284,7 @@ class Library(Mapping[str, Program]):
             self._find(main) if main is not None else None if program is None else program._index
         )
         kind = (setup_of(setup) or {}).get("machine")
-        from cncsub.analysis.checking import check
+        from cncsub.checking import check
 
         return check(self._code, -1 if first is None else first, rules, kind)
 

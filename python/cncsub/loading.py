@@ -9,7 +9,7 @@ from pathlib import Path
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.controls import control_of
-from cncsub.files import CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
+from cncsub.files import TEXT, CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.library import Library, read_again
 
 
@@ -100,7 +100,7 @@ def loads(
     if name is not None and not isinstance(name, str):
         raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
     stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
-    shown = "<text>" if name is None else clean(name)
+    shown = TEXT if name is None else clean(name)
     files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
     code = _core.compile(known, files, external is not None, general_only=bool(general_only))
     return Library(code, [shown], skipped)

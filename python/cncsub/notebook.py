@@ -5,11 +5,13 @@ take the colours of the page around them, dark or light.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from cncsub.checking import check
 from cncsub.escapes import escape
+from cncsub.notebook_pieces import cut, few, line, marked, page, pale, plain, pre, table
 
 if TYPE_CHECKING:
     from cncsub.library import Library
@@ -20,9 +22,7 @@ if TYPE_CHECKING:
 
 _MOST_PROGRAMS = 20
 _HEAD, _TAIL = 30, 10  # lines of a program
-_MOST_LINES = 8  # of messages and the like
 _MOST_CHECKED = 20_000  # blocks of a memory
-_MOST_LETTERS = 200  # of a line
 _COMMENT = re.compile(r"\([^()]*\)?|;.*")
 
 
@@ -33,7 +33,7 @@ def run_html(run: Run) -> str:
     if alarm is not None:
         parts.append(marked(str(alarm)))
     elif run.endless is not None:
-        parts.append(marked(_cut(str(run.endless))))
+        parts.append(marked(cut(str(run.endless))))
     if len(run.calls):
         parts.append(calls_html(run.calls))
     if len(run.moves):
@@ -55,10 +55,8 @@ def _title(run: Run) -> str:
         facts.append(f"for {run.waiting_for}")
     facts.append(f"{count:,} block{'' if count == 1 else 's'}")
     if len(run.moves):
-        from cncsub.reports.printing import time_words
-
         facts.append(f"{run.moves._size()}, {run.moves.total_length:,.3f} mm")
-        facts.append(time_words(run))
+        facts.append(run.moves.time_words)
     return ", ".join(facts)
 
 
@@ -101,18 +99,16 @@ def program_html(program: Program) -> str:
     marks = _marks(program)
     shown = [_numbered(*row, marks) for row in (numbered if left <= 1 else numbered[:_HEAD])]
     if left > 1:
-        shown.append(_pale(f"      ... {left:,} lines"))
+        shown.append(pale(f"      ... {left:,} lines"))
         shown += [_numbered(*row, marks) for row in numbered[-_TAIL:]]
     place = f"{program.name}, {program.file}:{program.line}, {len(program.blocks):,} blocks"
-    return page([line(place, strong=True), _pre("\n".join(shown))])
+    return page([line(place, strong=True), pre("\n".join(shown))])
 
 
 def _marks(program: Program) -> dict[int, str]:
     """By line what the control would refuse there or what will surprise; of large memories nothing,
     because that asks for all their blocks.
     """
-    from cncsub.analysis.checking import check
-
     code = program._data.code
     if sum(code.program(index).blocks for index in range(len(code))) > _MOST_CHECKED:
         return {}
@@ -124,66 +120,12 @@ def _marks(program: Program) -> dict[int, str]:
 
 
 def _numbered(number: int, text: str, marks: dict[int, str]) -> str:
-    text = _cut(text)
+    text = cut(text)
     parts, end = [], 0
     for comment in _COMMENT.finditer(text):
-        parts += [escape(text[end : comment.start()]), _pale(comment[0])]
+        parts += [escape(text[end : comment.start()]), pale(comment[0])]
         end = comment.end()
     mark = ""
     if number in marks:
-        mark = f'  <span style="color:#d33">&larr; {escape(_cut(marks[number]))}</span>'
-    return "".join([_pale(f"{number:>6}  "), *parts, escape(text[end:]), mark])
-
-
-# ---- pieces of a page ----
-
-
-def page(parts: Iterable[str]) -> str:
-    """Parts together."""
-    return f"<div>{''.join(parts)}</div>"
-
-
-def _cut(text: str) -> str:
-    return text if len(text) <= _MOST_LETTERS else text[:_MOST_LETTERS] + " ..."
-
-
-def _pale(text: str) -> str:
-    return f'<span style="opacity:.55">{escape(text)}</span>'
-
-
-def line(text: str, *, strong: bool = False) -> str:
-    """A paragraph."""
-    weight = ' style="font-weight:bold"' if strong else ""
-    return f"<p{weight}>{escape(text)}</p>"
-
-
-def _pre(inner: str, style: str = "") -> str:
-    return f'<pre style="background:none;color:inherit;{style}">{inner}</pre>'
-
-
-def plain(text: str) -> str:
-    """A text as it is spaced."""
-    return _pre(escape(text))
-
-
-def marked(text: str) -> str:
-    """With a red bar that is seen on dark and on light pages."""
-    return _pre(escape(text), "border-left:4px solid #d33;padding-left:.6em")
-
-
-def few(word: str, texts: Iterable[str]) -> list[str]:
-    """The first of many, each behind a word."""
-    told = list(texts)
-    lines = [line(f"{word}: {_cut(text)}") for text in told[:_MOST_LINES]]
-    if (left := len(told) - _MOST_LINES) > 0:
-        lines.append(line(f"... and {left:,} more"))
-    return lines
-
-
-def table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """A table of plain texts."""
-    head = "".join(f"<th>{escape(name)}</th>" for name in heads)
-    body = "".join(
-        f"<tr>{''.join(f'<td>{escape(_cut(cell))}</td>' for cell in row)}</tr>" for row in rows
-    )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+        mark = f'  <span style="color:#d33">&larr; {escape(cut(marks[number]))}</span>'
+    return "".join([pale(f"{number:>6}  "), *parts, escape(text[end:]), mark])

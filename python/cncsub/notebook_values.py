@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 from cncsub._core import Alarm, Control, Frame
 from cncsub.controls import causes
 from cncsub.escapes import escape
-from cncsub.notebook import few, line, marked, page, plain, table
+from cncsub.notebook_pieces import few, line, marked, page, plain, table
 
 if TYPE_CHECKING:
-    from cncsub.analysis.checking import Finding
+    from cncsub.checking import Finding
     from cncsub.comparison.compare import Comparison
     from cncsub.coverage.summary import Coverage
     from cncsub.references import CallGraph

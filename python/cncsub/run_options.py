@@ -5,7 +5,7 @@ checked.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypedDict
+from typing import Any, TypedDict, Unpack
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
@@ -85,6 +85,11 @@ def machine_with(
         setup=setup_of(setup),
         watch=checked_watch(watch),
     )
+
+
+def idle_machine(control: _core.Control, **options: Unpack[Options]) -> _core.Machine:
+    """A machine of a control without programs, which has executed nothing."""
+    return machine_with(_core.compile(control, [], False).with_mdi(""), -1, **options)
 
 
 def _one_of(what: str, value: object, known: Sequence[str]) -> str:

@@ -159,7 +159,7 @@ class Table(pytest.File):
     """A file `*.nctest.toml`."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        from cncsub.testing.cases import load_table
+        from cncsub.testing.table_files import load_table
 
         try:
             cases = load_table(self.path)

@@ -9,13 +9,10 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.comparison.compare import OtherControlPair, Pair, Parting, variables_lacking
+from cncsub.analysis.pairs import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.interrupts import uninterrupted
-from cncsub.library import Library
-from cncsub.loading import loads
-from cncsub.run import Run, Stop
-from cncsub.run_options import Options
+from cncsub.run_options import Options, idle_machine
 from cncsub.tables.rows import Origin
 from cncsub.tables.table import Table
 from cncsub.writing import opened
@@ -24,6 +21,8 @@ if TYPE_CHECKING:
     import numpy as np
 
     from cncsub.inputs import Inputs
+    from cncsub.library import Library
+    from cncsub.run import Run
     from cncsub.setup import Setup
 
     Columns = Mapping[str, np.ndarray[Any, Any]]
@@ -274,7 +273,7 @@ def flatten(
 
     def written(in_its_words: bool) -> Flat:
         def begin() -> _core.Flattening:
-            other = _at_power_on(target, setup) if in_its_words else None
+            other = idle_machine(target, setup=setup) if in_its_words else None
             return _core.flattening(library._begin(main, **traced), comments, other)
 
         return Flat(begin, lambda text: _parts(library, main, target, options, text))
@@ -290,11 +289,6 @@ def flatten(
     if parting is not None:
         _refuse(parting, library, main, options)
     return flat
-
-
-def _at_power_on(control: Control, setup: Setup | Mapping[str, Any] | None) -> _core.Machine:
-    """A machine of the control that has executed nothing."""
-    return loads("", control=control)._begin(None, setup=setup)
 
 
 def _refuse(
@@ -314,7 +308,7 @@ def _parts(
 ) -> Parting | None:
     """Where the flat program parts from the run."""
     again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
-    flat = loads(text, control=control)
+    flat = library.of_text(text, control)
     given = options.get("variables") or {}
     lacking = variables_lacking(control, given)  # their values stand in the text
     again["variables"] = {n: value for n, value in given.items() if n not in lacking}
@@ -343,7 +337,7 @@ def _does_not_end(core: _core.Flattening) -> FlattenError:
             alarm.n,
             alarm.line,
         )
-    if core.stop == Stop.INTERRUPTED:
+    if core.stop == "interrupted":
         raise KeyboardInterrupt
     waits = f" for {core.waiting_for}" if core.waiting_for else ""
-    return FlattenError(f"the run does not end: it stopped with {Stop(core.stop).value}{waits}")
+    return FlattenError(f"the run does not end: it stopped with {core.stop}{waits}")

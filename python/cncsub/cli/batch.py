@@ -12,7 +12,7 @@ from typing import Annotated, Any
 
 import typer
 
-from cncsub.analysis.checking import chosen_rules
+from cncsub.checking import chosen_rules
 from cncsub.cli.options import (
     ControlName,
     Encoding,

@@ -11,7 +11,7 @@ from typing import Annotated, Any, NamedTuple
 import typer
 
 import cncsub
-from cncsub.analysis.checking import Finding, chosen_rules, counts
+from cncsub.checking import Finding, chosen_rules, counts
 from cncsub.cli.options import (
     ControlName,
     Encoding,

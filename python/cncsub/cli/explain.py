@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 import cncsub
-from cncsub.analysis.checking import rule_named, rule_names
+from cncsub.checking import rule_named, rule_names
 from cncsub.cli.options import (
     ControlName,
     Format,

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from cncsub import system
-from cncsub.analysis.checking import SEVERITIES, chosen_rules, rule_named
+from cncsub.checking import SEVERITIES, chosen_rules, rule_named
 from cncsub.controls import did_you_mean
 from cncsub.setup import toml_of
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from cncsub._core import Control
-from cncsub.analysis.checking import Edit
+from cncsub.checking import Edit
 from cncsub.comparison.cycle_counts import CycleCounts, letters_of
 from cncsub.library import Library
 from cncsub.loading import loads

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Unpack
 
 from cncsub._core import Control
-from cncsub.analysis.checking import Edit
-from cncsub.comparison.compare import OtherControlPair, Parting, variables_lacking
+from cncsub.analysis.pairs import OtherControlPair, Parting, variables_lacking
+from cncsub.checking import Edit
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
 from cncsub.library import Library

@@ -10,7 +10,7 @@ from cncsub.escapes import escape
 
 if TYPE_CHECKING:
     from cncsub._core import Alarm
-    from cncsub.analysis.checking import Finding
+    from cncsub.checking import Finding
     from cncsub.coverage.block_counts import Counted
     from cncsub.coverage.summary import Coverage
     from cncsub.run import Run

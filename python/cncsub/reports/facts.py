@@ -5,22 +5,29 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import asdict
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import cncsub
-from cncsub.controls import did_you_mean, sources_of
+from cncsub._core import Alarm, Control, Frame, Parameter
+from cncsub.controls import causes, did_you_mean, sources_of
+from cncsub.loading import loads
 from cncsub.tables.call_tree import CallTree
 from cncsub.tables.table import records
 
+if TYPE_CHECKING:
+    from cncsub.analysis.endless import Endless
+    from cncsub.comparison.changes import BlockChange
+    from cncsub.comparison.compare import Comparison
+    from cncsub.run import Run
 
-def effect_of(parameter: cncsub.Parameter, name: Callable[[str], str] = str) -> str:
+
+def effect_of(parameter: Parameter, name: Callable[[str], str] = str) -> str:
     """What a parameter does, where that is not the registering of codes; `name` writes a rule's."""
     if parameter.rules:
         return f"sets {', '.join(map(name, parameter.rules))}"
     return "" if parameter.used else "nothing is computed from it"
 
 
-def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+def run_facts(run: Run, title: str) -> dict[str, Any]:
     return {
         "title": title,
         "stop": run.stop.value,
@@ -46,7 +53,7 @@ def run_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
     }
 
 
-def watch_facts(run: cncsub.Run) -> dict[str, Any] | None:
+def watch_facts(run: Run) -> dict[str, Any] | None:
     if not run.watch.beginning:
         return None
     return {
@@ -55,11 +62,11 @@ def watch_facts(run: cncsub.Run) -> dict[str, Any] | None:
     }
 
 
-def endless_facts(endless: cncsub.Endless) -> dict[str, Any]:
+def endless_facts(endless: Endless) -> dict[str, Any]:
     return {**asdict(endless), "message": str(endless)}
 
 
-def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:
+def alarm_facts(alarm: Alarm) -> dict[str, Any]:
     names = "cause number text program n line column word file detail".split()  # noqa: SIM905
     return {
         **{name: getattr(alarm, name) for name in names},
@@ -68,12 +75,12 @@ def alarm_facts(alarm: cncsub.Alarm) -> dict[str, Any]:
     }
 
 
-def _frame_facts(frame: cncsub.Frame) -> dict[str, Any]:
+def _frame_facts(frame: Frame) -> dict[str, Any]:
     names = "program n line file kind called repeat repeats".split()  # noqa: SIM905
     return {name: getattr(frame, name) for name in names}
 
 
-def comparison_facts(compared: cncsub.Comparison) -> dict[str, Any]:
+def comparison_facts(compared: Comparison) -> dict[str, Any]:
     where = [None if step is None else asdict(step) for step in compared.where or ()]
     return {
         "version": 1,
@@ -87,7 +94,7 @@ def comparison_facts(compared: cncsub.Comparison) -> dict[str, Any]:
     }
 
 
-def _change_facts(change: cncsub.BlockChange) -> dict[str, Any]:
+def _change_facts(change: BlockChange) -> dict[str, Any]:
     def place(of: Any) -> dict[str, Any] | None:
         return None if of is None else of._asdict()
 
@@ -100,7 +107,7 @@ def _change_facts(change: cncsub.BlockChange) -> dict[str, Any]:
     }
 
 
-def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
+def tree_facts(run: Run, title: str) -> dict[str, Any]:
     return {
         "title": title,
         "stop": run.stop.value,
@@ -110,7 +117,7 @@ def tree_facts(run: cncsub.Run, title: str) -> dict[str, Any]:
     }
 
 
-def _call_facts(run: cncsub.Run, call: CallTree) -> dict[str, Any]:
+def _call_facts(run: Run, call: CallTree) -> dict[str, Any]:
     step = call.caller_step
     caller = None if step is None or step >= len(run.steps) else run.steps[step]
     return {
@@ -129,7 +136,7 @@ def _call_facts(run: cncsub.Run, call: CallTree) -> dict[str, Any]:
     }
 
 
-def control_facts(control: cncsub.Control) -> dict[str, Any]:
+def control_facts(control: Control) -> dict[str, Any]:
     return {
         "name": control.name,
         "title": control.title,
@@ -194,13 +201,13 @@ def control_facts(control: cncsub.Control) -> dict[str, Any]:
 # ---- alarms ----
 
 
-def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
+def explanations(asked: str, among: list[Control]) -> list[dict[str, Any]]:
     """What is known about a cause or a number: one entry for each cause, with its controls."""
     wanted = asked.strip().casefold()
-    slugs = [slug for slug in cncsub.causes if slug == wanted]
+    slugs = [slug for slug in causes if slug == wanted]
     if not slugs:
         slugs = _causes_of_number(wanted, among)
-    by_number = wanted not in cncsub.causes
+    by_number = wanted not in causes
     told = [_explanation(slug, among, wanted if by_number else None) for slug in slugs]
     if not slugs or re.fullmatch(r"[0-9]{4}", wanted):  # 3020 is said for MC3020 too
         raised = [(c, number) for c in among if (number := _user_alarm_number(c, wanted))]
@@ -208,18 +215,18 @@ def explanations(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]
     return told
 
 
-def _user_alarm_number(control: cncsub.Control, wanted: str) -> str | None:
+def _user_alarm_number(control: Control, wanted: str) -> str | None:
     """The alarm of this number that a program can raise by #3000: asked of the control itself."""
     figures = re.fullmatch(r"[a-z]*([0-9]{1,4})", wanted)
     if figures is None or not (number := int(figures[1]) % 1000):
         return None
-    alarm = cncsub.loads(f"O1\n#3000={number}\n", control=control).run().alarm
+    alarm = loads(f"O1\n#3000={number}\n", control=control).run().alarm
     raised = "" if alarm is None or alarm.cause != "user-alarm" else alarm.number or ""
     same = raised.casefold() == wanted or (figures[1] == wanted and raised.endswith(wanted))
     return raised if same else None
 
 
-def _user_alarm(raising: list[tuple[cncsub.Control, str]]) -> dict[str, Any]:
+def _user_alarm(raising: list[tuple[Control, str]]) -> dict[str, Any]:
     """What is known of an alarm that only a program raises, on the controls with its number."""
     number = raising[0][1]
     raised: dict[str, Any] = {
@@ -242,18 +249,18 @@ def _beside(slug: str) -> list[str]:
     return [kin for kin in _ALIKE if kin != slug] if slug in _ALIKE else []
 
 
-def _kin(slug: str, controls: list[cncsub.Control]) -> list[dict[str, Any]]:
+def _kin(slug: str, controls: list[Control]) -> list[dict[str, Any]]:
     """The numbers of a cause like another one, each once."""
     numbers = dict.fromkeys(c.alarms[slug].number for c in controls if slug in c.alarms)
-    meaning = cncsub.causes[slug].meaning
+    meaning = causes[slug].meaning
     return [{"number": n, "cause": slug, "meaning": meaning} for n in numbers if n]
 
 
-def _causes_of_number(wanted: str, among: list[cncsub.Control]) -> list[str]:
+def _causes_of_number(wanted: str, among: list[Control]) -> list[str]:
     entries = [alarm for control in among for alarm in control.alarms.values()]
     exact = {a.cause for a in entries if any(_same(n, wanted) for n in _numbers(a))}
     loose = {a.cause for a in entries if any(_alike(n, wanted) for n in _numbers(a))}
-    return [slug for slug in cncsub.causes if slug in (exact or loose)]
+    return [slug for slug in causes if slug in (exact or loose)]
 
 
 def _numbers(entry: Any) -> list[str]:
@@ -279,8 +286,8 @@ def _figures(number: str | None) -> str:
     return text.lstrip("0") if text.isdigit() else ""
 
 
-def _explanation(slug: str, among: list[cncsub.Control], wanted: str | None) -> dict[str, Any]:
-    cause = cncsub.causes[slug]
+def _explanation(slug: str, among: list[Control], wanted: str | None) -> dict[str, Any]:
+    cause = causes[slug]
     entries = [(c, c.alarms[slug]) for c in among if slug in c.alarms]
     if wanted is not None:
         exact = [(c, a) for c, a in entries if any(_same(n, wanted) for n in _numbers(a))]
@@ -307,9 +314,9 @@ def _alarm_entry(entry: Any) -> dict[str, Any]:
     }
 
 
-def unknown_alarm(asked: str, among: list[cncsub.Control], rules: Iterable[str]) -> str:
+def unknown_alarm(asked: str, among: list[Control], rules: Iterable[str]) -> str:
     numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
-    near = did_you_mean(asked, [*cncsub.causes, *rules, *dict.fromkeys(numbers)])
+    near = did_you_mean(asked, [*causes, *rules, *dict.fromkeys(numbers)])
     where = f" on {among[0].name}" if len(among) == 1 else ""
     known = [(c.name, what) for c in among if (what := _fact_of_control(c, asked))]
     if known:
@@ -320,7 +327,7 @@ def unknown_alarm(asked: str, among: list[cncsub.Control], rules: Iterable[str])
     return f"no alarm, cause or rule is called {asked!r}{where}{near}"
 
 
-def _fact_of_control(control: cncsub.Control, asked: str) -> str | None:
+def _fact_of_control(control: Control, asked: str) -> str | None:
     """What else of a control is called so."""
     if asked in control.parameters:
         return "a parameter"

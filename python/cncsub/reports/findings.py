@@ -10,8 +10,8 @@ from typing import Any
 from urllib.parse import quote
 from xml.etree import ElementTree
 
-import cncsub
-from cncsub.analysis.checking import RULES, Edit, Finding
+from cncsub._core import __version__
+from cncsub.checking import RULES, Edit, Finding
 from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
 from cncsub.writing import replace_whole
@@ -68,8 +68,8 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
     ]
     driver = {
         "name": "cncsub",
-        "version": cncsub.__version__,
-        "semanticVersion": cncsub.__version__,
+        "version": __version__,
+        "semanticVersion": __version__,
         "rules": rules,
     }
     numbers = [rule.number for rule in RULES]

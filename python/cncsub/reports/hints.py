@@ -10,8 +10,8 @@ from dataclasses import replace
 from typing import Any
 
 from cncsub._core import Alarm, Control
-from cncsub.analysis.checking import Finding
 from cncsub.analysis.notes import Note
+from cncsub.checking import Finding
 from cncsub.controls import controls
 from cncsub.interrupts import uninterrupted
 from cncsub.library import Library

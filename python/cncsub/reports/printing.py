@@ -9,12 +9,17 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
-import cncsub
+from cncsub._core import Control
 from cncsub.analysis.static_tree import letters
-from cncsub.controls import sources_of
+from cncsub.controls import causes, sources_of
 from cncsub.escapes import shown
 from cncsub.reports.facts import effect_of
+from cncsub.run import Stop
 from cncsub.tables.call_tree import CallTree
+
+if TYPE_CHECKING:
+    from cncsub.run import Run
+    from cncsub.stream import Stream
 
 if TYPE_CHECKING:
     import rich.console
@@ -22,7 +27,6 @@ if TYPE_CHECKING:
 MOST_CALLS = 100_000  # drawn in a tree
 MOST_LINES = 200  # printed of it
 MOST_MISSED = 20  # blocks of G31
-MOST_LOOKED_AT = 500  # moves, for what their feed counts on
 MOST_CHANGES = 200  # of watched variables
 
 
@@ -81,12 +85,12 @@ def console_on(file: IO[str]) -> Console:
 _COLOURS = {"end": "green", "cycles": "green", "alarm": "bold red"}
 
 
-def print_run(console: Console, run: cncsub.Run, title: str) -> None:
+def print_run(console: Console, run: Run, title: str) -> None:
     print_tree(console, run, title)
     print_stop(console, run)
     if len(run.moves):
         console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
-        console.print(f" time {time_words(run)}")
+        console.print(f" time {run.moves.time_words}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")
     print_watch(console, run)
@@ -110,7 +114,7 @@ def print_run(console: Console, run: cncsub.Run, title: str) -> None:
         console.print(f"... {len(words) - MOST_MISSED:,} more words were dropped")
 
 
-def print_watch(console: Console, run: cncsub.Run) -> None:
+def print_watch(console: Console, run: Run) -> None:
     """What was watched: its value at the beginning, and each change with its block."""
     now = dict(run.watch.beginning)
     changes = len(run.watch)
@@ -148,7 +152,7 @@ def _variable(value: float | None) -> str:
     return "vacant" if value is None else f"{value:.10g}"
 
 
-def print_tree(console: Console, run: cncsub.Run, title: str, *, callers: bool = False) -> None:
+def print_tree(console: Console, run: Run, title: str, *, callers: bool = False) -> None:
     """The calls; with `callers` each with its arguments and the block that called."""
     console.print(Text(shown(title), style="bold"))
     told = (lambda call: call_words(run, call)) if callers else None
@@ -162,7 +166,7 @@ def print_tree(console: Console, run: cncsub.Run, title: str, *, callers: bool =
         console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
 
 
-def call_words(run: cncsub.Run, call: CallTree) -> str:
+def call_words(run: Run, call: CallTree) -> str:
     """What was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
     words = f" {letters(call.arguments)}" if call.arguments else ""
     if call.varied:
@@ -188,51 +192,29 @@ def _tree_lines(
         waiting += [(inner, below, inner is call.calls[-1]) for inner in reversed(call.calls)]
 
 
-def print_stop(console: Console, run: cncsub.Run | cncsub.Stream) -> None:
+def print_stop(console: Console, run: Run | Stream) -> None:
     stop = Text(f"stopped: {stop_text(run)}", style=_COLOURS.get(str(run.stop), "yellow"))
     console.print(stop)
-    if run.endless is not None and run.stop is not cncsub.Stop.WAITING:
+    if run.endless is not None and run.stop is not Stop.WAITING:
         console.print(f"why: {shown(str(run.endless))}")
     if run.alarm is not None:
         console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
 
 
-def stop_text(run: cncsub.Run | cncsub.Stream) -> str:
+def stop_text(run: Run | Stream) -> str:
     """How a run ended, in words."""
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
-    if run.stop is cncsub.Stop.WAITING:
+    if run.stop is Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
     assert run.stop is not None, "a stream is written to its end"
     reasons = {
-        cncsub.Stop.END: "the program ended",
-        cncsub.Stop.ALARM: "alarm",
-        cncsub.Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
-        cncsub.Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
-        cncsub.Stop.INTERRUPTED: "interrupted",
+        Stop.END: "the program ended",
+        Stop.ALARM: "alarm",
+        Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
+        Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
+        Stop.INTERRUPTED: "interrupted",
     }
     return f"{reasons[run.stop]}, after {blocks}"
-
-
-def time_words(run: cncsub.Run) -> str:
-    """How long the moves take; a feed that counts on a spindle which stands still is told."""
-    words = duration(run.moves.total_time)
-    looked_at = range(min(len(run.moves), MOST_LOOKED_AT))
-    if any(_waits_for_spindle(run.moves[row]) for row in looked_at):
-        words += " (where no S was told, at one revolution a minute)"
-    return words
-
-
-def _waits_for_spindle(move: Any) -> bool:
-    turning = move.feed_mode == "per-revolution" and move.spindle == 0
-    return turning and move.kind not in ("rapid", "dwell")
-
-
-def duration(seconds: float) -> str:
-    """`1 h 16 min 20.6 s`."""
-    minutes, rest = divmod(seconds, 60)
-    hours, minutes = divmod(int(minutes), 60)
-    parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]
-    return " ".join([*filter(None, parts), f"{rest:.1f} s"])
 
 
 def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
@@ -241,7 +223,7 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
         console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
-def print_control(console: Console, control: cncsub.Control) -> None:
+def print_control(console: Console, control: Control) -> None:
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
     _print_facts(console, "Rules", rules)
@@ -264,7 +246,7 @@ def print_control(console: Console, control: cncsub.Control) -> None:
     if control.variable_options:
         _print_facts(console, "Variables by option", options)
     alarms = (
-        (f"{_numbers(a)} {a.cause}", a.text or cncsub.causes[a.cause].meaning, a)
+        (f"{_numbers(a)} {a.cause}", a.text or causes[a.cause].meaning, a)
         for a in control.alarms.values()
     )
     _print_facts(console, "Alarms", alarms)
@@ -277,7 +259,7 @@ def _numbers(alarm: Any) -> str:
     return alarm.number or ", ".join(directed) or "(no number)"
 
 
-def _print_sources(console: Console, control: cncsub.Control) -> None:
+def _print_sources(console: Console, control: Control) -> None:
     console.print(Text("\nSources, and what each is on this control", style="bold"))
     for source in sources_of(control):
         _print_fact(console, source.key, source.title)

@@ -21,7 +21,7 @@ from cncsub.reports.tables import calls_rows, table
 from cncsub.writing import write_whole
 
 if TYPE_CHECKING:
-    from cncsub.analysis.checking import Finding
+    from cncsub.checking import Finding
     from cncsub.library import Library
     from cncsub.run import Run
     from cncsub.tables.call_tree import CallTree
@@ -122,13 +122,11 @@ def _stop(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _facts(run: Run) -> Iterator[tuple[str, str]]:
-    from cncsub.reports.printing import time_words
-
     yield "blocks", f"{run.blocks:,}"
     yield "calls", f"{len(run.calls):,}"
     if len(run.moves):
         yield "moves", f"{len(run.moves):,}, {run.moves.total_length:,.3f} mm"
-        yield "time", f"{time_words(run)}, without acceleration"
+        yield "time", f"{run.moves.time_words}, without acceleration"
         for axis, (low, high) in run.moves.bounds.items():
             yield axis, f"{low:.10g} to {high:.10g}"
     if missed := Counter(map(str, run.missed_skips)):

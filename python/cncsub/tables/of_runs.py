@@ -348,6 +348,7 @@ class Calls(Table[Call]):
 
 
 _ALL_AXES = "xyzabcuvw"
+_LOOKED_AT = 500  # moves, for what their feed counts on
 _WORKED_OUT = frozenset(("length", "time"))
 _MORE = ("sx", "sy", "sz", "msx", "msy", "msz", "mcx", "mcy", "mcz", "cycle", "compensated")
 _FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
@@ -457,6 +458,17 @@ class Moves(Table[Move]):
         return self._core.time
 
     @property
+    def time_words(self) -> str:
+        """The time of all moves for people, such as `1 h 16 min 20.6 s`. Of feeds that count on a
+        spindle which was never told a speed it says so.
+        """
+        words = _duration(self.total_time)
+        looked_at = range(min(len(self), _LOOKED_AT))
+        if any(_waits_for_spindle(self[row]) for row in looked_at):
+            words += " (where no S was told, at one revolution a minute)"
+        return words
+
+    @property
     def bounds(self) -> dict[str, tuple[float, float]]:
         """The lowest and the highest coordinate that the moves lead to by axis, arcs with all they
         pass; programmed path, work coordinates. `"x"` is `"X"`.
@@ -485,3 +497,16 @@ class Moves(Table[Move]):
             return self.programs
         texts = {"kind": self.kinds, "feed_mode": self.feed_modes, "skip": self.skips}
         return texts.get(name)
+
+
+def _waits_for_spindle(move: Move) -> bool:
+    turning = move.feed_mode == "per-revolution" and move.spindle == 0
+    return turning and move.kind not in ("rapid", "dwell")
+
+
+def _duration(seconds: float) -> str:
+    """`1 h 16 min 20.6 s`."""
+    minutes, rest = divmod(seconds, 60)
+    hours, minutes = divmod(int(minutes), 60)
+    parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]
+    return " ".join([*filter(None, parts), f"{rest:.1f} s"])

@@ -5,7 +5,8 @@ With pytest installed, the plugin `cncsub_pytest` is loaded by it: a fixture `cn
 `*.nctest.toml` as tests.
 """
 
-from cncsub.testing.cases import Case, case, load_table
+from cncsub.testing.cases import Case, case
 from cncsub.testing.outcome import check_case
+from cncsub.testing.table_files import load_table
 
 __all__ = ["Case", "case", "check_case", "load_table"]

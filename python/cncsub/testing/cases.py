@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import re
 import sys
 import textwrap
@@ -342,35 +341,9 @@ def case(claim: str, **said: Any) -> Case:
 
 
 @contextmanager
-def _collected() -> Iterator[list[Case]]:
+def collected() -> Iterator[list[Case]]:
     _tables.append([])
     try:
         yield _tables[-1]
     finally:
         _tables.pop()
-
-
-def load_table(path: str | Path) -> tuple[Case, ...]:
-    """The cases of a file: of Python, whose calls of `case` they are; of TOML (`*.nctest.toml`),
-    where each `[[case]]` holds the words of `case` and what stands above holds for all of them; or
-    of JSON, a conformance suite as `tools/export_conformance.py` writes it.
-
-    In TOML the numbers of variables are keys: `vars = {100 = 9}`; `load = ["macros/O9010.nc"]`
-    names files and folders beside the table, whose texts are the memory. Raises `ValueError` for a
-    table that says what no case can, `OSError` for a file that cannot be read.
-    """
-    file = Path(path)
-    if file.suffix == ".toml":
-        from cncsub.testing.toml import cases_of_toml
-
-        return cases_of_toml(file)
-    if file.suffix == ".json":
-        from cncsub.testing.exchange import cases_of_json
-
-        return cases_of_json(file)
-    spec = importlib.util.spec_from_file_location(f"cncsub_table_{file.stem}", file)
-    if spec is None or spec.loader is None:
-        raise ValueError(f"{file} is no table: it is Python, TOML or JSON")
-    with _collected() as found:
-        spec.loader.exec_module(importlib.util.module_from_spec(spec))
-    return tuple(found)

@@ -167,7 +167,7 @@ def _clipped(source: str, at: int, width: int) -> tuple[str, str, int]:
 def rule_named(name: str) -> CheckRule:
     """The rule of a number or a slug; `KeyError` says what is near.
 
-    >>> from cncsub.analysis.checking import rule_named
+    >>> from cncsub.checking import rule_named
     >>> rule_named("CS201").name
     'program-missing'
     """
