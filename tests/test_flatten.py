@@ -54,8 +54,7 @@ CASES = {
     ),
     "a value between two increments, where nothing rounds it": (
         "O1\n#1=100/3\nG68 X0 Y0 R#1\nG69\nG4 X[1/3]\nM30\n",
-        "O1\nG68 X0 Y0 R[33.3333333333+0.000000000033336]\nG69\n"
-        "G4 X0.333\nM30\n",
+        "O1\nG68 X0 Y0 R[33.3333333333+0.000000000033336]\nG69\nG4 X0.333\nM30\n",
     ),
     "what the control knows of itself": (
         "O1\nG0 X[#5041+1]\n#1=100\n#101=4\nY#[#1+1]\nM30\n",
