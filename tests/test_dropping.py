@@ -72,3 +72,14 @@ def test_the_warning_is_in_the_facts_and_the_report(tmp_path: Path) -> None:
     assert facts["dropped"][0]["warning"].startswith("it would start the spindle")
     library = cncsub.load(file, control="fanuc-0i-f")
     assert "it would start the spindle" in library.run()._repr_html_()
+
+
+@pytest.mark.parametrize("word", ["M#1", "M[1+2]", "M+#1"])
+def test_a_code_that_is_computed_may_be_one_that_starts_something(word: str) -> None:
+    run = cncsub.loads(f"O1\n#1=3\nN10 {word} M9\nM30\n", control="fanuc-0i-f").run()
+    assert run.dropped[0].warning == f"it may start the spindle or the coolant: {ALLOWS}"
+
+
+def test_a_blank_in_a_code_hides_no_warning() -> None:
+    run = cncsub.loads("O1\nN10 M 03 M08\nM30\n", control="fanuc-0i-f").run()
+    assert run.dropped[0].warning == f"it would start the spindle: {ALLOWS}"

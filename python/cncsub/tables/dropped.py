@@ -11,28 +11,31 @@ from cncsub.tables.rows import Dropped
 Row = tuple[int, str, int | None, int, str, str]  # of the engine
 
 _SPINDLE = re.compile(r"M0*(\d+)=spindle-(?:forward|backward)")
-_M_CODE = re.compile(r"M0*(\d+)", re.IGNORECASE)
+_M_CODE = re.compile(r"M\s*0*(\d+)", re.IGNORECASE)
+_COMPUTED = re.compile(r"M\s*[+-]?[#\[].*", re.IGNORECASE)
 _COOLANT = (7, 8)  # as ISO 6983 numbers them: to a control they are codes as any other
 
 
 def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
     """The rows of the engine; an M code that does not start what it is there for warns."""
-    starts: dict[int, str] | None = None
+    starts: dict[int | None, str] | None = None
     for row in rows:
         code = _M_CODE.fullmatch(row[-1])
-        if code is not None and starts is None:
-            starts = _starts(control)
-        warning = None if code is None or not starts else starts.get(int(code[1]))
+        warning = None
+        if code is not None or _COMPUTED.fullmatch(row[-1]):
+            starts = starts or _starts(control)
+            warning = starts.get(int(code[1]) if code is not None else None)
         yield Dropped(*row, warning=warning)
 
 
-def _starts(control: Control) -> dict[int, str]:
-    """By M code, what is said where it is dropped."""
+def _starts(control: Control) -> dict[int | None, str]:
+    """By M code, what is said where it is dropped; by None where it is computed."""
     rules = {rule.name: rule.value for rule in control.rules}
     allows = _allows(control, rules["m_codes_per_block"])
     spindle = dict.fromkeys(map(int, _SPINDLE.findall(str(rules["roles"]))), "spindle")
     what = {**dict.fromkeys(_COOLANT, "coolant"), **spindle}
-    return {code: f"it would start the {name}: {allows}" for code, name in what.items()}
+    told: dict[int | None, str] = {None: f"it may start the spindle or the coolant: {allows}"}
+    return told | {code: f"it would start the {name}: {allows}" for code, name in what.items()}
 
 
 def _allows(control: Control, most: object) -> str:
