@@ -307,6 +307,34 @@ if __name__ == "__main__":
 """
 
 
+LAUNCHER = "import sys\nfrom cncsub.cli import main\nsys.exit(main())\n"
+
+
+@pytest.mark.parametrize("more", [["-j", "2"], ["--check", "-j", "2"]])
+def test_a_launcher_need_not_ask_whether_it_is_the_main_module(
+    tmp_path: Path, more: list[str]
+) -> None:
+    launcher = write(tmp_path, "launcher.py", LAUNCHER)
+    write(tmp_path / "programs", "O1.nc", "O1\nG0 X1.\nM30\n")
+    words = [sys.executable, launcher, "batch", str(tmp_path / "programs"), "-c", CONTROL, *more]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such limit")
+def test_workers_that_cannot_start_are_told_in_one_line(tmp_path: Path) -> None:
+    write(tmp_path, "O1.nc", "O1\nG0 X1.\nM30\n")
+    code = (
+        "import resource, sys; from cncsub.cli import main;"
+        " resource.setrlimit(resource.RLIMIT_NOFILE, (9, 9)); main()"
+    )
+    words = [sys.executable, "-c", code, "batch", str(tmp_path), "-c", CONTROL, "-j", "2"]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 5
+    assert done.stderr.startswith("cncsub: the worker processes cannot start")
+    assert done.stderr.count("\n") == 1
+
+
 def test_the_workers_of_a_process_that_is_killed_end_with_it(tmp_path: Path) -> None:
     script = write(tmp_path, "starts.py", STARTS)
     ends = subprocess.PIPE

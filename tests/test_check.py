@@ -847,6 +847,31 @@ def test_the_example_of_a_rule_with_a_certain_edit_is_mended(
     assert cncsub.load(file, control=rule.control).check(rules=[rule.number]) == []
 
 
+PART = "N20 M30\nN30 G0 X20.\n"
+
+
+@pytest.mark.parametrize(
+    ("control", "text", "fixed"),
+    [
+        ("gsk-928te", f"%00\nN10 M98 P30\n{PART}", True),
+        ("haas-ngc", f"O1\nN10 M97 P30\n{PART}", True),
+        ("haas-ngc", f"O1\nM98 P2\nM30\nO2\nN10 M97 P30\nM99\n{PART[8:]}", True),
+        ("gsk-928te", f"%00\nN10 M98 P30\n{PART[8:]}", False),  # the main program comes there too
+        ("haas-ngc", "O1\nN10 M97 P30\nGOTO 40\nN30 G0 X2.\nN40 X1.\n", False),
+    ],
+)
+def test_a_part_that_is_called_and_runs_into_the_end_gets_its_return(
+    control: str, text: str, fixed: bool
+) -> None:
+    (finding,) = cncsub.loads(text, control=control).check(rules=["CS303"])
+    assert (finding.fix is not None) is fixed
+    if finding.fix is not None:
+        (edit,) = finding.fix
+        mended = cncsub.loads(f"{text[:-1]}{edit.new}\n", control=control)
+        assert mended.check(rules=["CS303"]) == []
+        assert mended.run().stop is cncsub.Stop.END
+
+
 def test_what_is_not_certain_has_no_edit() -> None:
     text = "O1\nN10 IF[#500 EQ 0]M8\nN20 G0 G1 X1. F9\nN30 G0 X1.5\nN40 Y10\nN50 X1.;Z1.\nN90 M30\n"
     findings = cncsub.loads(text, control=MILL).check()

@@ -109,6 +109,27 @@ def test_twice_as_much_costs_no_more_than_a_few_times_as_much(kind: str) -> None
     assert cost(4 * size) < 3.2 * squared * max(cost(size), 0.01)
 
 
+def test_a_look_at_each_of_many_programs_or_names_is_no_look_at_all_of_them() -> None:
+    def cost(look: Callable[[int], object], n: int) -> float:
+        begun = time.process_time()
+        look(n)
+        return time.process_time() - begun
+
+    def flows(n: int) -> None:
+        library = cncsub.loads(a_chain(n), control=MILL)
+        assert all(library.flow(name).returns for name in library)
+
+    def names(n: int) -> None:
+        text = "".join(f"#<_v{i}>=1\n#<_w{i}>=#<_v{i}>\n" for i in range(n)) + "m2\n"
+        library = cncsub.loads(text, control="linuxcnc")
+        library.check()
+        assert library.main is not None
+        assert all(block.writes for block in list(library.main.blocks)[:-1])
+
+    for look, size in ((flows, 1500), (names, 4000)):
+        assert cost(look, 4 * size) < 12 * max(cost(look, size), 0.01)
+
+
 def test_programs_that_all_call_each_other_are_one_circle() -> None:
     findings = cncsub.loads(all_call_all(60), control=MILL).check(rules=["CS402"])
     (circle,) = findings

@@ -12,8 +12,10 @@ import unicodedata
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
 
 import cncsub
+from cncsub.cli import app
 
 CONTROL = "fanuc-30i"
 PACKAGE = Path(cncsub.__file__).parent
@@ -162,6 +164,21 @@ def test_nothing_that_is_read_can_be_code() -> None:
 # What our own pages are made of; any other tag came out of a program. None of these runs or loads anything.
 OURS = "table|thead|tbody|tr|th|td|p|div|pre|span|svg|details|summary"
 MARKUP_OF_A_PROGRAM = re.compile(rf"<(?!/?({OURS})\b)")
+
+
+@pytest.mark.parametrize("words", ["list", "check", "tree --static", "batch", "batch --check"])
+def test_folders_of_a_project_that_lie_outside_of_it_are_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, words: str
+) -> None:
+    for name in ("here", "out"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "O1.nc").write_text("O1\nG0 X1.\nM30\n")
+    monkeypatch.chdir(tmp_path / "here")
+    for folders, told in ((["../out"], 1), (["."], 0)):
+        Path("cncsub.toml").write_text(f'control = "{CONTROL}"\nfolders = {folders!r}\n')
+        done = CliRunner().invoke(app, words.split())
+        assert done.exit_code == 0
+        assert done.stderr.count("the project names it for folders, outside of") == told
 
 
 def test_no_text_of_a_program_is_markup_in_a_page(tmp_path: Path) -> None:

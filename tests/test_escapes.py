@@ -17,8 +17,10 @@ from typer.testing import CliRunner
 from cncsub.cli import app
 from cncsub.escapes import cell, escape, for_github, for_xml, referred, shown
 
-EVIL = "\x1b[31m\x1b]0;own\x07\x9b31m\x08\x7f\u202e\u2066\u200f\u2028\x85"
-OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+EVIL = "\x1b[31m\x1b]0;own\x07\x9b31m\x08\x7f\u202e\u2066\u200f\u2028\x85\u200b\ufeff\U000e0041"
+OBEYED = re.compile(
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff\U000e0041]"
+)
 PROGRAMS = {
     "fanuc-0i-f": f"O1(T{EVIL})\n(c {EVIL})\nN10 G0 X1. ({EVIL})\nM98 P2\nM30\nO2({EVIL})\n"
     f"POPEN\nDPRNT[X{EVIL}]\nIF[#1EQ2]#3=4 ({EVIL})\nM99\nO3\n#1=XO.{EVIL}\n#3000=1({EVIL})\n",

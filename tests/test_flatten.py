@@ -230,6 +230,30 @@ def test_what_has_no_words_on_another_control(text: str, control: str, reason: s
         library.flatten(control=control)
 
 
+@pytest.mark.parametrize(
+    ("name", "control", "head"),
+    [
+        ("part 7.ngc", "siemens-one", "%_N_part_7_MPF"),
+        ("xy;M30.ngc", "siemens-one", "%_N_xy_M30_MPF"),
+        ("ab\u5de5.ngc", "siemens-one", "%_N_ab__MPF"),
+        ("AB)(C.ngc", "siemens-one", "%_N_AB__C_MPF"),
+        ("PART20231125.ngc", "fanuc-0i-f", "O20231125"),
+        ("PART20231125.ngc", "haas-ngc", "O1"),  # no number there
+        ("part12345.ngc", "gsk-980mdi", "O1"),
+        ("0000.ngc", "mitsubishi-m700", "O1"),
+        ("part123456789012345678901.ngc", "fanuc-0i-f", "O1"),
+    ],
+)
+def test_the_name_for_another_control_is_one_there(
+    tmp_path: Path, name: str, control: str, head: str
+) -> None:
+    file = tmp_path / name
+    file.write_text("g21 g90 g0 x1 y2\nm2\n", encoding="utf-8")
+    flat = cncsub.load(file, control="linuxcnc").flatten(control=control)
+    flat.verify()
+    assert flat.text.split("\n")[0] == head
+
+
 def test_for_another_control() -> None:
     library = cncsub.loads(CASES["an expression"][0], control="fanuc-0i-f")
     flat = cncsub.flatten(library, control="mitsubishi-m700")

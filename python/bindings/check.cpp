@@ -140,12 +140,22 @@ py::list all_rules() {
   return rows;
 }
 
+/// The ways through all programs of a memory, which those of each one depend on.
+struct Flows {
+  std::shared_ptr<const Code> code;
+  std::vector<ProgramFlow> all;
+};
+
+Flows flows(const std::shared_ptr<Code>& code) {
+  Flows found{.code = code, .all = {}};
+  work_away([&](InterruptCheck& interrupt) { found.all = flow_of(*code, interrupt); });
+  return found;
+}
+
 /// The ways of a program: (block, where it goes on, why). The end stands behind the last block,
 /// and None for any block with a number.
-py::tuple flow(const ProgramData& program) {
-  std::vector<ProgramFlow> flows;
-  work_away([&](InterruptCheck& interrupt) { flows = flow_of(*program.code, interrupt); });
-  const ProgramFlow& own = flows[program.index];
+py::tuple flow(const Flows& flows, const ProgramData& program) {
+  const ProgramFlow& own = flows.all[program.index];
   const std::vector<bool> reached = own.reached();
   const Address last = reached.back() ? own.anywhere() : own.last();
   py::list edges, returns, ends;
@@ -170,7 +180,9 @@ void add_check(py::module_& m) {
   m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
   m.def("checks", &all_rules);
   m.def("told_for", &told_for, py::arg("control"));
-  m.def("flow", &flow, py::arg("program"));
+  py::class_<Flows>(m, "Flows");
+  m.def("flows", &flows, py::arg("code"));
+  m.def("flow", &flow, py::arg("flows"), py::arg("program"));
 }
 
 }  // namespace cncsub::bindings

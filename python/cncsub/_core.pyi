@@ -257,7 +257,12 @@ def told_for(control: Control) -> tuple[list[tuple[str, str]], dict[str, tuple[s
     every cause, by its slug.
     """
 
+class Flows:
+    """The ways through all programs of a memory."""
+
+def flows(code: Code) -> Flows: ...
 def flow(
+    flows: Flows,
     program: ProgramData,
 ) -> tuple[list[tuple[int | None, int | None, str]], list[int], list[int], list[int]]:
     """The ways between blocks; those that return, that end, that nothing leads to."""

@@ -357,8 +357,8 @@ class Flow:
         return "\n".join(["digraph flow {", *ways, "}"]) + "\n"
 
 
-def flow_of(data: _core.ProgramData, blocks: int) -> Flow:
-    edges, returns, ends, unreached = _core.flow(data)
+def flow_of(flows: _core.Flows, data: _core.ProgramData, blocks: int) -> Flow:
+    edges, returns, ends, unreached = _core.flow(flows, data)
     return Flow(
         data.name,
         blocks,

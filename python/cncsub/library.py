@@ -249,13 +249,17 @@ class Library(Mapping[str, Program]):
 
         return graph_figure(self, title=title)
 
+    @cached_property
+    def _flows(self) -> _core.Flows:
+        return _core.flows(self._code)
+
     def flow(self, program: str | int) -> Flow:
         """The ways through a program, told by its blocks without running them: see `Flow`."""
         index = self._find(program)
         data = self._code.program(index)
         from cncsub.checking import flow_of
 
-        return flow_of(data, data.blocks)
+        return flow_of(self._flows, data, data.blocks)
 
     def check(
         self,

@@ -14,6 +14,7 @@ import stat
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import IO, Any
 
 WINDOWS = sys.platform == "win32"
@@ -124,6 +125,19 @@ def write_what_can_be() -> None:
     for file in (sys.stdout, sys.stderr):
         if not takes_any_text(file) and hasattr(file, "reconfigure"):
             file.reconfigure(errors="backslashreplace")
+
+
+@contextlib.contextmanager
+def started_without_main() -> Iterator[None]:
+    """Processes that are spawned meanwhile do not run the main module again: it is a launcher of
+    our command, and not every launcher asks whether it is the main module.
+    """
+    known = sys.modules["__main__"]
+    sys.modules["__main__"] = ModuleType("__main__")
+    try:
+        yield
+    finally:
+        sys.modules["__main__"] = known
 
 
 @contextlib.contextmanager

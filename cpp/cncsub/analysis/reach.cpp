@@ -131,13 +131,20 @@ void check_unreached(Checker& c, const ProgramFlow& flow, const std::vector<bool
   }
 }
 
-/// A program that is only called returns at its end: nothing else can be meant.
+/// Whether a part that is called, at a block of its own, is all that comes to the end of a program.
+bool only_parts_end(const Checker& c, const ProgramFlow& flow) {
+  if (flow.entries().empty() || c.is_called_by_another(flow.program())) return false;
+  return !flow.calls_computed() && !flow.reached_from(flow.first())[flow.last() - flow.first()];
+}
+
+/// A program that is only called returns at its end, as its called part does: nothing else can be
+/// meant.
 void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   const std::string code = return_code(*c.code.control);
   if (code.empty()) return;
   const Program& program = c.program(flow.program());
-  const bool called = c.is_called(flow.program()) && flow.program() != c.main;
-  if (!called || flow.ever_ends() || ends_in_g99(c, flow)) return;
+  const bool called = c.is_called(flow.program()) && flow.program() != c.main && !flow.ever_ends();
+  if ((!called && !only_parts_end(c, flow)) || ends_in_g99(c, flow)) return;
   const std::string_view text = c.code.files[program.file].text.view();
   const Block& last = c.code.blocks[flow.last() - 1];
   const std::size_t end = std::min(text.find('\n', last.text), text.size());

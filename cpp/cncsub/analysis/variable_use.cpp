@@ -53,11 +53,8 @@ const NamedVariable& VariableUses::named_variable(std::int32_t number) const {
 
 std::int32_t VariableUses::number_of(std::int32_t local) const {
   if ((named_ >> local & 1) == 0) return local;
-  const auto& all = c_.code.named_variables;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const NamedVariable& of) {
-    return !of.common && of.index == local;
-  });
-  return kFirstNamed + static_cast<std::int32_t>(found - all.begin());
+  const NamedVariable* const found = c_.code.named(false, local);
+  return kFirstNamed + static_cast<std::int32_t>(found - c_.code.named_variables.data());
 }
 
 std::string VariableUses::name_of(std::int32_t number) const {

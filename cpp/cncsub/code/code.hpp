@@ -121,6 +121,8 @@ struct Code {
   std::vector<LabelledHead> heads;  // by label, then by address
   std::vector<NamedVariable> named_variables;
   std::unordered_map<std::string, std::uint32_t> named_places;
+  std::array<std::unordered_map<std::int32_t, std::uint32_t>, 2>
+      named_at;                // locals, commons by index
   std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
   std::vector<cncsub::Together> together;
   std::vector<Print> prints;
@@ -132,6 +134,11 @@ struct Code {
 
   Expression expression(std::uint32_t number) const {
     return Expression(expressions.data() + number);
+  }
+  /// The variable with a name that lies there; null where none does.
+  const NamedVariable* named(bool common, std::int32_t index) const {
+    const auto found = named_at[common ? 1 : 0].find(index);
+    return found == named_at[common ? 1 : 0].end() ? nullptr : &named_variables[found->second];
   }
   VariablePlace place(std::int64_t number) const;
   /// Whether a program can name this variable: from 1 to `last`, and commons that are there.

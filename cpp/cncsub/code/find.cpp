@@ -53,7 +53,7 @@ auto numbered(const Code& code, std::int64_t number) {
 }
 
 /// Whether a program answers to a name: its own, or the one of the file that it is the first of.
-auto named(const Code& code, std::string_view name) {
+auto with_name(const Code& code, std::string_view name) {
   return [&code, name](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     const Program& program = code.programs[at];
@@ -76,11 +76,11 @@ void Code::register_programs(const std::function<bool()>& over) {
           static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
     ProgramIndex& names = by_name[file.external];
     const std::string name = name_of(program);
-    const std::int32_t before = names.find_or_add(hash_of(name), named(*this, name), place);
+    const std::int32_t before = names.find_or_add(hash_of(name), with_name(*this, name), place);
     if (program.number < 0) program.duplicate_of = before;
     const std::string_view base = last_part(file.name);
     if (first_in_file(*this, i) && !base.empty())
-      names.find_or_add(hash_of(base), named(*this, base), place);
+      names.find_or_add(hash_of(base), with_name(*this, base), place);
   };
   bool parts = false;
   for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
@@ -97,7 +97,7 @@ std::int32_t Code::find(std::int64_t number, bool external) const {
 }
 
 std::int32_t Code::find(std::string_view name, bool external) const {
-  const std::int32_t found = by_name[external].find(hash_of(name), named(*this, name));
+  const std::int32_t found = by_name[external].find(hash_of(name), with_name(*this, name));
   if (found != kNoProgram) return found;
   const std::int64_t number = number_in(name);
   return number >= 0 ? find(number, external) : kNoProgram;

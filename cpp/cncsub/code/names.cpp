@@ -21,8 +21,11 @@ void Names::sort_heads() {
 std::uint32_t Names::variable(const std::string& name, bool common) {
   const auto place = static_cast<std::uint32_t>(code_.named_variables.size());
   const auto [found, is_new] = code_.named_places.try_emplace(name, place);
-  if (is_new)
-    code_.named_variables.push_back({name, common, common ? code_.commons++ : code_.locals++});
+  if (is_new) {
+    const std::int32_t index = common ? code_.commons++ : code_.locals++;
+    code_.named_variables.push_back({name, common, index});
+    code_.named_at[common ? 1 : 0].emplace(index, place);
+  }
   return found->second;
 }
 

@@ -16,9 +16,10 @@ bool is_indirect(Ins op) { return op == Ins::Indirect || op == Ins::IndirectRaw;
 VariableReference VariablesUsed::variable(bool common, std::int32_t index, TextPlace place) const {
   VariableReference found;
   found.place = place;
-  for (const NamedVariable& of : code_.named_variables)
-    if (of.common == common && of.index == index) found.name = of.name;
-  if (!found.name.empty()) return found;
+  if (const NamedVariable* const of = code_.named(common, index)) {
+    found.name = of->name;
+    return found;
+  }
   found.number = index;
   for (const PlacedRange& placed : code_.variables) {
     const VariableRange& range = placed.range;

@@ -63,6 +63,20 @@ NcWords constant_words(const Machine& machine, const Block& block) {
   return words;
 }
 
+namespace {
+
+/// The number of a program there: that of its name, 1 where the name has none, or none that the
+/// control takes.
+std::string number_there(const std::string& number, const Control& control) {
+  constexpr std::size_t kMostDigits = 9;
+  const std::size_t first = number.find_first_not_of('0');
+  if (first == std::string::npos || number.size() - first > kMostDigits) return "1";
+  const bool taken = std::stoi(number) <= control.reading.max_program_number.value;
+  return taken ? number : "1";
+}
+
+}  // namespace
+
 OtherWriter::OtherWriter(const Machine& from, const Machine& to)
     : from_(from), to_(to), words_(from, to), at_power_on_(from.motion().state().modal) {}
 
@@ -91,11 +105,16 @@ std::string OtherWriter::head(const std::string& name) const {
   if (number.find_first_not_of("0123456789") != std::string::npos) number.clear();
   if (!around.behind.empty()) {  // a name, that begins with two letters
     const bool letters = name.size() > 1 && is_letter(name[0]) && is_letter(name[1]);
-    return std::string(around.before) + (letters ? name : "PROG" + number) +
-           std::string(around.behind) + "\n";
+    std::string written(around.before);
+    for (const char c : letters ? name : "PROG" + number) {
+      if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // inside a character
+      // What no name holds, blanks, points and letters of other scripts, is written as _.
+      written += is_letter(c) || is_digit(c) ? c : '_';
+    }
+    return written + std::string(around.behind) + "\n";
   }
   const bool percent = control.reading.program_heads.value.has(ProgramHead::Percent);
-  return (percent ? "%" : std::string(around.before)) + (number.empty() ? "1" : number) + "\n";
+  return (percent ? "%" : std::string(around.before)) + number_there(number, control) + "\n";
 }
 
 // ---- codes ----

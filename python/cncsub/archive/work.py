@@ -213,6 +213,10 @@ def bad_row(task: Task, job: Job, status: str, error: str) -> Row:
 # ---- workers ----
 
 
+class WorkersError(RuntimeError):
+    """Raised where the worker processes cannot start."""
+
+
 def _ready() -> bool:
     return True
 
@@ -238,7 +242,7 @@ def _end_with_parent() -> None:
 def new_pool(workers: int) -> Executor:
     """Processes of our own. Spawned, because a fork of a process with threads may hang.
 
-    Raises `RuntimeError` where they cannot start.
+    Raises `WorkersError` where they cannot start.
     """
     import multiprocessing
     from concurrent.futures import ProcessPoolExecutor
@@ -249,14 +253,20 @@ def new_pool(workers: int) -> Executor:
                 return super().submit(*work, **options)
 
     spawned = multiprocessing.get_context("spawn")
-    pool = Pool(workers, mp_context=spawned, initializer=_end_with_parent)
+    try:
+        pool = Pool(workers, mp_context=spawned, initializer=_end_with_parent)
+    except (OSError, NotImplementedError, ImportError) as error:  # no semaphores, no queues
+        raise WorkersError(f"the worker processes cannot start: {error}") from None
     try:
         pool.submit(_ready).result()
+    except OSError as error:
+        end_pool(pool)
+        raise WorkersError(f"the worker processes cannot start: {error}") from None
     except (BrokenExecutor, KeyboardInterrupt) as error:
         end_pool(pool)
         if isinstance(error, KeyboardInterrupt):
             raise
-        raise RuntimeError(
+        raise WorkersError(
             "the worker processes cannot start; a script that runs a batch calls it below"
             ' `if __name__ == "__main__":`'
         ) from None

@@ -12,6 +12,8 @@ from typing import Annotated, Any
 
 import typer
 
+from cncsub import system
+from cncsub.archive.work import WorkersError
 from cncsub.checking import chosen_rules
 from cncsub.cli.options import (
     ControlName,
@@ -20,13 +22,16 @@ from cncsub.cli.options import (
     Param,
     SetupFile,
     control_for,
+    outside,
     setup_for,
+    tell_all,
     wrong_use,
 )
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 
 _SHOWN = 20  # of the runs that did not end well, and of the findings, as text
+NOT_DONE = 5  # exit status: no room for processes
 FINE = ("ran", "cycles", "note")
 
 
@@ -69,10 +74,15 @@ def batch(
     options = locals()
     with wrong_use():
         project = project_for(paths)
+        tell_all(list(outside(options, project)))
         try:
-            rows = _rows(options, project)
+            with system.started_without_main():
+                rows = _rows(options, project)
         except ImportError as error:
             raise ValueError(str(error)) from None
+        except WorkersError as error:
+            typer.echo(f"cncsub: {error}", err=True)
+            raise typer.Exit(NOT_DONE) from None
     counts = _tell(rows, format, project.severity)
     if not counts and check and format is BatchFormat.TEXT:
         typer.echo("nothing found")

@@ -24,7 +24,9 @@ from cncsub.cli.options import (
     SetupFile,
     files_beside,
     library_of,
+    outside,
     setup_for,
+    tell_all,
     write_code,
     write_json,
     write_text,
@@ -82,6 +84,7 @@ def check(
     with wrong_use():
         project = project_for(paths)
         asked = chosen_rules(rule) - chosen_rules(ignore or ()) - project.ignore
+        tell_all(list(outside(options, project)))
         each = [[path] for path in dict.fromkeys(paths)] if apart and paths else [paths]
         parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
         found = [finding for part in parts for finding in part.findings]

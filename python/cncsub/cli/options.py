@@ -360,7 +360,7 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
     ]
-    return [*defaulted(options), *_outside(options, project), *beside] + [
+    return [*defaulted(options), *outside(options, project), *beside] + [
         note
         for note in library.notes
         if note.kind != "left-out" or os.path.realpath(note.file) not in known
@@ -375,12 +375,18 @@ def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
         yield Note("defaulted", told, str(project.file))
 
 
-def _outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
+def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
     """A note for each file and folder that the project names outside its own folder."""
-    for name in PLACES:
-        if name in options and options[name] is None and (place := project.outside(name)):
-            told = f"the project names it for {name}, outside of its own folder"
-            yield Note("outside", told, str(place))
+    places = [
+        (name, place)
+        for name in PLACES
+        if name in options and options[name] is None and (place := project.outside(name))
+    ]
+    if not options.get("paths") and options.get("mdi") is None:
+        places += [("folders", place) for place in project.programs_outside]
+    for name, place in places:
+        told = f"the project names it for {name}, outside of its own folder"
+        yield Note("outside", told, str(place))
 
 
 def told_idle(

@@ -68,6 +68,11 @@ class Project:
         path = self.places.get(name)
         return None if path is None or self._holds(path) else Path(os.path.realpath(path))
 
+    @property
+    def programs_outside(self) -> list[Path]:
+        """Where those of the programs really lie that are not in the folder of the project."""
+        return [Path(os.path.realpath(path)) for path in self.programs if not self._holds(path)]
+
     def _place(self, name: str) -> Path | None:
         path = self.places.get(name)
         return None if path is None else self._allowed(name, path)
