@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+import cncsub
 import linuxcnc_blocks
 import linuxcnc_flat
 import linuxcnc_moves
@@ -83,3 +84,19 @@ def test_flat_programs_move_as_their_originals(
     assert report.different == [], capsys.readouterr().out
     assert sum(report.refused.values()) < 0.3 * report.programs
     assert report.moves > 8 * report.programs
+
+
+@pytest.mark.parametrize("end", ["%\n", "M2\n%\n"])
+@pytest.mark.parametrize("begin", ["", "%\n"])
+def test_a_percent_sign_behind_the_end_of_a_sub_is_no_finding(
+    tmp_path: Path, begin: str, end: str
+) -> None:
+    (tmp_path / "main.ngc").write_text(f"{begin}o<s> call\nM2\n{begin}")
+    (tmp_path / "s.ngc").write_text(f"o<s> sub\nG0 X5\no<s> endsub\n{end}")
+    library = cncsub.load(tmp_path / "main.ngc", tmp_path / "s.ngc", control="linuxcnc")
+    assert not library.check()
+
+
+def test_a_percent_sign_that_a_program_comes_to_is_one_finding() -> None:
+    found = cncsub.loads("G0 X1\n%\nG0 X2\nM2\n", control="linuxcnc").check()
+    assert [(finding.rule, finding.line) for finding in found] == [("CS101", 2)]

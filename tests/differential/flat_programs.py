@@ -28,6 +28,7 @@ _BLOCKS = 20_000
 
 # What rows that end are refused for.
 REASONS = {
+    "M02 or M30 returns from a subprogram, and the flat program would end there",
     "a code starts the program over, and the flat program goes on behind it",
     "the run ends by an alarm:  user-alarm",
     "what M70 to M73 keep and take back in is each call's own, and a flat program has no calls",

@@ -232,6 +232,17 @@ void check_never_called(Checker& c, const ProgramFlow& flow) {
           "no program here calls " + c.code.name_of(program));
 }
 
+/// The % that the control refuses where it comes to them.
+void check_tape_ends(Checker& c, const ProgramFlow& flow, const std::vector<bool>& reached) {
+  if (!flow.has_labels()) return;
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    if (!reached[at - flow.first()] || c.code.blocks[at].op != Op::Labelled) continue;
+    const Labelled& own = c.code.labelled[c.code.blocks[at].aux];
+    if (own.kind == LabelledKind::TapeEnd && own.refused != Labelled::kNone)
+      c.refused(Check::Refused, at, c.code.faults[own.refused]);
+  }
+}
+
 }  // namespace
 
 void check_reach(Checker& c) {
@@ -255,6 +266,7 @@ void check_reach(Checker& c) {
     mark_profiles(c, flow, reached);
     if (!starts && !unsure[static_cast<std::size_t>(flow.program())])
       check_unreached(c, flow, reached);
+    check_tape_ends(c, flow, reached);
     check_ends_in_call(c, flow);
     check_fallen_into(c, flow);
     if (!computed) check_never_called(c, flow);

@@ -355,6 +355,7 @@ bool obey(Run& run, const Labelled& own) {
     case LabelledKind::Call98:
       return labelled_call(run, own);
     case LabelledKind::TapeEnd:
+      if (own.refused != Labelled::kNone) return alarm(run, run.code->faults[own.refused]);
       record_step(run);
       return end_run(run, Stop::End);
     case LabelledKind::If:

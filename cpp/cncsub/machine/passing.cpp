@@ -49,6 +49,9 @@ bool read_on_the_way(Run& run, Address first, Address to, const std::string& sou
     }
     const Labelled& met = run.code->labelled[block.aux];
     if (met.kind == LabelledKind::TapeEnd) {
+      const auto main = static_cast<std::size_t>(run.state.frames.front().program);
+      const bool begun = run.code->programs[main].opening != 0;
+      if (met.refused != Labelled::kNone && !begun) continue;
       Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
       fault.text = met.of_another_kind;
       return stopped_at(run, at, std::move(fault), sought);

@@ -122,6 +122,15 @@ case("a work system its number", **RUN,
 case("where the main program stands between %, a file that begins with one is not read", **RUN,
      files={"main.ngc": "%\nN10 o<sub> call\nN20 M2\n%", "sub.ngc": "%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
      runs="", alarm="program-not-found")
+case("a % that stands before a sub in its file hides it from a program that begins with one", **RUN,
+     files={"main.ngc": "%\nN10 o<sub> call\nN20 M2\n%", "sub.ngc": "(SUB)\n%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
+     main="main", runs="N10", alarm="program-not-found")
+case("where no % begins the main program, one before the sub hides nothing", **RUN,
+     files={"main.ngc": "N10 o<sub> call\nN20 M2", "sub.ngc": "(SUB)\n%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
+     main="main", moves_x=[1])
+case("a % inside a sub is refused", **RUN,
+     files={"main.ngc": "N10 o<sub> call\nN20 M2", "sub.ngc": "o<sub> sub\nN30 G0 X1\n%\no<sub> endsub\n"},
+     main="main", alarm="illegal-character", moves_x=[1])
 case("otherwise it is", **RUN,
      files={"main.ngc": "N10 o<sub> call\nN20 M2", "sub.ngc": "%\no<sub> sub\nN30 G0 X1\no<sub> endsub\n%"},
      moves="R X1")

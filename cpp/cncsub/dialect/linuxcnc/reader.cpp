@@ -68,22 +68,28 @@ class FileReader {
     block.line = line;
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
     Label label;
-    if (tape && text == "%") {
-      end_of_tape(block);
-      label.unreadable = true;  // nobody looks behind it
+    if (text == "%") {
+      end_of_tape(block, tape);
+      (tape ? label.unreadable : label.computed) = true;  // behind a tape's end nobody looks
     } else if (!blocks_.read(text, block, label)) {
       return;
     }
-    if (label.unreadable || label.unknown || label.kind)
+    if (label.unreadable || label.unknown || label.computed || label.kind)
       lines_.push_back({to_.next_address(), label});
     to_.append(block);
   }
 
-  void end_of_tape(Block& block) {
+  /// A %; where no other one begins the file, it is refused when a program comes to it.
+  void end_of_tape(Block& block, bool tape) {
     Labelled own;
     own.kind = LabelledKind::TapeEnd;
     own.at = block.text;
     own.of_another_kind = "Failed to find sub 'O{name}' before EOF";
+    if (!tape) {
+      Fault fault{Cause::IllegalCharacter, block.text, 1, "no % begins the file"};
+      fault.text = "Bad character '%' used";
+      own.refused = to_.keep(std::move(fault));
+    }
     to_.become(block, Op::Labelled, own);
   }
 
