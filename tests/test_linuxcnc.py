@@ -64,10 +64,8 @@ def test_series_values_and_codes_of_group_00(
     assert report.moves > 15 * programs
 
 
-# The kinds held, tools, block and written are left out: the tool in the spindle is told from the one that is chosen
-# by rs274 alone, and so is what it does with compensation and with shifts that are written.
 @pytest.mark.skipif(RS274 is None, reason="rs274 is not installed: Debian package linuxcnc-uspace")
-@pytest.mark.parametrize("kind", ["feed", "units", "modes", "calls"])
+@pytest.mark.parametrize("kind", ["feed", "units", "modes", "calls", "tools", "held"])
 def test_blocks_that_are_read_or_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
 ) -> None:

@@ -44,7 +44,7 @@ UNDER_COMPENSATION = (
     "G55", "G54", "G61", "G61.1", "G64", "G64 P0.1", "G98", "G99", "T2", "T1 M6", "M6", "G28", "G30",
     "G28 X1", "G28.1", "G30.1", "G92 X1", "G52 X1", "G92.1", "G92.2", "G92.3", "G53 G0 X1", "G53 G1 X1",
     "G43", "G49", "G43.1 Z1", "G17", "G18", "G19", "G20", "G21", "M48", "M49", "M50 P1", "M53 P0",
-    "M62 P1", "M65 P1", "M67 E1 Q2", "M68 E1 Q1", "M61 Q1", "G10 L2 P1 X1", "G10 L20 P1 X0", "G10 L1 P1 Z1",
+    "M62 P1", "M65 P1", "M67 E1 Q2", "M68 E1 Q1", "G10 L2 P1 X1", "G10 L20 P1 X0", "G10 L1 P1 Z1",
     "G38.2 X90 F100", "G81 Z-5 R2", "G33 Z-1 K1", "G76 Z-5 P1 I1 J1 K1", "G4 P0.1", "M8", "S600", "F200",
     "G90.1", "G93", "G94", "G95", "G94 F100", "M3", "M5", "G7", "G8", "G41", "G42 D1", "G96 S5", "G97 S5",
     "M70", "M73", "M72", "@5 ^20", "G80",
@@ -192,6 +192,9 @@ def written(of: Writer) -> None:
         of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2 Z3", "G92.3", "G92.2", "G10 L2 P1 Y0",
                          "G92 X5", "G52 Y1", "G0 X1", "G43", "G49", "G10 L20 P1 X0")))  # fmt: skip
         of.show()
+    if turn:  # what is shifted under a turn rs274 loses sight of
+        of.put("G10 L2 P1 R0")
+        of.put("G10 L2 P2 R0")
 
 
 def modes(of: Writer) -> None:
@@ -226,8 +229,11 @@ def tools(of: Writer) -> None:
     if of.careful:
         return
     for _ in range(r.randint(1, 3)):
-        words = r.sample(("T1", "T2", "T3", "T0", "M6", "G43", "G49", "H1", "H2", "H0", "G43.1 Z1",
+        words = r.sample(("T1", "T2", "T3", "M6", "G43", "G49", "H1", "H2", "H0", "G43.1 Z1",
                           "G0 X1", "G40"), r.randint(1, 3))  # fmt: skip
+        if "M6" in words:  # a length that is in force then is one of a machine
+            of.put("G49 G90 G0 X0 Y0 Z9")
+            words = [word for word in words if not word.startswith("G43")]
         of.put(*words)
         if of.chance(0.5):
             of.lines.append("(debug,#5400 #<_selected_tool>)")

@@ -17,8 +17,9 @@ reads one beyond them), U, V and W, which it does not know, what a tool length i
 units or of the tool, for which it asks a machine, G43.2 by axis words, where it looks for tool -1,
 G88, where the operator draws back, a work system that is turned under a shift of G92, of which it
 loses sight where the tool is, a peck that ends at the bottom but for rounding, taps outside of G17 in
-series, G90 and G91 between the holes of careful programs, and tools that no table has, which a setup
-need not list. Careful programs, of which `--together` makes one, have nothing of the kinds held and
+series, G90 and G91 between the holes of careful programs, tools that no table has, which a setup
+need not list, M61 under compensation, where it asks a machine where the tool stands while a move still
+waits, and M6 of T0 and M61 of another tool, which leave the tool of its carousel where it was. Careful programs, of which `--together` makes one, have nothing of the kinds held and
 tools, and of block only what never stops; by themselves programs have all of it.
 """
 

@@ -10,6 +10,12 @@ bool is_computed(const Control& c, Meaning meaning) {
   return meaning != Meaning::Uncomputed;
 }
 
+/// G92.1 to G92.3, which go with another code that holds for one block. [rs274 2.9]
+bool changes_shift(Meaning meaning) {
+  return meaning == Meaning::ClearShift || meaning == Meaning::SuspendShift ||
+         meaning == Meaning::RestoreShift;
+}
+
 /// Whether a code is that of a plain move.
 bool is_of_move(const CodeMeanings& meanings, const GCode& code) {
   return is_neutral(code.meaning) ||
@@ -73,7 +79,8 @@ bool BlockCodes::take(std::size_t place, const CodeMeanings& meanings) {
     of_move = false;
     if (code.group != Group::OneShot && c.reading.repeated_address.value == RepeatedAddress::Alarm)
       return refused(Cause::AddressGivenTwice);
-    if (kept.code != code.code) drop(kept.code, place);
+    if (changes_shift(code.meaning)) return true;  // both do what they say
+    if (kept.code != code.code && !changes_shift(kept.meaning)) drop(kept.code, place);
   }
   kept = code;
   groups |= bit(code.group);

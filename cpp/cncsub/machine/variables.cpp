@@ -127,7 +127,7 @@ void write_over(Run& run, std::size_t kind, std::int64_t number, double value) {
   auto& written = run.state.written_over;
   if (run.motion.state().set_anew[kind])
     std::erase_if(written, [kind](const auto& entry) { return entry.second == kind; });
-  run.motion.write_over(kind);
+  run.motion.write_over(kind, value);
   run.state.system[number] = value;
   written[number] = kind;
 }

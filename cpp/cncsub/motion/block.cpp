@@ -79,7 +79,7 @@ Result one_shot(MotionContext& m, BlockWords& block) {
     case Meaning::ClearShift:
     case Meaning::SuspendShift:
     case Meaning::RestoreShift:
-      return change_shift(m, block);
+      return change_shift(m, block, block.meaning(Group::OneShot));
     case Meaning::StoreReference:
       return store_reference(m, block);
     default:
@@ -160,12 +160,21 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   }
 }
 
+/// G92.1 to G92.3 beside another code that holds for one block.
+Result change_shift_beside(MotionContext& m, BlockWords& block) {
+  for (const Meaning meaning : {Meaning::ClearShift, Meaning::SuspendShift, Meaning::RestoreShift})
+    if (block.words.codes->all.test(at(meaning)) && block.meaning(Group::OneShot) != meaning)
+      return change_shift(m, block, meaning);
+  return std::nullopt;
+}
+
 /// What the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
   if (once == Meaning::Ignored) return std::nullopt;
   if (leaves_axes(m.facts, block)) {
     if (auto wrong = one_shot(m, block)) return wrong;
+    if (auto wrong = change_shift_beside(m, block)) return wrong;
     return has_motion(block) ? make_motion(m, block) : std::nullopt;
   }
   if (goes_with_motion(m.state, block))
@@ -173,8 +182,11 @@ Result act(MotionContext& m, BlockWords& block) {
   take_motion_code(m, block);  // it holds for the blocks behind, as the end of a cycle does
   if (block.meaning(Group::Cycle) == Meaning::CycleOff)
     if (auto wrong = enter_cycle(m, block)) return wrong;
-  block.cycle = block.cycle || makes_cycle(block.meaning(Group::OneShot));
-  return one_shot(m, block);
+  block.cycle = block.cycle || makes_cycle(once);
+  if (once == Meaning::Machine)  // it moves, after the shift is changed
+    if (auto wrong = change_shift_beside(m, block)) return wrong;
+  if (auto wrong = one_shot(m, block)) return wrong;
+  return once == Meaning::Machine ? std::nullopt : change_shift_beside(m, block);
 }
 
 /// Whether a block may change where things lie: it has T or H, or a code of another group than

@@ -125,23 +125,34 @@ bool moves_axes(const Block& b) {
 
 }  // namespace
 
+/// When a radius is compensated: before the block, or behind its G40 to G42.
+enum class Compensated : std::uint8_t { Either, Before, Behind };
+
 struct Conflict {
   Cause cause;
   bool (*applies)(const MotionState&, const BlockWords&);
   bool of_words = false;                         // a block without G codes may have it
   Rule<Codes> MotionRules::* codes = nullptr;    // and the block has one of these
   Rule<Codes> MotionRules::* m_codes = nullptr;  // or one of these
+  Compensated compensated = Compensated::Either;
 
   bool is_in(MotionView m, const BlockWords& block) const {
-    if (!applies(m.state, block)) return false;
-    if (codes == nullptr) return true;
+    if (!is_met(m, block) || !applies(m.state, block)) return false;
     const MotionRules& rules = m.facts.control->motion;
-    const Codes& list = (rules.*codes).value;
-    if (any_code(block.words, [&list](int code) { return list.has(code); })) return true;
-    if (m_codes == nullptr) return false;
+    if (codes != nullptr) {
+      const Codes& list = (rules.*codes).value;
+      if (any_code(block.words, [&list](int code) { return list.has(code); })) return true;
+    }
+    if (m_codes == nullptr) return codes == nullptr;
     const auto ms = block.words.codes->m();
     return std::any_of(ms.begin(), ms.end(),
                        [&](int code) { return (rules.*m_codes).value.has(code * 10); });
+  }
+
+  bool is_met(MotionView m, const BlockWords& block) const {
+    if (compensated == Compensated::Either) return true;
+    return compensated == Compensated::Before ? compensating(m.state)
+                                              : compensates_behind(m, block);
   }
 };
 
@@ -234,8 +245,8 @@ constexpr Conflict kConflicts[] = {
                does(b, Meaning::Local));
      },
      true},
-    {Cause::CompensationCycle,
-     [](const State& s, const Block& b) { return compensating(s) && cycles(b); }},
+    {Cause::CompensationCycle, [](const State&, const Block& b) { return cycles(b); }, false,
+     nullptr, false, nullptr, Compensated::Behind},
     {Cause::CycleInverseTime,
      [](const State& s, const Block& b) {
        const Meaning feed =
@@ -244,8 +255,10 @@ constexpr Conflict kConflicts[] = {
        return drills && feed == Meaning::InverseTime && names_axis(b);
      },
      true},
-    {Cause::CompensationCode, [](const State& s, const Block&) { return compensating(s); }, false,
-     &MotionRules::codes_not_compensated, &MotionRules::m_codes_not_compensated},
+    {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false, nullptr,
+     &MotionRules::m_codes_not_compensated, Compensated::Before},
+    {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false,
+     &MotionRules::codes_not_compensated, nullptr, Compensated::Behind},
     {Cause::TurnedWithCodes,
      [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
     {Cause::TurnedMirror,

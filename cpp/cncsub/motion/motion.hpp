@@ -50,7 +50,10 @@ class Motion {
   /// The spindle turns, or stands.
   void set_turning(bool turns) { state_.turns = turns; }
   /// A program writes over what the control has set, see MotionState::set_anew.
-  void write_over(std::size_t kind) { state_.set_anew[kind] = false; }
+  void write_over(std::size_t kind, double value) {
+    state_.set_anew[kind] = false;
+    if (kind == 2) state_.shifted = value != 0;
+  }
   /// What M02, M30 and the reset key do.
   void reset();
 

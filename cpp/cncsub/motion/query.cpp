@@ -5,6 +5,7 @@
 
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/words.hpp"
 
 namespace cncsub {
@@ -76,14 +77,30 @@ double modal_word(MotionView m, char address) {
 
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
-/// Where the tool counts as standing: after the G40 of a control whose moves end beside their own
-/// ends that is its programmed point again. [rs274 2.9]
-static Axes standing_point(const MotionState& state) {
-  return state.plain || state.held.ended ? machine_point(state) : state.tool_at;
+/// Where the last move ends that waits for the corner behind it.
+static Axes waiting_end(const Held& held) {
+  const Piece& last = held.radius.back();
+  Axes end = last.end + last.length;
+  const PlaneAxes plane = plane_axes(last.plane);
+  end[static_cast<std::size_t>(plane.a)] += held.vector[0];
+  end[static_cast<std::size_t>(plane.b)] += held.vector[1];
+  return end;
+}
+
+/// Where the tool counts as standing: where a move by its own normal waits that is its end; after
+/// the G40 of a control whose moves end beside their own ends that is its programmed point again.
+/// [rs274 2.9]
+static Axes standing_point(MotionView m) {
+  const MotionState& state = m.state;
+  const bool by_normal = is_by_own_normal(m.facts);
+  if (by_normal && !state.held.radius.empty()) return waiting_end(state.held);
+  return state.plain || state.held.ended || (by_normal && !state.held.engaged)
+             ? machine_point(state)
+             : state.tool_at;
 }
 
 double machine_position(MotionView m, int axis) {
-  return shown(m, axis, in_machine(m.state, standing_point(m.state)));
+  return shown(m, axis, in_machine(m.state, standing_point(m)));
 }
 
 /// The tool length where it shifts the work coordinates: they are those of the point of the tool.
@@ -92,7 +109,7 @@ static Axes shifting_length(MotionView m) {
 }
 
 double work_position(MotionView m, int axis) {
-  return shown(m, axis, standing_point(m.state) - m.state.offset - shifting_length(m));
+  return shown(m, axis, standing_point(m) - m.state.offset - shifting_length(m));
 }
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }

@@ -6,6 +6,7 @@
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/path.hpp"
 
 namespace cncsub {
 bool takes_word(MotionView m, const BlockWords& block, char letter) {
@@ -167,6 +168,11 @@ Result feed_of(MotionView m, const BlockWords& block, double& feed) {
   return std::nullopt;
 }
 
+bool compensates_behind(MotionView m, const BlockWords& block) {
+  if (!block.has(Group::Radius) || !is_by_own_normal(m.facts)) return compensating(m.state);
+  return block.meaning(Group::Radius) != Meaning::RadiusOff;
+}
+
 void change_tool(const Control& control, MotionState& state) {
   state.tool = state.t;
   if (control.motion.spindle_at_change.value == SpindleAtChange::Stopped) state.turns = false;
@@ -204,8 +210,7 @@ Result need_feed(MotionView m, const BlockWords& block, Meaning meaning) {
 }
 
 bool lacks_speed(MotionView m) {
-  const bool revolutions =
-      m.state.surface || m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
+  const bool revolutions = m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
   return revolutions && (m.state.surface ? m.state.surface_speed : m.state.speed) <= 0 &&
          m.facts.refuses(Cause::NoSpeed);
 }

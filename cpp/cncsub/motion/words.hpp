@@ -87,6 +87,9 @@ inline bool leaves_axes(const MotionFacts& facts, const BlockWords& block) {
   return block.has(Group::OneShot) &&
          facts.control->motion.codes_that_move.value.has(block.code(Group::OneShot).code);
 }
+/// Whether a radius is compensated when a block's codes behind G40 to G42 are carried out: where
+/// moves end by their own normals these come first. [rs274 2.9]
+bool compensates_behind(MotionView m, const BlockWords& block);
 /// Whether a block's motion is made in spite of its one-shot code.
 bool goes_with_motion(const MotionState& state, const BlockWords& block);
 

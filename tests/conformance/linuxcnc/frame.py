@@ -88,3 +88,22 @@ case("#5161 is the reference point, and may be written", **RUN,
      program="N10 #5161=3\nN20 G28\nN30 M2", final_work="X3")
 case("a bare G30 goes to the second reference point", **RUN,
      program="N10 #5181=3\nN20 G30\nN30 M2", final_work="X3")
+case("G43 without H takes the tool in the spindle, not the one that T chose", **RUN,
+     setup={"length_offsets": {1: 5, 2: 7}},
+     program="N10 T1 M6\nN20 T2\nN30 G43\nN40 G0 Z0\nN50 (print,#5400 #<_selected_tool>)\nN60 M6 G43\nN70 G0 Z1\nN80 M2",
+     messages=["1.000000 2.000000"], final_machine="Z8")
+case("G92.2 beside G92 puts the shift aside that it sets", **RUN,
+     program="N10 G0 X10\nN20 G92.2 G92 X4\nN30 G91 G0 X1\nN40 (print,#5210 #5211)\nN50 M2", messages=["0.000000 6.000000"], final_work="X11")
+case("so it does behind it, and beside G52", **RUN,
+     program="N10 G0 X10\nN20 G52 X4 G92.1\nN30 G91 G0 X1\nN40 (print,#5210 #5211)\nN50 M2", messages=["0.000000 0.000000"], final_work="X11")
+case("and beside G53, before its move, and beside G4 and G28.1", **RUN,
+     program="N10 G92 X5\nN20 G53 G0 X3 G92.2\nN30 G92.3 G4 P1\nN40 G0 X1\nN50 G28.1 G92.1 X2\nN60 M2", moves="R X3\nW 1\nR X1\nR X2",
+     final_machine="X2")
+case("a shift that is written counts for nothing but the point where a system is chosen", pins="written_offset", **RUN,
+     program="N10 G92 X5\nN20 #5211=3\nN30 G55\nN40 (print,#5420)\nN50 M2", messages=["-3.000000"])
+case("one that #5210 says is in force too", **RUN,
+     program="N10 #5210=7\nN20 #5211=3\nN30 G55\nN40 (print,#5420)\nN50 M2", messages=["-3.000000"])
+case("and where G10 L20 sets one", **RUN,
+     program="N10 G92 X5\nN20 #5211=3\nN30 G10 L20 P2 X0\nN40 (print,#5241)\nN50 M2", messages=["-3.000000"])
+case("H0 is the tool in the spindle too", **RUN, setup={"length_offsets": {1: 5}},
+     program="N10 T1 M6\nN20 G43 H0\nN30 G0 Z0\nN40 M2", final_machine="Z5")

@@ -47,3 +47,13 @@ case("no arc may follow that either", **RUN, setup=D1,
 case("a dwell after G40 leaves the tool where it is", **RUN, setup=D1,
      program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 G40\nN40 G4 P1\nN50 T1 M6\nN60 G91 G0 X2\nN70 M2",
      final_machine="X6 Y5")
+case("where the first compensated move waits, the tool counts as standing at its end", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 (print,#<_x> #<_y> #<_abs_y>)\nN30 Y5\nN40 (print,#<_x> #<_y>)\nN50 M2",
+     messages=["5.000000 1.000000 1.000000", "4.000000 5.000000"])
+case("G41 without D takes the tool in the spindle, not the one that T chose", pins="missing_radius_offset", **RUN,
+     setup={"radius_offsets": {1: 1, 2: 3}},
+     program="N10 T1 M6\nN20 T2\nN30 G41 G1 X5 F100\nN40 X9\nN50 M2", centre="X5 Y1 | X9 Y1")
+case("while none is there it compensates none", **RUN, setup={"radius_offsets": {1: 1}},
+     program="N10 T1\nN20 G41 G1 X5 F100\nN30 X9\nN40 M2", centre="X5 | X9")
+case("D0 is the tool in the spindle too", pins="missing_radius_offset", **RUN, setup={"radius_offsets": {1: 1}},
+     program="N10 T1 M6\nN20 G41 D0 G1 X5 F100\nN30 X9\nN40 M2", centre="X5 Y1 | X9 Y1")

@@ -93,6 +93,36 @@ for _code in ("G90", "G91.1", "M3", "M8", "S5", "T2", "F5", "G4 P1", "G17", "G94
 case("G92.1 does nothing there", **RUN, setup=D1,
      program="N10 G92 X0\nN20 G52 X3\nN30 G41 D1 G1 X5 F100\nN40 G92.1\nN50 G1 X9\nN60 M2", final_work="X9")
 
+# ---- beside G40 to G42, which come before the block's other codes ----
+
+for _code in ("G55", "G28", "G61", "G64", "G99", "G92 X1"):
+    case(f"{_code} does not stand beside G41", pins="codes_not_compensated", **RUN, setup=D1,
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="code-in-offset", word="G41")
+for _code in ("G43", "G49"):
+    case(f"{_code} neither", **RUN, setup=D1,
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word="G41")
+for _code in ("G55", "G61", "G99", "G49", "G92 X1", "G81 X9 Z-1 R1"):
+    case(f"{_code} stands beside G40", **RUN, setup=D1,
+         program=f"N10 G41 D1 G1 X5 F100\nN20 G40 {_code}\nN30 M2", runs="N10 N20 N30")
+case("M codes come before G40", pins="m_codes_not_compensated", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 G40 M48\nN30 M2", runs="N10", alarm="code-in-offset", word="G40")
+case("and before G41", **RUN, setup=D1, program="N10 G41 D1 M48\nN20 M2", runs="N10 N20")
+case("L of G41.1 is how a turning tool lies, in its plane", **RUN,
+     program="N10 G41.1 D2 L1\nN20 M2", runs="", alarm="address-not-usable", word="L1")
+case("there it is not computed", **RUN, program="N10 G18\nN20 G41.1 D2 L1\nN30 M2", runs="N10", alarm="code-not-computed", word="G41.1")
+case("L0 lies no way", **RUN, program="N10 G18\nN20 G41.1 D2 L0\nN30 M2", runs="N10 N20 N30")
+for _line, _word in (("G19 G2 I1", "I1"), ("G18 G3 J1", "J1"), ("G17 G2 K1", "K1"), ("G19 G93 G2 I1 F5", "I1")):
+    case(f"{_line} has a centre outside of its plane", **RUN,
+         program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="arc-axis-not-in-plane", word=_word)
+for _code in ("G2", "G3", "G99 G3"):
+    case(f"{_code} alone is no arc", **RUN, program=f"N10 F100\nN20 {_code}\nN30 M2", runs="N10", alarm="no-radius", word=_code.split()[-1])
+case("under G96 a feed per minute needs no speed", **RUN,
+     program="N10 G96 S0\nN20 G1 X1 F10\nN30 M2", moves="F X1")
+case("no thread is cut there", **RUN, setup=D1,
+     program="N10 M3 S100\nN20 G41 D1 G1 X5 F100\nN30 G33 Z-2 K1\nN40 M2", runs="N10 N20", alarm="code-in-offset", word="G33")
+case("where the radius is 0 one is", **RUN,
+     program="N10 M3 S100\nN20 G41 D1 G1 X5 F100\nN30 G33 Z-2 K1\nN40 M2", moves="F X5\nT Z-2")
+
 # ---- parameters ----
 
 case("a work offset that is written moves nothing at once", pins="written_offset", **RUN,

@@ -63,6 +63,7 @@ const WordUse kUses[] = {
 };
 
 constexpr std::string_view kAxes = "xyzabcuvw@^";
+constexpr std::string_view kArcWords = "rijk";
 
 /// Codes of the motion group, G80 left out.
 bool is_motion(int code10) {
@@ -101,6 +102,9 @@ std::optional<WrongWord> against_code(const LineWords& line) {
     return WrongWord{'f', Cause::AddressNotUsable, "F word used with g33 move"};
   if (needs_axes(line) && !has_axes(line))
     return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with motion code"};
+  if (line.has_g({20, 30}) && !has_axes(line) &&
+      std::none_of(kArcWords.begin(), kArcWords.end(), [&](char c) { return line.has(c); }))
+    return WrongWord{'g', Cause::NoRadius, "R i j k words all missing for arc"};
   const auto motion = std::find_if(line.g.begin(), line.g.end(), is_motion);
   if (motion != line.g.end() && line.has_g({100, 280, 300, 520, 920}))
     return WrongWord{'g', Cause::OneShotWithMotion,

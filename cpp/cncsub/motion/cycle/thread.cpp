@@ -248,6 +248,7 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   if (!block.words.has('K')) return fault(Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
     return fault(Cause::SpindleStands, block);
+  if (compensating(m.state) && radius_value(m) != 0) return fault(Cause::CompensationCode, block);
   Piece piece = make_piece(m, block, MoveKind::Thread, end, named);
   piece.state.feed = std::fabs(number(m, block, 'K'));
   piece.state.feed_mode = FeedMode::PerRevolution;

@@ -60,6 +60,16 @@ void refresh_offset(MotionState& state) {
   state.row_moves = nullptr;
 }
 
+Axes told_shift(const MotionState& state) { return state.shifted ? state.kept_shift : Axes{}; }
+
+void lose_written_shift(MotionState& state) {
+  const Axes told = told_shift(state);
+  if (told == state.shift) return;
+  state.work = state.work + (state.shift - told);
+  settle_origin(state);
+  state.row_moves = nullptr;
+}
+
 Result select_work(MotionContext& m, BlockWords& block) {
   if (!block.has(Group::Work)) return std::nullopt;
   const Meaning meaning = block.meaning(Group::Work);
@@ -79,6 +89,8 @@ Result select_work(MotionContext& m, BlockWords& block) {
   m.state.work_system = system;
   m.state.modal[at(Group::Work)] = block.code(Group::Work);
   if (system_in_force(m.state) != before) {
+    if (m.facts.control->motion.written_offset.value == WrittenOffset::WhenSelected)
+      lose_written_shift(m.state);
     m.state.zero_is_held = false;
     m.state.set_anew[1] = true;
   }
@@ -110,9 +122,8 @@ Result set_coordinate(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-Result change_shift(MotionContext& m, BlockWords& block) {
+Result change_shift(MotionContext& m, BlockWords& block, Meaning meaning) {
   MotionState& s = m.state;
-  const Meaning meaning = block.meaning(Group::OneShot);
   if (compensating(s))  // G92.1 to G92.3 do nothing then, and say nothing [rs274 2.9]
     return meaning == Meaning::SetShift ? Result(fault(Cause::CompensationShift, block))
                                         : std::nullopt;

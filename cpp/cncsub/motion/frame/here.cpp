@@ -78,8 +78,7 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   const int system = whole(p);
   if (system == active && compensating(s)) return fault(Cause::CompensationShift, block);
   const double turn = radians_of(s, system);
-  const Axes shift = s.shifted ? s.kept_shift : s.shift;  // as its variables tell it [rs274 2.9]
-  const Axes there = in_system(s, system, in_machine(s, s.work + s.offset)) - shift;
+  const Axes there = in_system(s, system, in_machine(s, s.work + s.offset)) - told_shift(s);
   const Axes wanted = named(m, block, there);
   Axes& values = values_of(s, system);
   store(m, values, values + turned_by(turn, there - wanted));

@@ -28,9 +28,15 @@ Result length_axis(MotionView m, BlockWords& block, int& axis) {
   return std::nullopt;
 }
 
-/// The offset of the number of the tool, none where there is none.
+/// The offset of the number of the tool in the spindle, none where there is none.
 int offset_of_tool(const MotionState& state, const std::vector<double>& offsets) {
-  return state.t > 0 && static_cast<std::size_t>(state.t) < offsets.size() ? state.t : 0;
+  return state.tool > 0 && static_cast<std::size_t>(state.tool) < offsets.size() ? state.tool : 0;
+}
+
+/// Whether an offset is that of the tool in the spindle: without its number, or by 0. [rs274 2.9]
+bool is_of_tool(MotionView m, const BlockWords& block, char letter) {
+  return m.facts.control->motion.missing_radius_offset.value == MissingOffset::Tool &&
+         (!block.words.has(letter) || block.words[letter] == 0);
 }
 
 /// G43.1 and G43.2: the length is given by axis words, or added to the one in force.
@@ -57,16 +63,15 @@ Result take_h(MotionContext& m, const BlockWords& block) {
     if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
       return fault(Cause::OffsetNumber, block);
     m.state.h = to_whole<int>(number);
-  } else if (m.facts.control->motion.missing_radius_offset.value == MissingOffset::Tool) {
-    m.state.h = offset_of_tool(m.state, m.state.tables.length);
   }
+  if (is_of_tool(m, block, 'H')) m.state.h = offset_of_tool(m.state, m.state.tables.length);
   return std::nullopt;
 }
 
 /// The same where a length shifts the work coordinates: H does nothing without its code.
 Result take_shifting_length(MotionContext& m, BlockWords& block) {
   if (!block.has(Group::Length)) return std::nullopt;
-  if (compensating(m.state)) return fault(Cause::CompensationShift, block);
+  if (compensates_behind(m, block)) return fault(Cause::CompensationShift, block);
   if (auto wrong = take_h(m, block)) return wrong;
   const GCode& code = block.code(Group::Length);
   m.state.modal[at(Group::Length)] = code;
@@ -183,6 +188,13 @@ Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
   return flush_radius(m.sink);
 }
 
+/// L beside G41.1 and G42.1: how a turning tool lies, in its plane.
+Result check_orientation(MotionView m, const BlockWords& block) {
+  if (!block.words.has('L')) return std::nullopt;
+  if (m.state.plane != Plane::ZX) return fault_at('L', Cause::AddressNotUsable, block, "L");
+  return block.words['L'] == 0 ? Result{} : fault(Cause::CodeNotComputed, block, "L of a tool");
+}
+
 }  // namespace
 
 Result set_radius(MotionContext& m, BlockWords& block) {
@@ -191,6 +203,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
   const bool given = block.has(Group::Radius) && block.code(Group::Radius).which == 1;
   if (given) {
     if (!block.words.has('D')) return fault(Cause::RadiusOffsetNumber, block);
+    if (auto wrong = check_orientation(m, block)) return wrong;
     m.state.given_radius = number(m, block, 'D') / 2;
   } else if (block.words.has('D') && !m.facts.lathe() && !measures) {
     const double number = counted(m, block.words, 'D');
@@ -203,8 +216,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     if (auto wrong = change_by_own_normal(m, block)) return wrong;
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
   if (given) return std::nullopt;
-  if (compensating(m.state) && !block.words.has('D') &&
-      c.motion.missing_radius_offset.value == MissingOffset::Tool)
+  if (compensating(m.state) && is_of_tool(m, block, 'D'))
     m.state.d = offset_of_tool(m.state, m.state.tables.radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
       c.motion.missing_radius_offset.value == MissingOffset::Alarm)

@@ -244,7 +244,8 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
-  if (named == 0 && !centre && !radius) return std::nullopt;
+  if (named == 0 && !centre && !radius)
+    return m.facts.refuses(Cause::NoRadius) ? check_axes(m, block, named, radius) : std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;
   if (auto wrong = check_axes(m, block, named, radius)) return wrong;
