@@ -246,7 +246,7 @@ constexpr Conflict kConflicts[] = {
      },
      true},
     {Cause::CompensationCycle, [](const State&, const Block& b) { return cycles(b); }, false,
-     nullptr, false, nullptr, Compensated::Behind},
+     nullptr, nullptr, Compensated::Behind},
     {Cause::CycleInverseTime,
      [](const State& s, const Block& b) {
        const Meaning feed =
