@@ -182,3 +182,32 @@ def test_the_names_that_are_imported_later_stand_below_the_package() -> None:
     later = {f"cncsub.{module}" for module in cncsub._LATER.values()}
     assert later <= set(MODULES)
     assert {room_of(module) for module in later} <= MAY_IMPORT["package"]
+
+
+# ---- the options of a run ----
+
+
+def test_an_option_of_a_run_is_stated_in_three_files() -> None:
+    """What hands options on names none of them: not the library, the commands, the stubs."""
+    stated_in = {
+        "python/cncsub/run_options.py",
+        "python/bindings/options.cpp",
+        "cpp/cncsub/machine/options.hpp",
+    }
+    page = (ROOT / "docs" / "adding-an-option.md").read_text("utf-8")
+    assert all(f"`{name}`" in page for name in stated_in)
+    handed_on = [PACKAGE / "library.py", PACKAGE / "_core.pyi", *PACKAGE.glob("comparison/*.py")]
+    assert not [f for f in handed_on if _names(f, "max_memory|max_seconds|optional_stop")]
+    assert not [f for f in PACKAGE.glob("cli/*.py") if _names(f, "max_memory|max_cycles")]
+    # One that nothing but the engine asks for stands there and where it is obeyed.
+    files = [
+        str(file.relative_to(ROOT))
+        for folder in (PACKAGE / "cli", PACKAGE / "analysis", ROOT / "python" / "bindings", ENGINE)
+        for file in [*folder.rglob("*.py"), *folder.rglob("*.?pp"), PACKAGE / "run_options.py"]
+        if _names(file, "max_memory")
+    ]
+    assert set(files) == {*stated_in, "cpp/cncsub/machine/limits.cpp"}
+
+
+def _names(file: Path, words: str) -> bool:
+    return re.search(rf"\b(?:{words})\b", file.read_text("utf-8")) is not None

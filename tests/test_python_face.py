@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 
 import cncsub
+from cncsub.run_options import stated
 from cncsub.tables import Bounds
 from cncsub.tables.table import records
 
@@ -296,10 +297,48 @@ def test_wrong_texts_and_names_are_told(library: cncsub.Library) -> None:
 
 def test_run_mdi_and_machine_take_the_same_options() -> None:
     taken = set(inspect.signature(cncsub.Library.run).parameters) - {"self", "main"}
-    from cncsub.run_options import ModeOptions, Options
+    assert set(stated()) == set(cncsub.RunOptions.__annotations__) == taken
+    for method, without in (
+        (cncsub.Library.machine, set()),
+        (cncsub.Library.stream, {"rows"}),
+        (cncsub.Library.mdi, {"text", "mode"}),
+        (cncsub.Library.flatten, {"control", "comments", "mode", "trace", "watch"}),
+        (cncsub.flatten, {"library", "control", "comments", "mode", "trace", "watch"}),
+        (cncsub.compare, {"first", "second", "controls", "control", "mode"}),
+    ):
+        own = set(inspect.signature(method).parameters) - {"self", "main"}
+        assert own ^ taken == without
 
-    assert set(ModeOptions.__annotations__) == taken
-    assert set(Options.__annotations__) == taken - {"mode"}
+
+def test_what_is_said_of_an_option_stands_in_the_help_of_run() -> None:
+    told = inspect.getdoc(cncsub.Library.run) or ""
+    for name, option in stated().items():
+        assert f"`{name}`: " in told
+        assert option.meaning.endswith(".")
+        assert inspect.signature(cncsub.Library.run).parameters[name].default == option.default
+
+
+@pytest.mark.parametrize(
+    ("options", "named"),
+    [
+        ({"start": -1}, "start"),
+        ({"start": 7}, "start"),
+        ({"max_blocks": "many"}, "max_blocks"),
+        ({"variables": {3000: 1}}, "variables"),
+        ({"watch": [100, 10**12]}, "watch"),
+        ({"watch": [0]}, "watch"),
+        ({"inputs": {"signals": {100: 1}}}, "inputs"),
+        ({"setup": {"work_offsets": {"G54.1 P99": {"X": 1}}}}, "setup"),
+        ({"setup": {"machine": "crane"}}, "setup"),
+        ({"trace": "all"}, "trace"),
+    ],
+)
+def test_an_error_of_an_option_carries_its_name(
+    library: cncsub.Library, options: dict[str, Any], named: str
+) -> None:
+    with pytest.raises((ValueError, TypeError)) as raised:
+        library.run(**options)
+    assert raised.value.option == named  # type: ignore[attr-defined, union-attr]
 
 
 def test_a_name_of_the_text_names_a_program_without_one() -> None:

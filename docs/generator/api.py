@@ -8,6 +8,7 @@ from pathlib import Path
 
 import cncsub
 from cncsub import _core
+from cncsub.run_options import stated
 from generator.markdown import code, fenced, table, words
 
 # Every public name of the package, by the page it stands on.
@@ -27,6 +28,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
         "What a run tells, one step at a time, in parts.",
         [
             "Run",
+            "RunOptions",
             "Stop",
             "AlarmError",
             "Machine",
@@ -141,13 +143,33 @@ def _index() -> str:
 def _page(title: str, about: str, listed: list[str]) -> str:
     text = f"# {title}\n\n{about}\n\n"
     for name in listed:
-        if name in _ENGINE:
+        if name == "RunOptions":
+            text += _options()
+        elif name in _ENGINE:
             for each in (name, *_WITH.get(name, ())):
                 text += _of_the_engine(each)
         else:
             called = "    options:\n      merge_init_into_class: true\n" if name in _CALLED else ""
             text += f"::: {_home(name)}\n{called}\n"
     return text
+
+
+def _options() -> str:
+    """The options of a run, as they are stated."""
+    about, _, example = inspect.cleandoc(cncsub.RunOptions.__doc__ or "").partition(">>> ")
+    types = inspect.signature(cncsub.Library.run).parameters
+    rows = (
+        [
+            code(name),
+            code(str(types[name].annotation)),
+            code(repr(option.default)),
+            words(option.meaning),
+        ]
+        for name, option in stated().items()
+    )
+    head = f"## RunOptions {{ #RunOptions }}\n\n{about.strip()}\n\n"
+    listed = table(("option", "type", "without it", "what it is"), rows)
+    return f"{head}{fenced('python', '>>> ' + example)}\n{listed}\n"
 
 
 def _home(name: str) -> str:

@@ -23,56 +23,29 @@ constexpr std::size_t kLookBytes = 1 << 8;  // what a block of looking on is wor
 void check_watch(const Machine& machine, const std::vector<std::int32_t>& watch) {
   for (const std::int32_t number : watch) {
     double value = 0;
-    if (auto fault = machine.read(number, 0, value))
-      throw py::value_error("watch: " + fault->detail);
+    if (auto fault = machine.read(number, 0, value)) refuse("watch", "watch: " + fault->detail);
     if (machine.code().place(number).kind == VariableKind::Vacant)
-      throw py::value_error("watch: #" + std::to_string(number) + " is always vacant");
+      refuse("watch", "watch: #" + std::to_string(number) + " is always vacant");
   }
 }
 
-std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main, bool mdi,
-                                   std::optional<std::int64_t> start,
-                                   const std::optional<py::dict>& variables,
-                                   const std::vector<int>& block_skip, bool optional_stop,
-                                   std::int64_t max_cycles, std::int64_t max_blocks,
-                                   std::optional<double> max_seconds,
-                                   std::optional<std::uint64_t> max_memory,
-                                   const std::string& trace, const std::optional<py::dict>& inputs,
-                                   const std::optional<py::dict>& setup,
-                                   const std::vector<std::int32_t>& watch) {
+std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32_t main,
+                                   const py::kwargs& given) {
   if (main < 0 || static_cast<std::size_t>(main) >= code->programs.size())
     throw py::index_error("no such program");
-  Options options;
-  options.mdi = mdi;
-  options.start = start.value_or(-1);
-  if (variables)
-    for (const auto& [number, value] : *variables)
-      options.variables[number.cast<std::int32_t>()] = number_or_vacant(value);
-  for (const int number : block_skip) {
-    if (number < 1 || number > 9)
-      throw py::value_error("a block-skip switch is 1 to 9, not " + std::to_string(number));
-    options.skips = static_cast<std::uint16_t>(options.skips | (1u << number));
-  }
-  options.optional_stop = optional_stop;
-  options.max_cycles = max_cycles;
-  options.max_blocks = max_blocks;
-  options.max_seconds = max_seconds.value_or(0);
-  if (max_memory) options.max_memory = *max_memory;
-  options.trace = depth_of(trace);
-  options.watch = watch;
-  if (inputs) options.inputs = inputs_of(*inputs);
-  if (setup) options.setup = setup_of(*setup);
+  Options options = options_of(given);
   check_systems(*code->control, options);
   const Program& program = code->programs[static_cast<std::size_t>(main)];
-  if (start && code->first_of(program, *start) == kNowhere)
-    throw py::value_error("start: there is no block N" + std::to_string(*start) + " in " +
-                          code->name_of(program));
-  const auto given = options.variables;
+  if (options.start >= 0 && code->first_of(program, options.start) == kNowhere)
+    refuse("start", "start: there is no block N" + std::to_string(options.start) + " in " +
+                        code->name_of(program));
+  const auto variables = options.variables;
+  const auto watch = options.watch;
   const Inputs around = options.inputs;
   auto live = std::make_shared<Live>(code, main, std::move(options));
-  for (const auto& [number, value] : given)
+  for (const auto& [number, value] : variables)
     if (auto fault = live->machine.write(number, 0, value))
-      throw py::value_error("variables: " + fault->detail);
+      refuse("variables", "variables: " + fault->detail);
   check_inputs(*code, around);
   check_watch(live->machine, watch);
   return live;
@@ -311,13 +284,7 @@ void add_machine(py::module_& m) {
   Class machine(m, "Machine", py::is_final());
   add_run(machine);
   add_variables(machine);
-  m.def("machine", &make_machine, py::arg("code"), py::arg("main"), py::kw_only(),
-        py::arg("mdi") = false, py::arg("start") = py::none(), py::arg("variables") = py::none(),
-        py::arg("block_skip") = std::vector<int>{}, py::arg("optional_stop") = false,
-        py::arg("max_cycles") = 1, py::arg("max_blocks") = 10'000'000,
-        py::arg("max_seconds") = py::none(), py::arg("max_memory") = py::none(),
-        py::arg("trace") = "moves", py::arg("inputs") = py::none(), py::arg("setup") = py::none(),
-        py::arg("watch") = std::vector<std::int32_t>{});
+  m.def("machine", &make_machine, py::arg("code"), py::arg("main"));
 }
 
 }  // namespace cncsub::bindings

@@ -150,28 +150,97 @@ Trace::Depth depth_of(const std::string& name) {
   throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
 }
 
+namespace {
+
+std::map<std::int32_t, double> variables_of(const py::handle& from) {
+  std::map<std::int32_t, double> variables;
+  for (const auto& [number, value] : from.cast<py::dict>())
+    variables[number.cast<std::int32_t>()] = number_or_vacant(value);
+  return variables;
+}
+
+std::uint16_t switches_of(const py::handle& from) {
+  std::uint16_t switches = 0;
+  for (const int number : from.cast<std::vector<int>>()) {
+    if (number < 1 || number > 9)
+      throw py::value_error("a block-skip switch is 1 to 9, not " + std::to_string(number));
+    switches = static_cast<std::uint16_t>(switches | (1u << number));
+  }
+  return switches;
+}
+
+using Take = void (*)(Options& options, const py::handle& value);
+
+/// An option is a row: its name in Python, and where the engine keeps it.
+const std::map<std::string, Take>& takes() {
+  static const std::map<std::string, Take> rows = {
+      {"mode", [](Options& o, const py::handle& v) { o.mdi = v.cast<std::string>() == "mdi"; }},
+      {"start", [](Options& o, const py::handle& v) { o.start = v.cast<std::int64_t>(); }},
+      {"variables", [](Options& o, const py::handle& v) { o.variables = variables_of(v); }},
+      {"block_skip", [](Options& o, const py::handle& v) { o.skips = switches_of(v); }},
+      {"optional_stop", [](Options& o, const py::handle& v) { o.optional_stop = v.cast<bool>(); }},
+      {"max_cycles",
+       [](Options& o, const py::handle& v) { o.max_cycles = v.cast<std::int64_t>(); }},
+      {"max_blocks",
+       [](Options& o, const py::handle& v) { o.max_blocks = v.cast<std::int64_t>(); }},
+      {"max_seconds", [](Options& o, const py::handle& v) { o.max_seconds = v.cast<double>(); }},
+      {"max_memory",
+       [](Options& o, const py::handle& v) { o.max_memory = v.cast<std::uint64_t>(); }},
+      {"trace", [](Options& o, const py::handle& v) { o.trace = depth_of(v.cast<std::string>()); }},
+      {"inputs", [](Options& o, const py::handle& v) { o.inputs = inputs_of(v.cast<py::dict>()); }},
+      {"setup", [](Options& o, const py::handle& v) { o.setup = setup_of(v.cast<py::dict>()); }},
+      {"watch",
+       [](Options& o, const py::handle& v) { o.watch = v.cast<std::vector<std::int32_t>>(); }},
+  };
+  return rows;
+}
+
+}  // namespace
+
+Options options_of(const py::dict& from) {
+  Options options;
+  for (const auto& [key, value] : from) {
+    const auto name = key.cast<std::string>();
+    const auto row = takes().find(name);
+    if (row == takes().end()) throw py::type_error("a machine has no option " + name);
+    try {
+      if (!value.is_none()) row->second(options, value);
+    } catch (const py::cast_error&) {
+      throw py::type_error("a machine takes another kind of value for " + name);
+    }
+  }
+  return options;
+}
+
+void refuse(const char* option, const std::string& why) {
+  const py::object error = py::reinterpret_borrow<py::object>(PyExc_ValueError)(why);
+  error.attr("option") = option;
+  PyErr_SetObject(PyExc_ValueError, error.ptr());
+  throw py::error_already_set();
+}
+
 void check_systems(const Control& control, const Options& options) {
   const std::int32_t most = control.motion.max_extra_systems.value;
   const Setup& setup = options.setup;
-  const auto check = [&](const std::string& field, const std::string& name) {
+  const auto check = [&](const char* option, const std::string& field, const std::string& name) {
     if (const auto p = name.find('P');
         p != std::string::npos && std::stol(name.substr(p + 1)) > most)
-      throw py::value_error(field + ": " + control.name + " has no " + name +
-                            (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
+      refuse(option, field + ": " + control.name + " has no " + name +
+                         (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
   };
-  if (options.inputs.workpiece) check("coordinates", options.inputs.workpiece->system);
-  for (const auto& [name, values] : setup.work_offsets) check("work_offsets", name);
+  if (options.inputs.workpiece) check("inputs", "coordinates", options.inputs.workpiece->system);
+  for (const auto& [name, values] : setup.work_offsets) check("setup", "work_offsets", name);
 }
 
 void check_inputs(const Code& code, const Inputs& inputs) {
   for (const auto& [number, value] : inputs.signals)
     if (!is_signal(code, number))
-      throw py::value_error("signals: #" + std::to_string(number) + " is no signal on " +
-                            code.control->name);
+      refuse("inputs",
+             "signals: #" + std::to_string(number) + " is no signal on " + code.control->name);
   const auto check = [&](const char* field, const std::map<std::int32_t, double>& values) {
     for (const auto& [number, value] : values)
       if (auto fault = unwritable(code, number); fault && !is_signal(code, number))
-        throw py::value_error(field + (": " + fault->detail));
+        refuse("inputs", field + (": " + fault->detail));
   };
   for (const auto& write : inputs.writes) check("writes", write);
   for (const auto& [code, values] : inputs.answers) check("answers", values);

@@ -9,6 +9,11 @@
 
 namespace cncsub::bindings {
 
+/// The options of a run by their names in Python; what is None or missing stays as it is.
+Options options_of(const pybind11::dict& from);
+/// Raise ValueError with the name of the option as its attribute `option`.
+[[noreturn]] void refuse(const char* option, const std::string& why);
+
 Inputs inputs_of(const pybind11::dict& from);
 Setup setup_of(const pybind11::dict& from);
 Trace::Depth depth_of(const std::string& name);

@@ -21,6 +21,7 @@ from cncsub.library import Library
 from cncsub.loading import load, loads
 from cncsub.program import Block, Program, Word
 from cncsub.run import AlarmError, Machine, Run, Stop
+from cncsub.run_options import RunOptions
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
 from cncsub.tables.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
@@ -119,6 +120,7 @@ __all__ = [
     "Polyline",
     "Program",
     "Run",
+    "RunOptions",
     "SentCode",
     "Setup",
     "Source",

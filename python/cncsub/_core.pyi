@@ -545,21 +545,4 @@ class Flattening:
     def program_names(self) -> list[str]: ...
 
 def flattening(machine: Machine, comments: bool, other: Machine | None = None) -> Flattening: ...
-def machine(
-    code: Code,
-    main: int,
-    *,
-    mdi: bool = False,
-    start: int | None = None,
-    variables: Mapping[int, float | None] | None = None,
-    block_skip: Sequence[int] = (),
-    optional_stop: bool = False,
-    max_cycles: int = 1,
-    max_blocks: int = 10_000_000,
-    max_seconds: float | None = None,
-    max_memory: int | None = None,
-    trace: str = "moves",
-    inputs: Mapping[str, Any] | None = None,
-    setup: Mapping[str, Any] | None = None,
-    watch: Sequence[int] = (),
-) -> Machine: ...
+def machine(code: Code, main: int, **options: Any) -> Machine: ...

@@ -14,6 +14,7 @@ from datetime import datetime
 from typing import Any
 
 from cncsub.controls import did_you_mean
+from cncsub.option_errors import wrong_value
 from cncsub.setup import checked_axis, from_toml
 from cncsub.workpiece import Workpiece, skip_signal, workpiece_of
 
@@ -122,9 +123,9 @@ def _inputs_from(inputs: Mapping[str, Any]) -> Inputs:
     known = [f.name for f in dataclasses.fields(Inputs)]
     for key in inputs:
         if key not in known:
-            raise ValueError(
-                f"inputs has no {key!r}{did_you_mean(key, known)}; there are {', '.join(known)}"
-            )
+            near = did_you_mean(key, known)
+            words = f"inputs has no {key!r}{near}; there are {', '.join(known)}"
+            raise wrong_value("inputs", words)
     return Inputs(**inputs)
 
 

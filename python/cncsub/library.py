@@ -11,12 +11,18 @@ from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import TEXT, CoreFile, clean, cut
-from cncsub.inputs import Inputs
 from cncsub.program import Program, find_program
 from cncsub.run import Machine, Run
-from cncsub.run_options import ModeOptions, Options, check_names, machine_with, whole
+from cncsub.run_options import (
+    FlattenOptions,
+    MdiOptions,
+    RunOptions,
+    check_names,
+    machine_with,
+    takes,
+    whole,
+)
 from cncsub.setup import Setup, setup_of
-from cncsub.signatures import spelled_out
 from cncsub.stream import Stream
 
 if TYPE_CHECKING:
@@ -292,22 +298,14 @@ class Library(Mapping[str, Program]):
 
         return check(self._code, -1 if first is None else first, rules, kind)
 
+    @takes(FlattenOptions)
     def flatten(
         self,
         main: str | int | None = None,
         *,
         control: str | Control | None = None,
         comments: bool = False,
-        start: int | None = None,
-        variables: Mapping[int, float | None] | None = None,
-        block_skip: Iterable[int] | int = (),
-        optional_stop: bool = False,
-        max_cycles: int = 1,
-        max_blocks: int = 10_000_000,
-        max_seconds: float | None = None,
-        max_memory: int | None = None,
-        inputs: Inputs | Mapping[str, Any] | None = None,
-        setup: Setup | Mapping[str, Any] | None = None,
+        **options: Unpack[FlattenOptions],
     ) -> Flat:
         """What `main` executes, as one program without calls, jumps and loops that does the same:
         see `cncsub.flatten`.
@@ -324,79 +322,26 @@ class Library(Mapping[str, Program]):
             flatten,  # it runs libraries, and reads what it has written
         )
 
-        return flatten(
-            self,
-            main,
-            control=control,
-            comments=comments,
-            start=start,
-            variables=variables,
-            block_skip=block_skip,
-            optional_stop=optional_stop,
-            max_cycles=max_cycles,
-            max_blocks=max_blocks,
-            max_seconds=max_seconds,
-            max_memory=max_memory,
-            inputs=inputs,
-            setup=setup,
-        )
+        return flatten(self, main, control=control, comments=comments, **options)
 
     # Running.
 
-    def run(
-        self,
-        main: str | int | None = None,
-        *,
-        mode: str = "auto",
-        start: int | None = None,
-        variables: Mapping[int, float | None] | None = None,
-        block_skip: Iterable[int] | int = (),
-        optional_stop: bool = False,
-        max_cycles: int = 1,
-        max_blocks: int = 10_000_000,
-        max_seconds: float | None = None,
-        max_memory: int | None = None,
-        trace: str = "moves",
-        inputs: Inputs | Mapping[str, Any] | None = None,
-        setup: Setup | Mapping[str, Any] | None = None,
-        watch: Iterable[int] | int = (),
-    ) -> Run:
+    @takes(RunOptions, told=True)
+    def run(self, main: str | int | None = None, **options: Unpack[RunOptions]) -> Run:
         """Execute a program as the control would, and return what it did.
 
-        `main`: name or number of the program, the first one without it. `mode`: `"auto"` or
-        `"mdi"`. `start`: the sequence number to begin at. `variables`: number to value before the
-        run, `None` is vacant. `block_skip`: the switches 1 to 9 that are on. `optional_stop`:
-        whether M01 stops. `max_cycles`: how often a main program that ends in M99 runs;
-        `max_blocks`: how many blocks are executed; `max_seconds`: how long the computer may take;
-        `max_memory`: how many bytes the tables and messages may take, 4 GiB unless it is given.
-        Reaching one of these is a `Stop`, no error. `trace`: what is kept, `"none"`, `"calls"`,
-        `"blocks"` or `"moves"`. `inputs`, `setup`: see `Inputs` and `Setup`. `watch`: the numbers
-        of variables, a thousand at most, whose changes are kept in `Run.watch`; each costs a look
-        behind every block and 24 bytes a change, and a run that watches nothing pays nothing.
+        `main`: name or number of the program, the first one without it. `options`: those of
+        `RunOptions`, by name.
 
         Raises `KeyError` for an unknown `main`, `ValueError` and `TypeError` for other wrong
-        arguments. Whatever is wrong with a program is never raised: it is the `alarm` of the `Run`.
+        arguments, which carry the name of the option as `.option`. Whatever is wrong with a program
+        is never raised: it is the `alarm` of the `Run`.
         """
-        core = self._begin(
-            main,
-            mode=mode,
-            start=start,
-            variables=variables,
-            block_skip=block_skip,
-            optional_stop=optional_stop,
-            max_cycles=max_cycles,
-            max_blocks=max_blocks,
-            max_seconds=max_seconds,
-            max_memory=max_memory,
-            trace=trace,
-            inputs=inputs,
-            setup=setup,
-            watch=watch,
-        )
-        return _finished(core)
+        check_names("run", options)
+        return _finished(self._begin(main, **options))
 
-    @spelled_out(run, "mode")
-    def mdi(self, text: str, **options: Unpack[Options]) -> Run:
+    @takes(MdiOptions)
+    def mdi(self, text: str, **options: Unpack[MdiOptions]) -> Run:
         """Execute a text typed in MDI, with the memory as it is; `options` are those of `run` but
         `main` and `mode`.
 
@@ -413,10 +358,10 @@ class Library(Mapping[str, Program]):
                     f"mdi runs the text that was typed and takes no {name}; run takes it"
                 )
         check_names("mdi", options)
-        return _finished(machine_with(self._code.with_mdi(clean(text)), -1, mode="mdi", **options))
+        return _finished(machine_with(self._code.with_mdi(clean(text)), -1, **options, mode="mdi"))
 
-    @spelled_out(run)
-    def machine(self, main: str | int | None = None, **options: Unpack[ModeOptions]) -> Machine:
+    @takes(RunOptions)
+    def machine(self, main: str | int | None = None, **options: Unpack[RunOptions]) -> Machine:
         """The engine at the head of a program, to be run step by step; `options` are those of
         `run`.
         """
@@ -425,9 +370,9 @@ class Library(Mapping[str, Program]):
             options["trace"] = "blocks"  # a step is a row of the table of steps
         return Machine(self._begin(main, **options))
 
-    @spelled_out(run)
+    @takes(RunOptions)
     def stream(
-        self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[ModeOptions]
+        self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[RunOptions]
     ) -> Stream:
         """Execute a program and hand over what it does while it runs, in parts of `rows` blocks:
         an iterator of `Part`, each with the `steps`, `calls`, `moves` and `watch` of its stretch.
@@ -443,7 +388,7 @@ class Library(Mapping[str, Program]):
         trace = options.get("trace", "moves")
         return Stream(self._begin(main, **options), whole("rows", rows, 1), trace)
 
-    def _begin(self, main: str | int | None, **options: Unpack[ModeOptions]) -> _core.Machine:
+    def _begin(self, main: str | int | None, **options: Unpack[RunOptions]) -> _core.Machine:
         if main is not None:
             return machine_with(self._code, self._find(main), **options)
         program = self.main

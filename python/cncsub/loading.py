@@ -11,6 +11,7 @@ from cncsub._core import Control
 from cncsub.controls import control_of
 from cncsub.files import TEXT, CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
 from cncsub.library import Library, read_again
+from cncsub.option_errors import carrying
 
 
 def load(
@@ -117,8 +118,9 @@ def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Librar
         missing = Path(min(wanted - {os.path.realpath(name) for name in preferred}))
         alike = [name for name in library.files if Path(name).name == missing.name]
         near = f"; there is {', '.join(alike)}" if alike else ""
-        raise ValueError(
-            f"prefer names {missing}, which is not among the files that are read{near}"
+        raise carrying(
+            "prefer",
+            ValueError(f"prefer names {missing}, which is not among the files that are read{near}"),
         )
     sources = sorted(library._code.sources, key=lambda source: source[0] not in preferred)
     main = library.main

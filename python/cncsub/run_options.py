@@ -1,101 +1,47 @@
-"""The options of a run: their names and types, and the engine made with them once they are
-checked.
+"""The options of a run, each stated once, and the engine made with them.
+
+`Library.run`, `mdi`, `machine`, `stream`, `flatten`, `compare`, `translate`, `run_many`, the
+commands and their documentation take the options from here: what it is called, which type it has,
+what holds without it, what it means, how its value is checked.
 """
 
-from __future__ import annotations
+# The annotations are values here: no `from __future__ import annotations`.
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypedDict, Unpack
+import inspect
+import textwrap
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cache
+from typing import Annotated, Any, NamedTuple, TypedDict, TypeVar, Unpack, get_type_hints
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
 from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
+from cncsub.option_errors import carrying
 from cncsub.setup import Setup, setup_of
+from cncsub.signatures import with_options
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 MODES = ("auto", "mdi")
 TRACES = ("none", "calls", "blocks", "moves")
 
 
-class Options(TypedDict, total=False):
-    """The options of `Library.run` but `main` and `mode`."""
+class Option(NamedTuple):
+    """What is stated of an option beside its name and its type.
 
-    start: int | None
-    variables: Mapping[int, float | None] | None
-    block_skip: Iterable[int] | int
-    optional_stop: bool
-    max_cycles: int
-    max_blocks: int
-    max_seconds: float | None
-    max_memory: int | None
-    trace: str
-    inputs: Inputs | Mapping[str, Any] | None
-    setup: Setup | Mapping[str, Any] | None
-    watch: Iterable[int] | int
+    `default`: what holds without it. `checked`: what the engine takes for a value; raises
+    `TypeError` or `ValueError`. `meaning`: sentences for its documentation. `asked`: the commands
+    have it, under its own name, at least `least`, and say `asked` of it.
+    """
+
+    default: Any
+    checked: Callable[[Any], object]
+    meaning: str
+    asked: str | None = None
+    least: int | None = None
 
 
-class ModeOptions(Options, total=False):
-    """The options of `Library.run` but `main`."""
-
-    mode: str
-
-
-def check_names(function: str, options: Mapping[str, object]) -> None:
-    known = ModeOptions.__annotations__
-    for name in options:
-        if name not in known:
-            raise TypeError(
-                f"{function} has no option {name!r}{did_you_mean(name, known)};"
-                " the options are those of run"
-            )
-
-
-def machine_with(
-    code: _core.Code,
-    main: int,
-    *,
-    mode: str = "auto",
-    start: int | None = None,
-    variables: Mapping[int, float | None] | None = None,
-    block_skip: Iterable[int] | int = (),
-    optional_stop: bool = False,
-    max_cycles: int = 1,
-    max_blocks: int = 10_000_000,
-    max_seconds: float | None = None,
-    max_memory: int | None = None,
-    trace: str = "moves",
-    inputs: Inputs | Mapping[str, Any] | None = None,
-    setup: Setup | Mapping[str, Any] | None = None,
-    watch: Iterable[int] | int = (),
-) -> _core.Machine:
-    """The engine with checked options; `main` is the number of the program, -1 the last."""
-    return _core.machine(
-        code,
-        main if main >= 0 else len(code) - 1,
-        mdi=_one_of("mode", mode, MODES) == "mdi",
-        start=None if start is None else whole("start, a sequence number,", start, 0),
-        variables=None if variables is None else checked_variables("variables", variables),
-        block_skip=_switches(block_skip),
-        optional_stop=_yes_or_no("optional_stop", optional_stop),
-        max_cycles=whole("max_cycles", max_cycles, 1),
-        max_blocks=whole("max_blocks", max_blocks, 0),
-        max_seconds=None if max_seconds is None else _seconds(max_seconds),
-        max_memory=None if max_memory is None else whole("max_memory", max_memory, 0),
-        trace=_one_of("trace", trace, TRACES),
-        inputs=inputs_of(inputs),
-        setup=setup_of(setup),
-        watch=checked_watch(watch),
-    )
-
-
-def idle_machine(control: _core.Control, **options: Unpack[Options]) -> _core.Machine:
-    """A machine of a control without programs, which has executed nothing."""
-    return machine_with(_core.compile(control, [], False).with_mdi(""), -1, **options)
-
-
-def _one_of(what: str, value: object, known: Sequence[str]) -> str:
-    if value not in known:
-        raise ValueError(f"{what} is one of {', '.join(known)}, not {value!r}")
-    return str(value)
+# ---- how values are checked ----
 
 
 def whole(what: str, value: object, least: int) -> int:
@@ -111,17 +57,37 @@ def whole(what: str, value: object, least: int) -> int:
     return number
 
 
-def _yes_or_no(what: str, value: object) -> bool:
-    if isinstance(value, str | bytes) or not hasattr(value, "__bool__") or value not in (0, 1):
-        raise TypeError(f"{what} is True or False, not {value!r}")
-    return bool(value)
+def _whole(what: str, least: int) -> Callable[[Any], int]:
+    return lambda value: whole(what, value, least)
 
 
-def _seconds(value: object) -> float:
+def _none_or(checked: Callable[[Any], object]) -> Callable[[Any], object]:
+    return lambda value: None if value is None else checked(value)
+
+
+def _one_of(what: str, known: Sequence[str]) -> Callable[[Any], str]:
+    def checked(value: object) -> str:
+        if value not in known:
+            raise ValueError(f"{what} is one of {', '.join(known)}, not {value!r}")
+        return str(value)
+
+    return checked
+
+
+def _yes_or_no(what: str) -> Callable[[Any], bool]:
+    def checked(value: object) -> bool:
+        if isinstance(value, str | bytes) or not hasattr(value, "__bool__") or value not in (0, 1):
+            raise TypeError(f"{what} is True or False, not {value!r}")
+        return bool(value)
+
+    return checked
+
+
+def _seconds(value: Any) -> float:
     if isinstance(value, bool) or not (hasattr(value, "__float__") or hasattr(value, "__index__")):
         raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
     try:
-        seconds = float(value)  # type: ignore[arg-type]
+        seconds = float(value)
     except OverflowError:
         seconds = 0.0
     if not 0 < seconds < 1e300:
@@ -143,3 +109,191 @@ def _switches(block_skip: object) -> tuple[int, ...]:
     if any(switch > 9 for switch in switches):
         raise ValueError(f"block_skip: the block-skip switches are 1 to 9, not {max(switches)}")
     return switches
+
+
+def _variables(values: object) -> dict[int, float | None]:
+    return checked_variables("variables", values)
+
+
+# ---- the options ----
+
+
+class FlattenOptions(TypedDict, total=False):
+    """The options of `Library.flatten`: those of `Library.run` but `mode`, `trace` and `watch`."""
+
+    start: Annotated[
+        int | None,
+        Option(
+            None,
+            _none_or(_whole("start, a sequence number,", 0)),
+            "The sequence number to begin at.",
+            asked="The sequence number to begin at.",
+        ),
+    ]
+    variables: Annotated[
+        Mapping[int, float | None] | None,
+        Option(
+            None,
+            _none_or(_variables),
+            "Number to value before the run; `None` is vacant.",
+        ),
+    ]
+    block_skip: Annotated[
+        Iterable[int] | int,
+        Option((), _switches, "The block-skip switches 1 to 9 that are on."),
+    ]
+    optional_stop: Annotated[
+        bool,
+        Option(False, _yes_or_no("optional_stop"), "Whether M01 stops.", asked="M01 stops."),
+    ]
+    max_cycles: Annotated[
+        int,
+        Option(
+            1,
+            _whole("max_cycles", 1),
+            "How often a main program that ends in M99 runs; reaching it is a `Stop`, no error.",
+            asked="How often a main program that ends in M99 runs.",
+            least=1,
+        ),
+    ]
+    max_blocks: Annotated[
+        int,
+        Option(
+            10_000_000,
+            _whole("max_blocks", 0),
+            "How many blocks are executed at most; reaching it is a `Stop`, no error.",
+            asked="How many blocks are executed at most.",
+            least=0,
+        ),
+    ]
+    max_seconds: Annotated[
+        float | None,
+        Option(None, _none_or(_seconds), "How long the computer may take; a `Stop`, too."),
+    ]
+    max_memory: Annotated[
+        int | None,
+        Option(
+            None,
+            _none_or(_whole("max_memory", 0)),
+            "How many bytes the tables and messages may take, 4 GiB unless it is given; a `Stop`,"
+            " too.",
+        ),
+    ]
+    inputs: Annotated[
+        Inputs | Mapping[str, Any] | None,
+        Option(None, inputs_of, "What answers while the program runs: see `Inputs`."),
+    ]
+    setup: Annotated[
+        Setup | Mapping[str, Any] | None,
+        Option(None, setup_of, "What was set at the machine: see `Setup`."),
+    ]
+
+
+class MdiOptions(FlattenOptions, total=False):
+    """The options of `Library.mdi`, `compare` and `run_many`: those of `Library.run` but `mode`."""
+
+    trace: Annotated[
+        str,
+        Option(
+            "moves",
+            _one_of("trace", TRACES),
+            'What is kept: `"none"`, `"calls"`, `"blocks"` or `"moves"`.',
+        ),
+    ]
+    watch: Annotated[
+        Iterable[int] | int,
+        Option(
+            (),
+            checked_watch,
+            "The numbers of variables, a thousand at most, whose changes are kept in `Run.watch`."
+            " Each costs a look after every block and 24 bytes a change.",
+        ),
+    ]
+
+
+class RunOptions(MdiOptions, total=False):
+    """The options of `Library.run`, `machine` and `stream`, for whoever hands them on:
+
+    >>> import cncsub
+    >>> from typing import Unpack
+    >>> def carefully(library: cncsub.Library, **options: Unpack[cncsub.RunOptions]) -> cncsub.Run:
+    ...     return library.run(**{"max_blocks": 1000, "max_seconds": 1.0, **options})
+    """
+
+    mode: Annotated[
+        str,
+        Option("auto", _one_of("mode", MODES), '`"auto"`, or `"mdi"` as a text that was typed.'),
+    ]
+
+
+@cache
+def stated(of: type = RunOptions) -> dict[str, Option]:
+    """What is stated of each of the options, in their order."""
+    hints = get_type_hints(of, include_extras=True)
+    return {name: hint.__metadata__[0] for name, hint in hints.items()}
+
+
+@cache
+def _by_default() -> dict[str, object]:
+    return {name: option.checked(option.default) for name, option in stated().items()}
+
+
+def check_names(function: str, options: Mapping[str, object], of: type = RunOptions) -> None:
+    """Raise `TypeError` for an option that the function does not have."""
+    known = stated(of)
+    for name in options:
+        if name not in known:
+            raise TypeError(
+                f"{function} has no option {name!r}{did_you_mean(name, known)};"
+                " the options are those of run"
+            )
+
+
+def takes(
+    of: type, *without: str, defaults: Mapping[str, Any] | None = None, told: bool = False
+) -> Callable[[F], F]:
+    """In place of `**options` the signature of a function shows each of the options, with its
+    default unless there are others; where it is `told`, its help says what each means.
+    """
+    others = defaults or {}
+
+    def shown(function: F) -> F:
+        options = {name: option for name, option in stated(of).items() if name not in without}
+        types = get_type_hints(of)
+        with_options(
+            function,
+            [
+                inspect.Parameter(
+                    name,
+                    inspect.Parameter.KEYWORD_ONLY,
+                    default=others.get(name, option.default),
+                    annotation=types[name],
+                )
+                for name, option in options.items()
+            ],
+        )
+        if told:
+            lines = (f"`{name}`: {option.meaning}" for name, option in options.items())
+            words = "\n".join(textwrap.fill(line, 92, subsequent_indent="    ") for line in lines)
+            function.__doc__ = f"{inspect.cleandoc(function.__doc__ or '')}\n\nOptions:\n\n{words}"
+        return function
+
+    return shown
+
+
+def machine_with(code: _core.Code, main: int, **options: Unpack[RunOptions]) -> _core.Machine:
+    """The engine with checked options; `main` is the number of the program, -1 the last. An error
+    carries the name of the option as `.option`.
+    """
+    known, checked = stated(), dict(_by_default())
+    for name, value in options.items():
+        try:
+            checked[name] = known[name].checked(value)
+        except (TypeError, ValueError) as error:
+            raise carrying(name, error) from None
+    return _core.machine(code, main if main >= 0 else len(code) - 1, **checked)
+
+
+def idle_machine(control: _core.Control, **options: Unpack[RunOptions]) -> _core.Machine:
+    """A machine of a control without programs, which has executed nothing."""
+    return machine_with(_core.compile(control, [], False).with_mdi(""), -1, **options)

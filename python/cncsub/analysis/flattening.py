@@ -5,14 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.analysis.pairs import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.interrupts import uninterrupted
-from cncsub.run_options import Options, idle_machine
+from cncsub.run_options import FlattenOptions, check_names, idle_machine, takes
 from cncsub.tables.rows import Origin
 from cncsub.tables.table import Table
 from cncsub.writing import opened
@@ -20,10 +20,8 @@ from cncsub.writing import opened
 if TYPE_CHECKING:
     import numpy as np
 
-    from cncsub.inputs import Inputs
     from cncsub.library import Library
     from cncsub.run import Run
-    from cncsub.setup import Setup
 
     Columns = Mapping[str, np.ndarray[Any, Any]]
 
@@ -213,22 +211,14 @@ class Flat:
         return f"<Flat: {self._blocks:,} block{'s' if self._blocks != 1 else ''}>"
 
 
+@takes(FlattenOptions)
 def flatten(
     library: Library,
     main: str | int | None = None,
     *,
     control: str | Control | None = None,
     comments: bool = False,
-    start: int | None = None,
-    variables: Mapping[int, float | None] | None = None,
-    block_skip: Iterable[int] | int = (),
-    optional_stop: bool = False,
-    max_cycles: int = 1,
-    max_blocks: int = 10_000_000,
-    max_seconds: float | None = None,
-    max_memory: int | None = None,
-    inputs: Inputs | Mapping[str, Any] | None = None,
-    setup: Setup | Mapping[str, Any] | None = None,
+    **options: Unpack[FlattenOptions],
 ) -> Flat:
     """Write what `main` executes as one program without calls, jumps and loops.
 
@@ -256,25 +246,15 @@ def flatten(
     X5.
     M30
     """
-    options: Options = {
-        "start": start,
-        "variables": variables,
-        "block_skip": tuple(block_skip) if not isinstance(block_skip, int) else block_skip,
-        "optional_stop": optional_stop,
-        "max_cycles": max_cycles,
-        "max_blocks": max_blocks,
-        "max_seconds": max_seconds,
-        "max_memory": max_memory,
-        "inputs": inputs,
-        "setup": setup,
-    }
+    check_names("flatten", options, FlattenOptions)
+    if isinstance(switches := options.get("block_skip"), Iterable):
+        options["block_skip"] = tuple(switches)  # the program runs more than once
     target = library.control if control is None else control_of(control)
-    traced: Options = {**options, "trace": "calls"}
 
     def written(in_its_words: bool) -> Flat:
         def begin() -> _core.Flattening:
-            other = idle_machine(target, setup=setup) if in_its_words else None
-            return _core.flattening(library._begin(main, **traced), comments, other)
+            other = idle_machine(target, setup=options.get("setup")) if in_its_words else None
+            return _core.flattening(library._begin(main, **options, trace="calls"), comments, other)
 
         return Flat(begin, lambda text: _parts(library, main, target, options, text))
 
@@ -292,7 +272,7 @@ def flatten(
 
 
 def _refuse(
-    parting: Parting, library: Library, main: str | int | None, options: Options
+    parting: Parting, library: Library, main: str | int | None, options: FlattenOptions
 ) -> NoReturn:
     """Refuses a program for another control that does not run alike."""
     run = uninterrupted(library.run(main, **options))
@@ -304,10 +284,14 @@ def _refuse(
 
 
 def _parts(
-    library: Library, main: str | int | None, control: Control, options: Options, text: str
+    library: Library, main: str | int | None, control: Control, options: FlattenOptions, text: str
 ) -> Parting | None:
     """Where the flat program parts from the run."""
-    again: Options = {**options, "max_cycles": 1, "start": None}  # the flat program begins there
+    again: FlattenOptions = {
+        **options,
+        "max_cycles": 1,
+        "start": None,
+    }  # the flat program begins there
     flat = library.of_text(text, control)
     given = options.get("variables") or {}
     lacking = variables_lacking(control, given)  # their values stand in the text

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from cncsub._core import Alarm, Control
 from cncsub.analysis.first_difference import alike, column_of, first_difference
 from cncsub.interrupts import uninterrupted
-from cncsub.run_options import Options, idle_machine
+from cncsub.run_options import FlattenOptions, idle_machine
 
 if TYPE_CHECKING:
     from cncsub.analysis.first_difference import Column
@@ -56,7 +56,7 @@ class Pair:
         libraries: tuple[Library, Library],
         names: tuple[str, str],
         main: str | int | None,
-        options: Options,
+        options: FlattenOptions,
     ) -> None:
         self.libraries = libraries
         self.names = names

@@ -23,14 +23,13 @@ from cncsub.archive.store import Folder, InMemory
 from cncsub.archive.work import Job, Row, Task, Work, do_chunk, done_apart, end_pool, new_pool
 from cncsub.controls import control_of
 from cncsub.files import Reading, StrPath, check_encoding, clean, first_time, walk
-from cncsub.library import Library
 from cncsub.loading import loads
-from cncsub.run_options import Options
+from cncsub.option_errors import wrong_value
+from cncsub.run_options import MdiOptions, stated, takes
 from cncsub.setup import Setup
-from cncsub.signatures import spelled_out
 
 EACH = ("file", "beside", "folder")
-LIMITS: Options = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory": 1 << 29}
+LIMITS: MdiOptions = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory": 1 << 29}
 _LARGEST_CHUNK, _FIRST_CHUNK = 256, 8  # jobs
 _MOST_JOBS = 1024
 _MOST_UNKNOWN = 64  # chunks under way on an executor that does not tell its workers
@@ -40,7 +39,7 @@ _UNREADABLE = ("a link that leads nowhere", "cannot be opened")
 Paths = StrPath | Iterable[StrPath]
 
 
-@spelled_out(Library.run, "mode", "trace", defaults=LIMITS)
+@takes(MdiOptions, "trace", defaults=LIMITS)
 def run_many(
     paths: Paths,
     control: str | Control,
@@ -52,7 +51,7 @@ def run_many(
     jobs: int | None = None,
     out: StrPath | None = None,
     progress: bool = False,
-    **options: Unpack[Options],
+    **options: Unpack[MdiOptions],
 ) -> Any:
     """Run every program file of some files and folders: a row for each, in the order of the files.
 
@@ -85,7 +84,7 @@ def run_many(
     0
     """
     for name in options:
-        if name not in Options.__annotations__ or name == "trace":
+        if name not in stated(MdiOptions) or name == "trace":
             raise TypeError(f"run_many has no option {name!r}; the options are those of run")
     asked = {**LIMITS, **options}
     task = _task("run", control, each, external, encoding, asked)
@@ -135,7 +134,7 @@ def _task(
     options: Any,
 ) -> Task:
     if each not in EACH:
-        raise ValueError(f"each is one of {', '.join(EACH)}, not {each!r}")
+        raise wrong_value("each", f"each is one of {', '.join(EACH)}, not {each!r}")
     check_encoding(encoding)
     place = None if external is None else str(Path(external).absolute())
     return Task(kind, control_of(control), each, place, encoding, dict(options))
@@ -150,9 +149,11 @@ def _batch(
     progress: bool,
 ) -> Any:
     if jobs is not None and jobs < 1:
-        raise ValueError(f"jobs is how many processes work, at least 1, not {jobs!r}")
+        raise wrong_value("jobs", f"jobs is how many processes work, at least 1, not {jobs!r}")
     if jobs is not None and jobs > _MOST_JOBS:
-        raise ValueError(f"jobs is how many processes work, {_MOST_JOBS:,} at most, not {jobs!r}")
+        raise wrong_value(
+            "jobs", f"jobs is how many processes work, {_MOST_JOBS:,} at most, not {jobs!r}"
+        )
     store = InMemory(task) if out is None else Folder(Path(out), task)
     skipped: dict[str, int] = {}
     found = _jobs(_listed(paths), task.each, skipped, marks=out is not None)

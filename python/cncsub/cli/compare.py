@@ -3,33 +3,21 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 import cncsub
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
     Format,
-    InputsFile,
     Main,
-    MaxBlocks,
-    MaxCycles,
-    OptionalStop,
     Output,
-    Param,
     Paths,
-    Prefer,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     control_named,
     memory_of,
     run_options,
+    runs_programs,
     told_idle,
     write_json,
     write_text,
@@ -42,6 +30,7 @@ from cncsub.escapes import shown
 from cncsub.reports.facts import comparison_facts
 
 
+@runs_programs("param")
 def compare(
     paths: Paths = None,
     control: Annotated[
@@ -55,28 +44,17 @@ def compare(
         ),
     ] = None,
     main: Main = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     translate: Translate = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Run a program on two controls: where they part, and the rules that make it.
 
     With --translate, calls are rewritten so that the second control does what the first one does,
     which is proved by running both: the changes are printed, or the programs written to folder -o.
     """
-    options = {**locals(), "mdi": None, "param": None}
+    options = {**locals(), **shared, "mdi": None, "param": None}
     with wrong_use():
         if control is None or len(control) != 2:
             raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
@@ -92,29 +70,18 @@ def compare(
     _tell(compared, format, output)
 
 
+@runs_programs()
 def diff(
     before: Annotated[str, typer.Argument(help="A file or a folder.", show_default=False)],
     after: Annotated[str, typer.Argument(help="Its new version.", show_default=False)],
     control: ControlName = None,
     main: Main = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Run two versions of a program: what the new one does otherwise."""
-    options = {**locals(), "mdi": None}
+    options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         old, new = (memory_of({**options, "paths": [path]}) for path in (before, after))
         compared = cncsub.compare(old, new, main=main, **run_options(options, "moves"))

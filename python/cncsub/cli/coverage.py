@@ -5,29 +5,17 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 import cncsub
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
-    InputsFile,
-    MaxBlocks,
-    MaxCycles,
-    OptionalStop,
-    Param,
     Paths,
-    Prefer,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     memory_of,
     run_options,
+    runs_programs,
     tell_dropped,
     told_idle,
     whole_run,
@@ -43,34 +31,23 @@ from cncsub.writing import write_whole
 _Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
 
 
+@runs_programs()
 def coverage(
     paths: Paths = None,
     control: ControlName = None,
     main: Annotated[
         list[str] | None, typer.Option(help="A program to run; given again, another one.")
     ] = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     html: _Report = None,
     lcov: _Report = None,
     cobertura: _Report = None,
     fail_under: Annotated[
         float, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
     ] = 0,
+    **shared: Any,
 ) -> None:
     """Run programs and tell which blocks and branches they went through."""
-    options = {**locals(), "mdi": None, "output": None, "main": None}
+    options = {**locals(), **shared, "mdi": None, "output": None, "main": None}
     total = Coverage()
     with wrong_use():
         library = memory_of(options)

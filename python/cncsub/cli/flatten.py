@@ -2,31 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
-    InputsFile,
     Main,
-    MaxBlocks,
-    MaxCycles,
-    OptionalStop,
     Output,
-    Param,
     Paths,
-    Prefer,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     control_named,
     memory_of,
     run_options,
+    runs_programs,
     told_idle,
     write_code,
     wrong_use,
@@ -34,35 +22,24 @@ from cncsub.cli.options import (
 from cncsub.writing import opened
 
 
+@runs_programs()
 def flatten(
     paths: Paths = None,
     control: ControlName = None,
     main: Main = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     to: Annotated[
         str | None, typer.Option(help="The control that the flat program is for.")
     ] = None,
     comments: Annotated[bool, typer.Option(help="Write where each block comes from.")] = False,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Write what a program executes as one program without calls, jumps and loops.
 
     What cannot be written is refused with its block, before anything is written. With `--to` the
     flat program is run on the other control and compared first.
     """
-    options = {**locals(), "mdi": None}
+    options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         library = memory_of(options)
         target = None if to is None else control_named(to)

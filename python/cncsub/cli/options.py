@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import enum
+import inspect
 import itertools
 import json
 import math
@@ -12,7 +13,7 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar, get_type_hints
 
 import typer
 
@@ -23,9 +24,13 @@ from cncsub.cli.project import PLACES, Project, project_for
 from cncsub.controls import did_you_mean, names_beginning
 from cncsub.escapes import shown
 from cncsub.loading import load_with
+from cncsub.option_errors import option_of
 from cncsub.reports.printing import Console, console_on, stop_text
+from cncsub.run_options import RunOptions, stated
 from cncsub.sibling_files import with_files_beside
 from cncsub.writing import opened
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
 
@@ -100,13 +105,6 @@ Prefer = Annotated[
         metavar="FILE",
     ),
 ]
-MaxCycles = Annotated[
-    int,
-    typer.Option(help="How often a main program that ends in M99 runs.", min=1, metavar="N"),
-]
-MaxBlocks = Annotated[
-    int, typer.Option(help="How many blocks are executed at most.", min=0, metavar="N")
-]
 SetupFile = Annotated[
     Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
 ]
@@ -114,8 +112,6 @@ InputsFile = Annotated[
     Path | None,
     typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
 ]
-Start = Annotated[int | None, typer.Option(help="The sequence number to begin at.")]
-OptionalStop = Annotated[bool, typer.Option("--optional-stop", help="M01 stops.")]
 Watch = Annotated[
     list[str] | None,
     typer.Option(
@@ -127,21 +123,74 @@ Output = Annotated[
 ]
 
 
-# How the command line calls what Python calls otherwise.
-_OPTIONS = {
+# What every command that runs programs takes, beside the options of a run that have one value.
+_SHARED: dict[str, Any] = {
+    "set": Set,
+    "variables": VariablesFile,
+    "param": Param,
+    "skip": Skip,
+    "external": External,
+    "prefer": Prefer,
+    "encoding": Encoding,
+}
+_FILES: dict[str, Any] = {"setup": SetupFile, "inputs": InputsFile}
+
+
+def _asked() -> Iterator[tuple[str, Any, Any]]:
+    """The options of a run that are asked for by their own name: with type and default."""
+    types = get_type_hints(RunOptions)
+    for name, option in stated().items():
+        if option.asked is None:
+            continue
+        metavar = None if types[name] is bool else "N"
+        flag = typer.Option(flag_of(name), help=option.asked, min=option.least, metavar=metavar)
+        yield name, Annotated[types[name], flag], option.default
+
+
+def runs_programs(*without: str, **defaults: Any) -> Callable[[F], F]:
+    """The command takes what every command that runs programs takes, after its `main`: those of
+    its parameters that stand in no other place, but for some, with other defaults for others.
+    """
+
+    def shown(function: F) -> F:
+        shared = [
+            *((name, kind, None) for name, kind in _SHARED.items()),
+            *_asked(),
+            *((name, kind, None) for name, kind in _FILES.items()),
+        ]
+        more = [
+            inspect.Parameter(
+                name,
+                inspect.Parameter.POSITIONAL_OR_KEYWORD,
+                default=defaults.get(name, default),
+                annotation=kind,
+            )
+            for name, kind, default in shared
+            if name not in without
+        ]
+        signature = inspect.signature(function, eval_str=True)
+        own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
+        names = [p.name for p in own]
+        at = names.index("mdi" if "mdi" in names else "main") + 1
+        parameters = [*own[:at], *more, *own[at:]]
+        function.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
+        return function
+
+    return shown
+
+
+# What the command line calls otherwise than Python.
+_FLAGS = {
     "block_skip": "--skip",
     "coordinates": "--machine",
     "most": "--points",
     "variables": "--set, --variables",
-    **{
-        name: "--" + name.replace("_", "-")
-        for name in (
-            *("color", "each", "encoding", "external", "inputs", "jobs", "max_blocks"),
-            *("max_cycles", "max_seconds", "out", "over", "prefer", "setup", "start", "watch"),
-        )
-    },
 }
-_OPTION = re.compile(rf"({'|'.join(_OPTIONS)})(?=[:,]| (?:is|must|takes|names|holds|has)\b)")
+
+
+def flag_of(option: str) -> str:
+    """How the command line writes an option of Python."""
+    return _FLAGS.get(option, "--" + option.replace("_", "-"))
 
 
 @contextlib.contextmanager
@@ -150,7 +199,7 @@ def wrong_use() -> Iterator[None]:
     try:
         yield
     except KeyError as error:
-        raise WrongUseError(_by_option(error.args[0])) from None
+        raise WrongUseError(_by_option(error)) from None
     except OSError as error:
         if error.filename is None or system.at_its_limit(error):
             raise
@@ -165,23 +214,23 @@ def told_of(error: OSError) -> str:
     return f"{named}{error.strerror or error}"
 
 
-def _by_option(error: object) -> str:
-    words = str(error)
-    name = _OPTION.match(words)
-    return words if name is None else _OPTIONS[name[1]] + words[name.end() :]
+def _by_option(error: Exception) -> str:
+    """What an error says; where it begins with the option that it is about, as it is written."""
+    words = str(error.args[0]) if isinstance(error, KeyError) else str(error)
+    option = option_of(error)
+    if option is None or not words.startswith(option):
+        return words
+    return flag_of(option) + words.removeprefix(option)
 
 
 def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if options["mdi"] is not None and options["main"] is not None:
         raise ValueError("--mdi runs what was typed and --main a program; give one of them")
     asked: dict[str, Any] = {
-        "start": options["start"],
         "variables": _variables(options),
         "block_skip": options["skip"] or (),
-        "optional_stop": options["optional_stop"],
-        "max_cycles": options["max_cycles"],
-        "max_blocks": options["max_blocks"],
         "trace": trace,
+        **{name: options[name] for name, option in stated().items() if option.asked is not None},
     }
     if watched := watched_numbers(options.get("watch") or ()):
         asked["watch"] = watched

@@ -11,25 +11,13 @@ import cncsub
 from cncsub.analysis.notes import Note
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
-    InputsFile,
     Main,
-    MaxBlocks,
-    MaxCycles,
-    OptionalStop,
     Output,
-    Param,
     Paths,
-    Prefer,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     Watch,
     memory_of,
     run_options,
+    runs_programs,
     status_of,
     tell_all,
     tell_dropped,
@@ -75,6 +63,7 @@ _ONLY = {
 }
 
 
+@runs_programs(max_blocks=1_000_000)
 def plot(
     paths: Paths = None,
     control: ControlName = None,
@@ -84,26 +73,14 @@ def plot(
     over: Over = None,
     points: Points = None,
     main: Main = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 1_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     watch: Watch = None,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Run a program and write a picture of its path as one page of HTML, which needs no network;
     or of its calls, of the programs that call each other, of variables that are watched.
     """
-    options = {**locals(), "mdi": None}
+    options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         if output is None:
             raise ValueError("which file? Give -o path.html")

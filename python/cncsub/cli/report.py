@@ -3,31 +3,20 @@
 from __future__ import annotations
 
 import sys
+from typing import Any
 
 import typer
 
 import cncsub
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
-    InputsFile,
     Main,
-    MaxBlocks,
-    MaxCycles,
-    OptionalStop,
     Output,
-    Param,
     Paths,
-    Prefer,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     Watch,
     memory_of,
     run_options,
+    runs_programs,
     status_of,
     told_idle,
     whole_run,
@@ -37,28 +26,17 @@ from cncsub.escapes import shown
 from cncsub.reports.printing import console_on, print_stop
 
 
+@runs_programs(max_blocks=1_000_000)
 def report(
     paths: Paths = None,
     control: ControlName = None,
     main: Main = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 1_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     watch: Watch = None,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Run a program and write how it went as one page of HTML, which needs no network."""
-    options = {**locals(), "mdi": None}
+    options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         if output is None:
             raise ValueError("which file? Give -o report.html")

@@ -15,30 +15,18 @@ import cncsub
 from cncsub.cli.listing import Listing, Where, filters, write_listing
 from cncsub.cli.options import (
     ControlName,
-    Encoding,
-    External,
     Format,
-    InputsFile,
     Main,
-    MaxBlocks,
-    MaxCycles,
     Mdi,
-    OptionalStop,
     Output,
-    Param,
     Paths,
-    Prefer,
     RunFormat,
-    Set,
-    SetupFile,
-    Skip,
-    Start,
-    VariablesFile,
     Watch,
     WrongUseError,
     memory_of,
     notes_on,
     run_options,
+    runs_programs,
     status_of,
     tell_dropped,
     tell_hints,
@@ -58,24 +46,12 @@ from cncsub.tables.table import records
 from cncsub.writing import opened
 
 
+@runs_programs()
 def run(
     paths: Paths = None,
     control: ControlName = None,
     main: Main = None,
     mdi: Mdi = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     watch: Watch = None,
     listing: Listing = False,
     where: Where = None,
@@ -83,13 +59,14 @@ def run(
         RunFormat, typer.Option(help="csv and parquet write the moves.")
     ] = RunFormat.TEXT,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Run a program and print its calls and how it stopped."""
     if format in (RunFormat.CSV, RunFormat.PARQUET):
         with wrong_use():
             if listing:
                 raise ValueError("csv and parquet write the moves; --listing takes text or json")
-        stream = _stream(locals())
+        stream = _stream({**locals(), **shared})
         dropped = _write_moves(stream, format, output)
         print_stop(console_on(sys.stderr), stream)
         tell_dropped(*dropped)
@@ -98,7 +75,7 @@ def run(
         asked = filters(where or ())
         if asked and not listing:
             raise ValueError("--where chooses blocks of the listing: give --listing too")
-    made, title, notes, hints = _run(_watching(locals(), asked), trace="moves")
+    made, title, notes, hints = _run(_watching({**locals(), **shared}, asked), trace="moves")
     if listing:
         with wrong_use():
             blocks = made.listing(**asked)
@@ -115,35 +92,24 @@ def run(
     raise typer.Exit(status_of(made))
 
 
+@runs_programs()
 def tree(
     paths: Paths = None,
     control: ControlName = None,
     main: Main = None,
     mdi: Mdi = None,
-    set: Set = None,
-    variables: VariablesFile = None,
-    param: Param = None,
-    skip: Skip = None,
-    external: External = None,
-    prefer: Prefer = None,
-    encoding: Encoding = None,
-    max_cycles: MaxCycles = 1,
-    max_blocks: MaxBlocks = 10_000_000,
-    setup: SetupFile = None,
-    inputs: InputsFile = None,
-    start: Start = None,
-    optional_stop: OptionalStop = False,
     static: Annotated[
         bool, typer.Option("--static", help="As it is written, without running.")
     ] = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
+    **shared: Any,
 ) -> None:
     """Draw the calls a program makes, their arguments and callers: as it ran, or as written."""
     if static:
-        draw_static_tree(locals(), main, format, output)
+        draw_static_tree({**locals(), **shared}, main, format, output)
         return
-    made, title, notes, hints = _run(locals(), trace="blocks")
+    made, title, notes, hints = _run({**locals(), **shared}, trace="blocks")
     if format is Format.JSON:
         write_json(output, {**tree_facts(made, title), "notes": notes, "hints": hints})
     else:

@@ -15,9 +15,9 @@ from cncsub.comparison.rule_bisection import rules_between
 from cncsub.controls import control_of
 from cncsub.library import Library
 from cncsub.loading import load
+from cncsub.option_errors import wrong_value
 from cncsub.run import Run
-from cncsub.run_options import Options
-from cncsub.signatures import spelled_out
+from cncsub.run_options import MdiOptions, takes
 from cncsub.tables.rows import Step
 
 
@@ -73,7 +73,7 @@ class Comparison:
         return "\n".join(lines)
 
 
-@spelled_out(Library.run, "mode")
+@takes(MdiOptions)
 def compare(
     first: Library | str | os.PathLike[str],
     second: Library | str | os.PathLike[str] | None = None,
@@ -81,7 +81,7 @@ def compare(
     controls: Sequence[str | Control] | None = None,
     control: str | Control | None = None,
     main: str | int | None = None,
-    **options: Unpack[Options],
+    **options: Unpack[MdiOptions],
 ) -> Comparison:
     """Run the same programs on two `controls`, or two versions of programs, and tell where they
     part.
@@ -129,7 +129,7 @@ def _compare_controls(
     controls: Sequence[str | Control],
     control: str | Control | None,
     main: str | int | None,
-    options: Options,
+    options: MdiOptions,
 ) -> Comparison:
     if isinstance(controls, str | Control) or len(controls) != 2:
         raise TypeError("compare takes two controls: controls=[one, another]")
@@ -139,7 +139,7 @@ def _compare_controls(
     names = (one.name, other.name) if one.name != other.name else ("first", "second")
     for each in (one, other):
         if lacking := variables_lacking(each, options.get("variables") or {}):
-            raise ValueError(f"variables: {each.name} has no #{lacking[0]}")
+            raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
     pair = _ControlPair(texts, names, main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)

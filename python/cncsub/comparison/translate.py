@@ -18,8 +18,7 @@ from cncsub.library import Library
 from cncsub.lines import lines_of
 from cncsub.loading import load
 from cncsub.run import Run, Stop
-from cncsub.run_options import Options
-from cncsub.signatures import spelled_out
+from cncsub.run_options import MdiOptions, takes
 from cncsub.writing import write_whole
 
 
@@ -79,14 +78,14 @@ class Translation:
         return written
 
 
-@spelled_out(Library.run, "mode")
+@takes(MdiOptions)
 def translate(
     of: Library | str | os.PathLike[str],
     to: str | Control,
     *,
     control: str | Control | None = None,
     main: str | int | None = None,
-    **options: Unpack[Options],
+    **options: Unpack[MdiOptions],
 ) -> Translation:
     """Rewrite calls of programs so that control `to` does what the control of `of` did.
 
@@ -121,7 +120,7 @@ def translate(
     return _proved(rewriting, main, options)
 
 
-def _machine_of(options: Options) -> str:
+def _machine_of(options: MdiOptions) -> str:
     """The kind of machine that the setup tells; empty for the control's own."""
     setup = options.get("setup")
     if setup is None:
@@ -130,7 +129,7 @@ def _machine_of(options: Options) -> str:
     return told or ""
 
 
-def _proved(rewriting: Rewriting, main: str | int | None, options: Options) -> Translation:
+def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -> Translation:
     source = rewriting.library
     made = rewriting.made()
     names = (source.control.name, rewriting.target.name)

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from cncsub import _core
+from cncsub.option_errors import wrong_value
 from cncsub.plot.figure import (
     COLOURS,
     OTHERS,
@@ -31,7 +32,7 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 def calls_figure(calls: Calls, *, over: str = "time", title: str | None = None) -> Any:
     """See `Calls.plot`."""
     if over not in OVER:
-        raise ValueError(f"over is time or steps, not {over!r}")
+        raise wrong_value("over", f"over is time or steps, not {over!r}")
     head = title if title is not None else count(len(calls), "call")
     if not len(calls):
         return empty("It called nothing.", head)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cncsub import _core
+from cncsub.option_errors import wrong_value
 from cncsub.plot.colours import (
     BANDS,
     COLOURED_BY,
@@ -59,11 +60,11 @@ def path_figure(
     """See `Run.plot`."""
     core = run._trace
     if color not in COLOURED_BY:
-        raise ValueError(f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
+        raise wrong_value("color", f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
     if coordinates not in ("work", "machine"):
-        raise ValueError(f"coordinates is work or machine, not {coordinates!r}")
+        raise wrong_value("coordinates", f"coordinates is work or machine, not {coordinates!r}")
     if isinstance(most, bool) or most < 100:
-        raise ValueError(f"most is a number of points from 100 on, not {most!r}")
+        raise wrong_value("most", f"most is a number of points from 100 on, not {most!r}")
     first, last = rows_of(moves, core.moves)
     head = title if title is not None else _title(run, first, last)
     if first == last:

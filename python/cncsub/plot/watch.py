@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub.option_errors import wrong_value
 from cncsub.plot.figure import COLOURS, Places, axis, count, empty, figure, seconds
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 def watch_figure(watch: Watch, *, over: str = "steps", title: str | None = None) -> Any:
     """See `Watch.plot`."""
     if over not in OVER:
-        raise ValueError(f"over is steps or time, not {over!r}")
+        raise wrong_value("over", f"over is steps or time, not {over!r}")
     numbers = list(watch.beginning)
     changes = count(len(watch), "change")
     head = title if title is not None else f"{_hashes(numbers) or 'nothing watched'}: {changes}"

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
+from cncsub.option_errors import carrying
 
 if TYPE_CHECKING:
     import numpy as np
@@ -81,7 +82,10 @@ def sampled(
     import numpy  # noqa: F401  # here, not below the engine's functions
 
     if coordinates not in COORDINATES:
-        raise ValueError(f"coordinates is one of {', '.join(COORDINATES)}, not {coordinates!r}")
+        raise carrying(
+            "coordinates",
+            ValueError(f"coordinates is one of {', '.join(COORDINATES)}, not {coordinates!r}"),
+        )
     found = core.polyline(coordinates, tolerance, first, last, most)
     if isinstance(found, int):
         return found
