@@ -100,7 +100,7 @@ def assert_rows_say_the_same(table: Any, index: int) -> None:
     row = table[index]
     for name in table.columns:
         value, said = table.column(name)[index].item(), getattr(row, name)
-        texts = table._texts(name)
+        texts = table.texts_of(name)
         if texts is not None:
             assert texts[value] == said, (index, name)
         elif said is None:
@@ -131,7 +131,7 @@ def test_columns_one_by_one_are_those_asked_for_together(what: str) -> None:
     one, other = ran(control, text), ran(control, text)
     for of in ("steps", "moves"):
         together = getattr(other, of)
-        together._fetched(together.columns)
+        together.fetched(together.columns)
         assert_same(whole(getattr(one, of)), whole(together))
 
 
@@ -189,8 +189,8 @@ def test_threads_look_at_one_run_at_once() -> None:
     run = ran("fanuc-0i-f", MILL)
 
     def look(_: int) -> None:
-        assert_same(moves, run.moves._core.move_columns(run.moves.columns))
-        assert_same(steps, {n: run.steps._core.step_column(n) for n in run.steps.columns})
+        assert_same(moves, run.moves.core.move_columns(run.moves.columns))
+        assert_same(steps, {n: run.steps.core.step_column(n) for n in run.steps.columns})
 
     with ThreadPoolExecutor(8) as pool:
         list(pool.map(look, range(24)))

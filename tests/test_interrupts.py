@@ -302,8 +302,8 @@ LOOKS: dict[str, Callable[[cncsub.Run], object]] = {
     "columns of the steps": lambda run: run.steps._fetch(["line", "n", "depth"] * 5),
     "columns of the calls": lambda run: run.calls._fetch(["kind", "level", "repeats"] * 20),
     "bounds": lambda run: run.moves.bounds,
-    "length": lambda run: [run._core.trace.path_length for _ in range(20)],
-    "messages": lambda run: run._core.trace.messages,
+    "length": lambda run: [run.core.trace.path_length for _ in range(20)],
+    "messages": lambda run: run.core.trace.messages,
 }
 
 

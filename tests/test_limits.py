@@ -108,7 +108,7 @@ def test_everything_that_a_run_keeps_counts(name: str, trace: str) -> None:
     )
     assert run.stop is cncsub.Stop.LIMIT
     longest = max(map(len, text.split("\n")))
-    assert run._core.memory < most + (most // 2) + longest
+    assert run.core.memory < most + (most // 2) + longest
     assert sum(map(len, run.messages)) < most + (most // 2) + longest
 
 

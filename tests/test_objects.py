@@ -50,8 +50,8 @@ objects = [
     run.variables, machine.variables, run.alarm.frames, *deep.stack, cncsub.controls, cncsub.causes,
     next(iter(cncsub.causes.values())), *control.rules[:2], *list(control.parameters.values())[:2],
     *list(control.alarms.values())[:2], *control.variable_options.values(), library.external, run.calls.tree(), *run.calls.tree(),
-    machine._core, machine._core.trace, machine._core.code, machine._core.code.program(0), _core.read_file(inspect.__file__, 1 << 20), *_core.read_found('', [inspect.__file__], 1 << 20, True),
-    _core.flattening(library.machine()._core, False),
+    machine.core, machine.core.trace, machine.core.code, machine.core.code.program(0), _core.read_file(inspect.__file__, 1 << 20), *_core.read_found('', [inspect.__file__], 1 << 20, True),
+    _core.flattening(library.machine().core, False),
     run.messages, run.position, run.modal,
 ]
 modules = [importlib.import_module(m.name) for m in pkgutil.walk_packages(cncsub.__path__, "cncsub.") if not m.name.endswith("__main__")]
@@ -128,13 +128,13 @@ for thing, value in itertools.product(objects, RUBBISH):
 for maker in (_core.alarm, _core.frame, _core.control, _core.read_file, _core.read_found, _core.names_in, _core.compile, _core.machine):
     for value in RUBBISH:
         tried(maker, value), tried(maker, value, value), tried(maker, value, value, value), tried(maker)
-trace = cncsub.loads(TEXT, control="fanuc-0i-f").run()._core.trace
+trace = cncsub.loads(TEXT, control="fanuc-0i-f").run().core.trace
 for name in ("step_column", "call_column", "move_columns", "step_row", "call_row", "move_row", "call_arguments"):
     for value in (*RUBBISH, -1, 2**31, 2**63, ["x"], "step", ["step", "x", "x"]):
         tried(getattr(trace, name), value)
 for value in (*RUBBISH, int, object, type("Short", (), {"__match_args__": ("step",)}), cncsub.Library):
     tried(trace.step_row, 0, value)
-    tried(cncsub.loads(TEXT, control="fanuc-0i-f").machine()._core.step, value)
+    tried(cncsub.loads(TEXT, control="fanuc-0i-f").machine().core.step, value)
 """,
     "inherited from": """
 for cls in sorted(classes, key=str):
@@ -330,6 +330,6 @@ def test_without_memory_python_raises_in(name: str) -> None:
 def test_a_column_that_is_asked_for_twice_is_made_once() -> None:
     text = "O1\nG1 F1\nN1 X1.\nX2.\nGOTO1\n"
     run = cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=100_000)
-    columns = run.moves._core.move_columns(["time", "x", "time", "kind", "x", "kind"])
+    columns = run.moves.core.move_columns(["time", "x", "time", "kind", "x", "kind"])
     assert list(columns) == ["time", "x", "kind"]
     assert all(np.array_equal(columns[name], run.moves.column(name)) for name in columns)

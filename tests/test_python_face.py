@@ -578,7 +578,7 @@ def test_a_table_reaches_pandas_and_arrow_with_its_texts(run: cncsub.Run, table:
     assert list(frame.columns) == arrow.column_names == rows.columns
     assert len(frame) == arrow.num_rows == len(rows)
     for name in rows.columns:
-        texts = rows._texts(name)
+        texts = rows.texts_of(name)
         column = rows[name].tolist()
         expected = column if texts is None else [texts[code] for code in column]
         if name in rows._nulls:

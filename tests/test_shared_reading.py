@@ -27,7 +27,7 @@ def read(control: str, files: list[File], threads: int, piece: int | None = None
 
 def programs_of(library: Library) -> list[Any]:
     """Every program, also those that another one hides, with all that its blocks say."""
-    code = library._code
+    code = library.code
     found: list[Any] = [code.leaders]
     for place in range(len(code)):
         program = code.program(place)

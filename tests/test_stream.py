@@ -307,7 +307,7 @@ def test_tables_reach_other_libraries_with_one_copy() -> None:
             chunk = arrow.column(name).chunk(0)
             codes = chunk.indices if pa.types.is_dictionary(chunk.type) else chunk
             assert codes.buffers()[1].address == column.ctypes.data, f"Arrow copies {name}"
-            if rows._texts(name) is None:
+            if rows.texts_of(name) is None:
                 nullable = isinstance(frame[name].dtype, pd.api.extensions.ExtensionDtype)
                 numbers = frame[name].array._data if nullable else frame[name].to_numpy()
                 assert numbers.base is not None or nullable, f"pandas copies {name}"
@@ -330,7 +330,7 @@ def test_tables_say_the_same_in_four_libraries() -> None:
         ):
             assert list(frame.columns) == rows.columns
             for name in rows.columns:
-                if rows._texts(name) is None:
+                if rows.texts_of(name) is None:
                     np.testing.assert_array_equal(frame[name].to_numpy(), expected[name], name)
                 else:
                     assert list(frame[name]) == list(expected[name])
@@ -432,7 +432,7 @@ def test_memory_is_limited(what: str) -> None:
     assert run.stop is cncsub.Stop.LIMIT
     assert run.alarm is None
     # A long block that is broken off has done nothing, so that its moves do not count.
-    assert 0.9 * limit < run._core.memory < 2 * limit
+    assert 0.9 * limit < run.core.memory < 2 * limit
     machine = cncsub.loads(WRITERS[what], control=CONTROL).machine(
         max_memory=2**20, max_blocks=10**9
     )

@@ -56,4 +56,4 @@ def test_contours_do_the_same_by_the_general_way() -> None:
 def test_a_copy_of_a_library_keeps_to_its_way() -> None:
     library = cncsub.loads("O1\nM30\n", control="fanuc-0i-f", general_only=True)
     again = library.read_for("gsk-988ta")
-    assert [part._code.general_only for part in (library, again)] == [True, True]
+    assert [part.code.general_only for part in (library, again)] == [True, True]

@@ -260,7 +260,7 @@ def main() -> int:
     parser.add_argument("output", type=Path, help="the file to write, such as selftest.rows")
     output = parser.parse_args().output
     left_out: Counter[str] = Counter()
-    told = Told(str(outcome._scratch()))
+    told = Told(str(outcome.scratch()))
     written_rows = 0
     output.parent.mkdir(parents=True, exist_ok=True)
     begun = output.with_name(f"{output.name}.begun")  # what is cut off is no set of rows

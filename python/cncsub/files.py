@@ -73,9 +73,9 @@ class Reading:
     files: list[TextFile | Texts] = field(default_factory=list)
     skipped: list[tuple[str, str]] = field(default_factory=list)
     # Folders already seen, by their real path, and names of files already seen in each.
-    _folders: set[str] = field(default_factory=set)
-    _names: dict[str, set[str]] = field(default_factory=dict)
-    _left_out: set[str] = field(default_factory=set)  # of them, those that are not to be read
+    folders: set[str] = field(default_factory=set)
+    known: dict[str, set[str]] = field(default_factory=dict)
+    left_out: set[str] = field(default_factory=set)  # of them, those that are not to be read
 
     @property
     def names(self) -> list[str]:
@@ -115,8 +115,8 @@ def read_paths(
     for path in map(_checked_path, paths):
         # A folder that is given both ways is read both ways.
         if without is not None and _real(path) != _real(without):
-            reading._folders.add(_real(without))
-            reading._left_out.add(_real(without))
+            reading.folders.add(_real(without))
+            reading.left_out.add(_real(without))
         _read_path(path, encoding, reading)
     for path in map(Path, beside):
         folder = os.path.realpath(path.parent)
@@ -157,7 +157,7 @@ def _read_path(path: Path, encoding: str | None, reading: Reading) -> None:
         _read_named_file(path, encoding, reading)
         return
     real = _real(path)
-    if real in reading._folders and real not in reading._left_out:
+    if real in reading.folders and real not in reading.left_out:
         return  # it was read: it is given twice, or stands in one that was given
     if not _read_folder(path, encoding, reading):
         reasons = "; ".join(f"{name}: {why}" for name, why in reading.skipped[:3])
@@ -225,7 +225,7 @@ def _why_not(path: StrPath, fault: int | str) -> str:
 
 def first_time(folder: str, name: str, reading: Reading) -> bool:
     """Whether this name of a file is met for the first time. A link to a file is another name."""
-    names = reading._names.setdefault(folder, set())
+    names = reading.known.setdefault(folder, set())
     [same] = system.same_names([name])
     new = same not in names
     names.add(same)
@@ -234,7 +234,7 @@ def first_time(folder: str, name: str, reading: Reading) -> bool:
 
 def _new_names(folder: str, names: list[str], reading: Reading) -> list[str]:
     """Those that are met for the first time."""
-    known = reading._names.setdefault(folder, set())
+    known = reading.known.setdefault(folder, set())
     same = system.same_names(names)
     new = [name for name, as_one in zip(names, same) if as_one not in known] if known else names
     known.update(same)
@@ -257,9 +257,9 @@ def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
     waiting = [(top, root)]
     while waiting:
         folder, real = waiting.pop()
-        if real in reading._folders:
+        if real in reading.folders:
             continue
-        reading._folders.add(real)
+        reading.folders.add(real)
         listing = _core.names_in(str(folder), _OTHER_ENDINGS)
         if isinstance(listing, int):
             reading.skipped.append((str(folder), _why_not(folder, listing)))

@@ -61,19 +61,19 @@ class Library(Mapping[str, Program]):
         skipped: Sequence[tuple[str, str]] = (),
         first: str | None = None,
     ) -> None:
-        self._code = code
+        self.code = code
         self._first = first  # the name of the first program, where files were preferred to it
         self._files = tuple(files)
-        self._skipped = tuple(skipped)
+        self.left_out = tuple(skipped)
         self._made: dict[int, Program] = {}  # when somebody looks: a memory may hold millions
 
     def _program(self, index: int) -> Program:
         made = self._made.get(index)
-        return made or self._made.setdefault(index, Program(self._code.program(index), index))
+        return made or self._made.setdefault(index, Program(self.code.program(index), index))
 
     @cached_property
     def _names(self) -> list[str]:
-        return self._code.names()
+        return self.code.names()
 
     # The memory.
 
@@ -82,7 +82,7 @@ class Library(Mapping[str, Program]):
 
     def __contains__(self, name: object) -> bool:
         try:
-            return find_program(self._code, name) >= 0
+            return find_program(self.code, name) >= 0
         except TypeError:
             return False
 
@@ -99,15 +99,15 @@ class Library(Mapping[str, Program]):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # It travels as its texts and is read again where it arrives.
-        sources, device = self._code.sources, self._code.external_device
+        sources, device = self.code.sources, self.code.external_device
         return read_again, (
             self.control,
             sources,
             device,
             self._files,
-            self._skipped,
+            self.left_out,
             self._first,
-            self._code.general_only,
+            self.code.general_only,
         )
 
     def __copy__(self) -> Library:
@@ -123,7 +123,7 @@ class Library(Mapping[str, Program]):
 
     def _find(self, name: object) -> int:
         try:
-            index = find_program(self._code, name)
+            index = find_program(self.code, name)
         except TypeError as error:
             raise KeyError(str(error)) from None
         if index >= 0:
@@ -134,14 +134,14 @@ class Library(Mapping[str, Program]):
     @property
     def control(self) -> Control:
         """The control whose memory this is."""
-        return self._code.control
+        return self.code.control
 
     @property
     def main(self) -> Program | None:
         """The program that runs when none is named: the first. `None` where there is no program at
         all.
         """
-        first = self._code.main if self._first is None else self._find(self._first)
+        first = self.code.main if self._first is None else self._find(self._first)
         return None if first is None else self._program(first)
 
     @property
@@ -160,21 +160,21 @@ class Library(Mapping[str, Program]):
         """
         leaders = (
             (name, f"the text before its first %: {lines} line{'s' if lines != 1 else ''}")
-            for name, lines in self._code.leaders
+            for name, lines in self.code.leaders
         )
-        return (*self._skipped, *leaders)
+        return (*self.left_out, *leaders)
 
     @property
     def external(self) -> Mapping[str, Program]:
         """The programs on the external device, by name."""
-        places = self._code.places(external=True)
+        places = self.code.places(external=True)
         programs = [self._program(place) for place in places]
         return Named("external program", lambda: {p.name: p for p in programs})
 
     @property
     def duplicates(self) -> tuple[Program, ...]:
         """Programs the control never calls, because another one of the same name counts."""
-        return tuple(self._program(index) for index in self._code.duplicates)
+        return tuple(self._program(index) for index in self.code.duplicates)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
@@ -205,9 +205,9 @@ class Library(Mapping[str, Program]):
         'gsk-988ta'
         """
         known = control_of(control)
-        return self._read_again(known, self._code.sources)
+        return self._read_again(known, self.code.sources)
 
-    def _with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
+    def with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
         """The memory of another control with other texts in its files."""
         sources = [
             (
@@ -216,7 +216,7 @@ class Library(Mapping[str, Program]):
                 data if outside or n not in texts else texts[n].encode(errors="surrogateescape"),
                 outside,
             )
-            for n, stem, data, outside in self._code.sources
+            for n, stem, data, outside in self.code.sources
         ]
         return self._read_again(control, sources)
 
@@ -226,18 +226,18 @@ class Library(Mapping[str, Program]):
         return read_again(
             control,
             sources,
-            self._code.external_device,
+            self.code.external_device,
             self._files,
-            self._skipped,
+            self.left_out,
             self._first,
-            self._code.general_only,
+            self.code.general_only,
         )
 
     def call_graph(self) -> CallGraph:
         """Who calls whom, told by the blocks without running them: see `CallGraph`."""
         from cncsub.references import call_graph  # not imported before it is asked for
 
-        return call_graph(self._code)
+        return call_graph(self.code)
 
     def plot(self, *, title: str | None = None) -> Figure:
         """The call graph as a figure of plotly (`cncsub[plot]`): a point for each program, the main
@@ -257,12 +257,12 @@ class Library(Mapping[str, Program]):
 
     @cached_property
     def _flows(self) -> _core.Flows:
-        return _core.flows(self._code)
+        return _core.flows(self.code)
 
     def flow(self, program: str | int) -> Flow:
         """The ways through a program, told by its blocks without running them: see `Flow`."""
         index = self._find(program)
-        data = self._code.program(index)
+        data = self.code.program(index)
         from cncsub.checking import flow_of
 
         return flow_of(self._flows, data, data.blocks)
@@ -290,13 +290,11 @@ class Library(Mapping[str, Program]):
         [('CS201', 'program-missing', 10, 'PS0076')]
         """
         program = self.main
-        first = (
-            self._find(main) if main is not None else None if program is None else program._index
-        )
+        first = self._find(main) if main is not None else None if program is None else program.index
         kind = (setup_of(setup) or {}).get("machine")
         from cncsub.checking import check
 
-        return check(self._code, -1 if first is None else first, rules, kind)
+        return check(self.code, -1 if first is None else first, rules, kind)
 
     @takes(FlattenOptions)
     def flatten(
@@ -338,7 +336,7 @@ class Library(Mapping[str, Program]):
         is never raised: it is the `alarm` of the `Run`.
         """
         check_names("run", options)
-        return _finished(self._begin(main, **options))
+        return _finished(self.begin(main, **options))
 
     @takes(MdiOptions)
     def mdi(self, text: str, **options: Unpack[MdiOptions]) -> Run:
@@ -358,7 +356,7 @@ class Library(Mapping[str, Program]):
                     f"mdi runs the text that was typed and takes no {name}; run takes it"
                 )
         check_names("mdi", options)
-        return _finished(machine_with(self._code.with_mdi(clean(text)), -1, **options, mode="mdi"))
+        return _finished(machine_with(self.code.with_mdi(clean(text)), -1, **options, mode="mdi"))
 
     @takes(RunOptions)
     def machine(self, main: str | int | None = None, **options: Unpack[RunOptions]) -> Machine:
@@ -368,7 +366,7 @@ class Library(Mapping[str, Program]):
         check_names("machine", options)
         if options.get("trace") in ("none", "calls"):
             options["trace"] = "blocks"  # a step is a row of the table of steps
-        return Machine(self._begin(main, **options))
+        return Machine(self.begin(main, **options))
 
     @takes(RunOptions)
     def stream(
@@ -386,16 +384,18 @@ class Library(Mapping[str, Program]):
         """
         check_names("stream", options)
         trace = options.get("trace", "moves")
-        return Stream(self._begin(main, **options), whole("rows", rows, 1), trace)
+        return Stream(self.begin(main, **options), whole("rows", rows, 1), trace)
 
-    def _begin(self, main: str | int | None, **options: Unpack[RunOptions]) -> _core.Machine:
+    @takes(RunOptions)
+    def begin(self, main: str | int | None, **options: Unpack[RunOptions]) -> _core.Machine:
+        """The engine at the head of a program; what it hands out is not public."""
         if main is not None:
-            return machine_with(self._code, self._find(main), **options)
+            return machine_with(self.code, self._find(main), **options)
         program = self.main
         if program is None:
             # Nothing to run runs: what an empty program does is the control's business.
-            return machine_with(self._code.with_mdi(""), -1, **options)
-        return machine_with(self._code, program._index, **options)
+            return machine_with(self.code.with_mdi(""), -1, **options)
+        return machine_with(self.code, program.index, **options)
 
 
 def read_again(

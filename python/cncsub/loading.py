@@ -122,16 +122,16 @@ def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Librar
             "prefer",
             ValueError(f"prefer names {missing}, which is not among the files that are read{near}"),
         )
-    sources = sorted(library._code.sources, key=lambda source: source[0] not in preferred)
+    sources = sorted(library.code.sources, key=lambda source: source[0] not in preferred)
     main = library.main
     return read_again(
         library.control,
         sources,
-        library._code.external_device,
+        library.code.external_device,
         sorted(library.files, key=lambda name: name not in preferred),
-        library._skipped,
+        library.left_out,
         None if main is None else main.name,
-        library._code.general_only,
+        library.code.general_only,
     )
 
 

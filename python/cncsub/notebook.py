@@ -55,7 +55,7 @@ def _title(run: Run) -> str:
         facts.append(f"for {run.waiting_for}")
     facts.append(f"{count:,} block{'' if count == 1 else 's'}")
     if len(run.moves):
-        facts.append(f"{run.moves._size()}, {run.moves.total_length:,.3f} mm")
+        facts.append(f"{run.moves.size_words()}, {run.moves.total_length:,.3f} mm")
         facts.append(run.moves.time_words)
     return ", ".join(facts)
 
@@ -109,7 +109,7 @@ def _marks(program: Program) -> dict[int, str]:
     """By line what the control would refuse there or what will surprise; of large memories nothing,
     because that asks for all their blocks.
     """
-    code = program._data.code
+    code = program.data.code
     if sum(code.program(index).blocks for index in range(len(code))) > _MOST_CHECKED:
         return {}
     marks: dict[int, str] = {}

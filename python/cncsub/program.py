@@ -55,7 +55,7 @@ class Block:
     @property
     def words(self) -> tuple[Word, ...]:
         """The words of the block, as the control reads them; none in a macro statement."""
-        return tuple(Word(*word) for word in self._program._data.words(self._index))
+        return tuple(Word(*word) for word in self._program.data.words(self._index))
 
     @property
     def calls(self) -> tuple[CallTo, ...]:
@@ -95,7 +95,7 @@ class Block:
     def _references(self) -> References:
         from cncsub.references import references_of
 
-        return references_of(self._program._data, self._index)
+        return references_of(self._program.data, self._index)
 
 
 class Blocks(Stays, Sequence[Block]):
@@ -107,7 +107,7 @@ class Blocks(Stays, Sequence[Block]):
         self._program = program
 
     def __len__(self) -> int:
-        return self._program._data.blocks
+        return self._program.data.blocks
 
     @overload
     def __getitem__(self, key: int) -> Block: ...
@@ -122,7 +122,7 @@ class Blocks(Stays, Sequence[Block]):
         return self._block(index % len(self))
 
     def _block(self, index: int) -> Block:
-        return Block(*self._program._data.block(index), self._program, index)
+        return Block(*self._program.data.block(index), self._program, index)
 
     def __repr__(self) -> str:
         return f"<{len(self)} blocks of {self._program.name}>"
@@ -148,42 +148,42 @@ class Program(Stays):
     _instead = "send its library, or its text"
 
     def __init__(self, data: _core.ProgramData, index: int) -> None:
-        self._data = data
-        self._index = index
+        self.data = data
+        self.index = index
 
     @property
     def name(self) -> str:
         """As it is written, or the name of the file where the program has none of its own."""
-        return self._data.name
+        return self.data.name
 
     @property
     def file(self) -> str:
         """The file it stands in, as it was named."""
-        return self._data.file
+        return self.data.file
 
     @property
     def line(self) -> int:
         """The line of the file on which the program begins, from 1."""
-        return self._data.line
+        return self.data.line
 
     @property
     def text(self) -> str:
         """As it is written, with its head and its comments."""
-        return self._data.text
+        return self.data.text
 
-    def _start(self, size: int) -> str:
+    def beginning(self, size: int) -> str:
         """The first bytes of the text."""
-        return self._data.start(size).decode(errors="replace")
+        return self.data.start(size).decode(errors="replace")
 
     @property
     def comment(self) -> str:
         """The title: the first comment behind the name."""
-        return self._data.comment
+        return self.data.comment
 
     @property
     def external(self) -> bool:
         """Whether the program is on the external device."""
-        return self._data.external
+        return self.data.external
 
     @property
     def blocks(self) -> Blocks:

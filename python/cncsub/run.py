@@ -71,33 +71,33 @@ class Recorded(Stays):
     """What was recorded, in a run, by a machine so far, or in one part of a stream."""
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
-        self._trace = core
+        self.recorded = core
         self._axes = axes
 
     @functools.cached_property
     def steps(self) -> Steps:
         """One row per executed block (with `trace="blocks"` or `"moves"`)."""
-        return Steps(self._trace)
+        return Steps(self.recorded)
 
     @functools.cached_property
     def calls(self) -> Calls:
         """One row per entered call (with any `trace` but `"none"`)."""
-        return Calls(self._trace)
+        return Calls(self.recorded)
 
     @functools.cached_property
     def moves(self) -> Moves:
         """One row per motion (with `trace="moves"`)."""
-        return Moves(self._trace, self._axes)
+        return Moves(self.recorded, self._axes)
 
     @functools.cached_property
     def watch(self) -> Watch:
         """One row per change of a variable named in `watch` (with any `trace`)."""
-        return Watch(self._trace)
+        return Watch(self.recorded)
 
     @property
     def messages(self) -> list[str]:
         """What `#3006` and `DPRNT` wrote, in order."""
-        return self._trace.messages
+        return self.recorded.messages
 
     @property
     def dropped(self) -> tuple[Dropped, ...]:
@@ -115,7 +115,7 @@ class Recorded(Stays):
         """
         from cncsub.tables.dropped import dropped_words
 
-        return tuple(dropped_words(self._trace.dropped, self._trace.control))
+        return tuple(dropped_words(self.recorded.dropped, self.recorded.control))
 
     @property
     def missed_skips(self) -> list[MissedSkip]:
@@ -127,12 +127,12 @@ class Recorded(Stays):
         ...     print(missed)
         O1 N10 met nothing
         """
-        return [MissedSkip(*place) for place in self._trace.missed_skips]
+        return [MissedSkip(*place) for place in self.recorded.missed_skips]
 
     @functools.cached_property
     def codes(self) -> Codes:
         """One row per M, T and S code sent to the machine (with any `trace` but `"none"`)."""
-        return Codes(self._trace)
+        return Codes(self.recorded)
 
     def polyline(
         self,
@@ -163,34 +163,34 @@ class Recorded(Stays):
         """
         from cncsub.tables.polyline import polyline_of
 
-        return polyline_of(self._trace, tolerance, coordinates, moves)
+        return polyline_of(self.recorded, tolerance, coordinates, moves)
 
     @property
     def m_codes(self) -> list[int]:
         """The M codes sent to the machine, in order (with any `trace` but `"none"`)."""
-        return self._trace.m_codes
+        return self.recorded.m_codes
 
     @property
     def t_codes(self) -> list[int]:
         """The T codes sent to the machine, in order (with any `trace` but `"none"`)."""
-        return self._trace.t_codes
+        return self.recorded.t_codes
 
 
 class State(Stays):
     """Where a machine stands."""
 
     def __init__(self, core: _core.Machine) -> None:
-        self._core = core
+        self.core = core
 
     @property
     def alarm(self) -> Alarm | None:
         """The alarm that stopped the program."""
-        return self._core.alarm
+        return self.core.alarm
 
     @property
     def waiting_for(self) -> str:
         """What the run waits for, where it stopped with `Stop.WAITING`; else empty."""
-        return self._core.waiting_for
+        return self.core.waiting_for
 
     @property
     def endless(self) -> Endless | None:
@@ -208,35 +208,36 @@ class State(Stays):
         """
         from cncsub.analysis.endless import endless_of
 
-        return endless_of(self._core)
+        return endless_of(self.core)
 
     @property
     def blocks(self) -> int:
         """How many blocks were executed."""
-        return self._core.blocks
+        return self.core.blocks
 
     @property
     def position(self) -> dict[str, float]:
         """Where the tool stands: axis to work coordinate, mm."""
-        return self._core.position
+        return self.core.position
 
     @property
     def modal(self) -> dict[str, str]:
         """The modal codes in force, by group."""
-        return self._core.modal
+        return self.core.modal
 
     def raise_for_alarm(self) -> None:
         """Raise `AlarmError` where an alarm stopped the program."""
         if self.alarm is not None:
             raise AlarmError(self.alarm)
 
-    def _summary(self) -> str:
+    def summary(self) -> str:
+        """How it stopped, in a few words."""
         alarm = self.alarm
         if alarm is not None:
             where = alarm.program if alarm.n is None else f"{alarm.program} N{alarm.n}"
             number = f"{alarm.number} " if alarm.number else ""
             return f"alarm {number}{alarm.cause} at {where}"
-        return str(self._core.stop or "running")
+        return str(self.core.stop or "running")
 
 
 class _Outcome(State, Recorded):
@@ -329,7 +330,7 @@ class _Outcome(State, Recorded):
         """
         from cncsub.coverage.summary import coverage_of
 
-        return coverage_of(self._trace, self._core.code)
+        return coverage_of(self.recorded, self.core.code)
 
 
 class Run(_Outcome):
@@ -359,7 +360,7 @@ class Run(_Outcome):
     @property
     def stop(self) -> Stop:
         """Why the run stopped."""
-        return Stop(self._core.stop or "interrupted")
+        return Stop(self.core.stop or "interrupted")
 
     def assert_ends(self) -> None:
         """Raise `AssertionError` where the program did not come to its end, with what a test needs
@@ -390,7 +391,7 @@ class Run(_Outcome):
         """Variable number to value at the stop, `None` where it is vacant: commons and the main
         program's locals.
         """
-        return Variables(self._core, 0)
+        return Variables(self.core, 0)
 
     @property
     def variables_after_reset(self) -> dict[int, float]:
@@ -405,7 +406,7 @@ class Run(_Outcome):
         return {
             number: value
             for number, value in self.variables.items()
-            if value is not None and not self._core.cleared_by_reset(number)
+            if value is not None and not self.core.cleared_by_reset(number)
         }
 
     @functools.cached_property
@@ -413,10 +414,10 @@ class Run(_Outcome):
         """Why the program had not ended, worked out once: see `Machine.endless`."""
         from cncsub.analysis.endless import endless_of
 
-        return endless_of(self._core)
+        return endless_of(self.core)
 
     def __repr__(self) -> str:
-        return f"<Run: {self._summary()}, {self.steps._size()}, {self.calls._size()}>"
+        return f"<Run: {self.summary()}, {self.steps.size_words()}, {self.calls.size_words()}>"
 
     def __str__(self) -> str:
         """As `repr`, and why the program had not ended where a limit stopped it."""
@@ -442,7 +443,7 @@ class Machine(_Outcome):
 
     def step(self) -> Step | None:
         """Execute one block. `None` where the run has stopped and nothing was executed."""
-        return self._core.step(Step)
+        return self.core.step(Step)
 
     def run(self, until: Until | None = None) -> Run | None:
         """Run on until the program stops; then return what `Library.run` would have returned.
@@ -454,15 +455,15 @@ class Machine(_Outcome):
         of another library and a number below -1 a `ValueError`. A machine that Ctrl-C stopped goes
         on.
         """
-        self._core.run(None if until is None else self._place(until))
+        self.core.run(None if until is None else self._place(until))
         # The machine may go on; the run stays what it is.
-        return None if self._core.stop is None else Run(self._core.copy())
+        return None if self.core.stop is None else Run(self.core.copy())
 
     def _place(self, until: Until) -> tuple[int, int]:
         if isinstance(until, Block):
-            if until.program._data.code is not self._core.code:
+            if until.program.data.code is not self.core.code:
                 raise ValueError(f"until: {until!r} is a block of another library")
-            return until.program._index, until.line
+            return until.program.index, until.line
         if isinstance(until, tuple) and len(until) == 2:
             return self._block_place(*until)
         if isinstance(until, bool) or not hasattr(until, "__index__"):
@@ -475,7 +476,7 @@ class Machine(_Outcome):
     def _block_place(self, name: str | int, n: int) -> tuple[int, int]:
         if isinstance(n, bool) or not hasattr(n, "__index__"):
             raise _wrong_until((name, n))
-        code = self._core.code
+        code = self.core.code
         try:
             index = find_program(code, name)
         except TypeError:
@@ -498,11 +499,11 @@ class Machine(_Outcome):
         """Presses the reset key: calls and modal calls are gone, the variables that the control
         clears are vacant, and the main program is at its head. What was recorded stays.
         """
-        self._core.reset()
+        self.core.reset()
 
     def copy(self) -> Machine:
         """A machine in the same state that goes its own way: a snapshot to come back to."""
-        return Machine(self._core.copy())
+        return Machine(self.core.copy())
 
     __copy__ = copy
 
@@ -512,30 +513,30 @@ class Machine(_Outcome):
     @property
     def stop(self) -> Stop | None:
         """Why the program stopped, `None` while it runs."""
-        return None if self._core.stop is None else Stop(self._core.stop)
+        return None if self.core.stop is None else Stop(self.core.stop)
 
     @property
     def stack(self) -> tuple[Frame, ...]:
         """The open calls, innermost first."""
-        return self._core.stack
+        return self.core.stack
 
     @property
     def variables(self) -> MachineVariables:
         """The variables now, to read and to set; `#1` and so on are those of the present level."""
-        return MachineVariables(self._core, -1)
+        return MachineVariables(self.core, -1)
 
     @property
     def signals(self) -> Signals:
         """The interface inputs now, to read and to set: `machine.signals[1004] = 1`."""
-        return Signals(self._core)
+        return Signals(self.core)
 
     def __repr__(self) -> str:
         try:
-            program, n, line = self._core.position_in_program
+            program, n, line = self.core.position_in_program
         except RuntimeError:
             return "<Machine: at work in another thread>"
         where = program if n is None else f"{program} N{n}"
-        return f"<Machine: {self._summary()}, next block {where}, line {line}>"
+        return f"<Machine: {self.summary()}, next block {where}, line {line}>"
 
 
 def _wrong_until(until: object) -> TypeError:

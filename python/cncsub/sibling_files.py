@@ -74,7 +74,7 @@ def folders_in(folder: Path) -> list[Path]:
 def missing_programs(library: Library) -> list[str]:
     """What calls of the memory name and the memory has not."""
     names: dict[str, None] = {}
-    for _, _, (_, name, found, external, *_) in _core.all_calls(library._code):
+    for _, _, (_, name, found, external, *_) in _core.all_calls(library.code):
         if name and found is None and not external:
             names[name] = None
     return list(names)

@@ -36,7 +36,7 @@ class Part(Recorded):
     _instead = "send its tables: moves.to_arrow(), steps.to_arrow()"
 
     def __repr__(self) -> str:
-        tables = (getattr(self, name)._size() for name in _tables(self._trace))
+        tables = (getattr(self, name).size_words() for name in _tables(self.recorded))
         return f"<Part: {', '.join(tables)}>"
 
 
@@ -66,21 +66,21 @@ class Stream(State):
         """Run on for `rows` blocks and hand over what they did. A part is shorter at the end, and
         where its blocks made more than a million moves or changes.
         """
-        if self._core.stop is not None:
+        if self.core.stop is not None:
             raise StopIteration
         self._begun = True
-        self._core.run_blocks(self._rows)
-        return Part(self._core.take(), self._axes)
+        self.core.run_blocks(self._rows)
+        return Part(self.core.take(), self._axes)
 
     @property
     def stop(self) -> Stop | None:
         """Why the run stopped, `None` as long as there are parts to come."""
-        return None if self._core.stop is None else Stop(self._core.stop)
+        return None if self.core.stop is None else Stop(self.core.stop)
 
     @functools.cached_property
     def variables(self) -> Variables:
         """The variables now; `#1` and so on are those of the main program."""
-        return Variables(self._core, 0)
+        return Variables(self.core, 0)
 
     def to_parquet(self, folder: StrPath) -> None:
         """Run to the end and write what comes into Parquet files in a folder, which is made: the
@@ -100,7 +100,7 @@ class Stream(State):
                 "parts of this stream were taken already and would be missing from the files;"
                 " make a new stream"
             )
-        tables = _tables(self._core.trace)
+        tables = _tables(self.core.trace)
         if self._trace == "none" and tables == TABLES:
             raise ValueError("a stream with trace='none' keeps nothing that could be written")
         folder = Path(folder)
@@ -115,7 +115,7 @@ class Stream(State):
                     for name, table in files.items():
                         table.write(getattr(part, name))
             except KeyboardInterrupt:  # it came while the part was written
-                self._core.interrupt()
+                self.core.interrupt()
 
     def coverage(self) -> NoReturn:
         """A stream keeps no blocks to count, and a part of it does not know how the calls and loops
@@ -128,7 +128,7 @@ class Stream(State):
 
     def __copy__(self) -> Stream:
         """A stream in the same state that goes its own way."""
-        twin = Stream(self._core.copy(), self._rows, self._trace)
+        twin = Stream(self.core.copy(), self._rows, self._trace)
         twin._begun = self._begun
         return twin
 
@@ -136,9 +136,7 @@ class Stream(State):
         return copy.copy(self)
 
     def __repr__(self) -> str:
-        return (
-            f"<Stream: {self._summary()}, {self.blocks:,} block{'s' if self.blocks != 1 else ''}>"
-        )
+        return f"<Stream: {self.summary()}, {self.blocks:,} block{'s' if self.blocks != 1 else ''}>"
 
 
 class _Files:

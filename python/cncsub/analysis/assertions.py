@@ -19,7 +19,7 @@ _WORD = re.compile(r"N(\d{1,9})", re.IGNORECASE)
 class Stopped(Protocol):
     """What is looked at of a run."""
 
-    _core: Machine
+    core: Machine
 
     @property
     def stop(self) -> str: ...
@@ -35,7 +35,7 @@ class Stopped(Protocol):
     def calls(self) -> Calls: ...
     @property
     def variables(self) -> Mapping[int, float | None]: ...
-    def _summary(self) -> str: ...
+    def summary(self) -> str: ...
 
 
 def assert_ends(run: Stopped) -> None:
@@ -57,9 +57,9 @@ def assert_alarm(run: Stopped, expected: str, at: str | None) -> None:
     alarm = run.alarm
     if alarm is None or expected not in (alarm.number, alarm.cause):
         raise AssertionError(f"expected alarm {expected}, but {_why(run)}\n{_report(run)}")
-    elsewhere = (
-        program is not None and find_program(run._core.code, alarm.program) != program
-    ) or (n is not None and alarm.n != n)
+    elsewhere = (program is not None and find_program(run.core.code, alarm.program) != program) or (
+        n is not None and alarm.n != n
+    )
     if elsewhere:
         raise AssertionError(f"expected alarm {expected} at {at}, but {_why(run)}\n{_report(run)}")
 
@@ -74,7 +74,7 @@ def _place(run: Stopped, at: object) -> tuple[int | None, int | None]:
         raise kind(f'at says a program, a block, or both, such as "O10 N30", not {at!r}')
     if not names:
         return None, int(n[1]) if n else None
-    program = find_program(run._core.code, names[0])
+    program = find_program(run.core.code, names[0])
     if program < 0:
         raise ValueError(f"at says {at!r}, but there is no program {names[0]}")
     return program, int(n[1]) if n else None
@@ -82,7 +82,7 @@ def _place(run: Stopped, at: object) -> tuple[int | None, int | None]:
 
 def _why(run: Stopped) -> str:
     if run.alarm is not None:
-        return f"it stopped with {run._summary()}"
+        return f"it stopped with {run.summary()}"
     waiting = f" for {run.waiting_for}" if run.waiting_for else ""
     return f"it stopped with {run.stop!r}{waiting}"
 

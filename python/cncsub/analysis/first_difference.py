@@ -27,7 +27,7 @@ def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) ->
     if name not in table.columns:
         return np.full(len(table), np.nan)
     column: Column = table[name]
-    texts = table._texts(name)
+    texts = table.texts_of(name)
     if texts is None:
         return column
     names = texts if called is None else [called.get(text, text) for text in texts]

@@ -92,7 +92,7 @@ class Origins(Table[Origin]):
     def _fetch(self, names: list[str]) -> dict[str, np.ndarray[Any, Any]]:
         return {name: self._columns[name].copy() for name in names}
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         return self._programs if name == "program" else None
 
 
@@ -203,9 +203,13 @@ class Flat:
         between the two in moves (1e-9 mm), M and T codes, messages and the stop. Memory: that of
         both runs and of the text.
         """
-        parting = self._parts(self.text)
+        parting = self.parting()
         if parting is not None:
             raise AssertionError(parting.what)
+
+    def parting(self) -> Parting | None:
+        """The first difference between the program and the text, when both are run."""
+        return self._parts(self.text)
 
     def __repr__(self) -> str:
         return f"<Flat: {self._blocks:,} block{'s' if self._blocks != 1 else ''}>"
@@ -254,7 +258,7 @@ def flatten(
     def written(in_its_words: bool) -> Flat:
         def begin() -> _core.Flattening:
             other = idle_machine(target, setup=options.get("setup")) if in_its_words else None
-            return _core.flattening(library._begin(main, **options, trace="calls"), comments, other)
+            return _core.flattening(library.begin(main, **options, trace="calls"), comments, other)
 
         return Flat(begin, lambda text: _parts(library, main, target, options, text))
 
@@ -262,10 +266,10 @@ def flatten(
         return written(False)
     if target.dialect == library.control.dialect:
         flat = written(False)
-        if flat._parts(flat.text) is None:
+        if flat.parting() is None:
             return flat
     flat = written(True)
-    parting = flat._parts(flat.text)
+    parting = flat.parting()
     if parting is not None:
         _refuse(parting, library, main, options)
     return flat

@@ -75,8 +75,8 @@ def _move(move: Move) -> str:
 class Tables(Protocol):
     """What a listing is made of."""
 
-    _trace: _core.Trace
-    _core: _core.Machine
+    recorded: _core.Trace
+    core: _core.Machine
 
     @property
     def steps(self) -> Steps: ...
@@ -127,7 +127,7 @@ def _wanted(run: Tables, program: str | int | None) -> int | None:
     """The code of a program in the column of steps."""
     if program is None:
         return None
-    found = find_program(run._core.code, program)
+    found = find_program(run.core.code, program)
     if found < 0:
         raise KeyError(f"no program {program} in the memory")
     return found
@@ -144,7 +144,7 @@ def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) ->
     names = run.steps.programs
     for first in range(0, len(run.steps), _CHUNK):
         last = min(first + _CHUNK, len(run.steps))
-        texts = run._trace.step_texts(first, last)
+        texts = run.recorded.step_texts(first, last)
         rows = _chosen(run.steps, first, last, asked)
         columns = [run.steps.column(name)[rows].tolist() for name in _COLUMNS]
         at = run.steps.step[rows]

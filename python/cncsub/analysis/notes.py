@@ -100,7 +100,7 @@ _O_WORD = re.compile(r"O\S+\s+(?:SUB|CALL|IF|WHILE|DO|REPEAT)\b", re.IGNORECASE)
 def _has_head(program: Program) -> bool:
     """Whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
     # Of a large program no more than its head.
-    text = program._start(4 * len(program.name) + 256).lstrip()
+    text = program.beginning(4 * len(program.name) + 256).lstrip()
     if _O_WORD.match(text):  # o100 sub begins a part of the file
         return False
     return text.startswith((":", "<")) or text.upper().startswith(program.name.upper())

@@ -39,7 +39,7 @@ class Parting(NamedTuple):
 def _side(run: Run, at: int, does: str) -> str:
     """What a run does at a step, or that it has stopped without doing it."""
     if at >= len(run.steps):
-        stopped = f"{run._summary()}" if does else f"stopped: {run._summary()}"
+        stopped = f"{run.summary()}" if does else f"stopped: {run.summary()}"
         return f"{does} before: {stopped}" if does else stopped
     step = run.steps[at]
     n = "" if step.n is None else f" N{step.n}"

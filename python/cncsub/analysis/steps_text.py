@@ -13,7 +13,7 @@ from cncsub.tables.rows import Dropped, Step
 class Ran(Protocol):
     """What is looked at of a run."""
 
-    _core: Machine
+    core: Machine
 
     @property
     def steps(self) -> Steps: ...

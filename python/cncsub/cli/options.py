@@ -451,7 +451,7 @@ def told_idle(
 
 def typed_in(run: cncsub.Run) -> cncsub.Program:
     """What was typed in MDI, as a program: the last one of the memory."""
-    code = run._core.code
+    code = run.core.code
     return cncsub.Program(code.program(len(code) - 1), len(code) - 1)
 
 

@@ -79,7 +79,7 @@ class Rewriting:
         self.unproved: list[str] = []
         self._seen: set[tuple[str, int]] = set()
         self._tails: dict[tuple[str, int], _Tail] = {}
-        self._sources = list(library._code.sources)
+        self._sources = list(library.code.sources)
         self._lines = {
             # The engine's texts have blanks for carriage returns.
             name: [line.rstrip() for line in data.decode("utf-8", "surrogateescape").split("\n")]
@@ -380,7 +380,7 @@ class Rewriting:
 
     def made(self) -> Library:
         """The programs on the other control."""
-        return self.library._with_texts(self.target, self._texts())
+        return self.library.with_texts(self.target, self._texts())
 
 
 def _called(call: CallTo) -> tuple[object, object, object]:

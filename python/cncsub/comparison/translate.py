@@ -138,7 +138,7 @@ def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -
     if first.stop not in (Stop.END, Stop.CYCLES):
         reached = first.alarm or first.steps[len(first.steps) - 1]
         reason = f"{source.control.name} does not come to its end, so no run proves the whole: "
-        reason += first._summary()
+        reason += first.summary()
         raise TranslateError(reason, reached.program, reached.n, reached.line)
     try:
         second = pair.run(made)

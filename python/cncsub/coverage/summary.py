@@ -385,7 +385,7 @@ class Collected:
         self._lock = threading.Lock()
         self._parts: dict[_Read, Raw] = {}
         self._reads: dict[int, _Read] = {}  # of the codes that are parts, by their ids
-        self._texts: dict[tuple[str, str, int], tuple[str, object]] = {}  # and the control
+        self.texts_of: dict[tuple[str, str, int], tuple[str, object]] = {}  # and the control
         self._total: Coverage | None = Coverage()
 
     @property
@@ -395,7 +395,7 @@ class Collected:
                 self._total = Coverage(self._parts.values())
             return self._total
 
-    def _take(self, trace: _core.Trace, code: _core.Code) -> None:
+    def take(self, trace: _core.Trace, code: _core.Code) -> None:
         found = raw_of(trace, code) if _core.keeps_blocks(trace) else None
         with self._lock:
             if found is None or not self._add(found):
@@ -432,9 +432,9 @@ class Collected:
         other = [
             key
             for key, value in new.items()
-            if not _has_no_file(key[0]) and self._texts.setdefault(key, value) != value
+            if not _has_no_file(key[0]) and self.texts_of.setdefault(key, value) != value
         ]
-        if any(self._texts[key][0] != new[key][0] for key in other):
+        if any(self.texts_of[key][0] != new[key][0] for key in other):
             return False
         if other:
             try:
@@ -471,5 +471,5 @@ def collecting() -> Iterator[Collected]:
     (1, 100.0)
     """
     own = Collected()
-    with told(own._take):
+    with told(own.take):
         yield own

@@ -42,7 +42,7 @@ def calls_figure(calls: Calls, *, over: str = "time", title: str | None = None) 
 class _Icicle:
     def __init__(self, calls: Calls, over: str) -> None:
         self.calls = calls
-        self.core: _core.Trace = calls._core
+        self.core: _core.Trace = calls.core
         self.told: list[str] = []
         self.begun, self.ended = self._span(over)
         self.depth = _depths(np.asarray(calls.call), np.asarray(calls.parent))

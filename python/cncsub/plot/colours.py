@@ -52,7 +52,7 @@ class Moved:
 
     def __init__(self, run: Recorded, coordinates: str, first: int, last: int) -> None:
         self.run = run
-        self.core = run._trace
+        self.core = run.recorded
         self.coordinates = coordinates
         self.first, self.last = first, last
         self.families = self._families()

@@ -58,7 +58,7 @@ def path_figure(
     title: str | None = None,
 ) -> Any:
     """See `Run.plot`."""
-    core = run._trace
+    core = run.recorded
     if color not in COLOURED_BY:
         raise wrong_value("color", f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
     if coordinates not in ("work", "machine"):
@@ -100,7 +100,7 @@ class _Picture:
         self, run: Recorded, color: str, coordinates: str, first: int, last: int, most: int
     ) -> None:
         self.run = run
-        self.core: _core.Trace = run._trace
+        self.core: _core.Trace = run.recorded
         self.coordinates = coordinates
         self.first, self.last, self.most = first, last, most
         self.number = run.moves[0].move  # of the first row

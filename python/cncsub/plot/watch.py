@@ -35,7 +35,7 @@ def watch_figure(watch: Watch, *, over: str = "steps", title: str | None = None)
 class _Timeline:
     def __init__(self, watch: Watch, over: str, numbers: list[int]) -> None:
         self.watch = watch
-        self.core = watch._core
+        self.core = watch.core
         self.told: list[str] = []
         changed = set(np.unique(watch.variable).tolist())
         still = [number for number in numbers if number not in changed]

@@ -162,7 +162,7 @@ def foreign_language(library: Library, file: str | None = None) -> str | None:
     """The language of a file of the memory, or of its first one, where no control here reads it: it
     is told also where what its blocks seem to say runs. In the words of a hint.
     """
-    for name, _, source, _ in library._code.sources[:MOST_TOLD]:
+    for name, _, source, _ in library.code.sources[:MOST_TOLD]:
         if file in (None, name):
             text = source[:MOST_TEXT].decode(errors="replace")
             found = (_seems(*each) for each in languages_of(text) if each[1] is None)
@@ -179,7 +179,7 @@ def language_beside_findings(
     if (foreign := foreign_language(library)) is not None or not found:
         return foreign
     errors = sum(f.count for f in found if f.severity == "error")
-    for _, _, source, _ in library._code.sources[:1]:
+    for _, _, source, _ in library.code.sources[:1]:
         for name, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
             if control in (None, library.control.name):
                 continue
@@ -196,7 +196,7 @@ def other_reading(library: Library, file: str) -> str | None:
     """The control for which a file of the memory seems to be written, where it holds no two
     programs of one name if it is read so; in the words of a hint.
     """
-    sources = {name: text for name, _, text, _ in library._code.sources}
+    sources = {name: text for name, _, text, _ in library.code.sources}
     for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
         if control == library.control.name:
             continue

@@ -41,7 +41,7 @@ class Path:
 
 def path_of(run: Run, coordinates: str = "work") -> Path:
     """The programmed path in work coordinates, or that of the tool in machine coordinates."""
-    core, moves = run._trace, len(run.moves)
+    core, moves = run.recorded, len(run.moves)
     rapid = np.asarray(run.moves.kind == "rapid")
     keys = np.arange(moves) if moves <= MOST_LINKED else np.where(rapid, 0, 1)
     drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), MOST_POINTS)

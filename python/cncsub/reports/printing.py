@@ -89,7 +89,7 @@ def print_run(console: Console, run: Run, title: str) -> None:
     print_tree(console, run, title)
     print_stop(console, run)
     if len(run.moves):
-        console.print(f"{run.moves._size()}, length {run.moves.total_length:,.3f} mm,", end="")
+        console.print(f"{run.moves.size_words()}, length {run.moves.total_length:,.3f} mm,", end="")
         console.print(f" time {run.moves.time_words}")
         for axis, (low, high) in run.moves.bounds.items():
             console.print(f"  {axis} {low:.10g} to {high:.10g}")

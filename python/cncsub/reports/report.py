@@ -55,7 +55,7 @@ def report(
     >>> "PS0076 program-not-found" in page
     True
     """
-    if run._core.code is not library._code:
+    if run.core.code is not library.code:
         raise ValueError("the run is of another library: report(library, library.run())")
     main = run.steps[0].program if len(run.steps) else None
     found = library.check(main) if findings is None else list(findings)

@@ -62,27 +62,27 @@ class Steps(Table[Step]):
 
     def _text_column(self) -> tuple[Column, list[str]]:
         if self._written is None or len(self._written[0]) != len(self):
-            self._written = self._core.step_text_column()
+            self._written = self.core.step_text_column()
         return self._written
 
     @property
     def programs(self) -> list[str]:
         """The names behind the codes of the column `program`."""
-        return self._core.program_names
+        return self.core.program_names
 
     def _rows(self) -> int:
-        return self._core.steps
+        return self.core.steps
 
     def _row(self, index: int) -> Step:
-        return self._core.step_row(index, Step)
+        return self.core.step_row(index, Step)
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         return {
-            name: self._text_column()[0].copy() if name == "text" else self._core.step_column(name)
+            name: self._text_column()[0].copy() if name == "text" else self.core.step_column(name)
             for name in names
         }
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         if name == "text":
             return self.texts
         return self.programs if name == "program" else None
@@ -135,14 +135,14 @@ class Watch(Table[Change]):
             if number not in self.beginning:
                 watched = ", ".join(f"#{known}" for known in self.beginning) or "nothing"
                 raise KeyError(f"#{number} is not watched: run(watch=[{number}]); {watched} is")
-        return Watch(self._core, tuple(variables) or self._only)
+        return Watch(self.core, tuple(variables) or self._only)
 
     @property
     def beginning(self) -> dict[int, float | None]:
         """What is watched, and its value before the first row: what `variables` gave it; in a part
         of a stream, what the part before left. Empty where nothing is watched.
         """
-        watched = self._core.watched
+        watched = self.core.watched
         if self._only is None:
             return watched
         return {number: watched[number] for number in self._only}
@@ -169,10 +169,10 @@ class Watch(Table[Change]):
         """The rows of the variables that were asked for; `None`: all."""
         if self._only is None:
             return None
-        if self._looked != self._core.changes:
+        if self._looked != self.core.changes:
             import numpy as np
 
-            numbers = self._core.change_column("variable")
+            numbers = self.core.change_column("variable")
             self._looked = len(numbers)
             self._places = np.flatnonzero(np.isin(numbers, self._only))
         return self._places
@@ -180,29 +180,29 @@ class Watch(Table[Change]):
     @property
     def programs(self) -> list[str]:
         """The names behind the codes of the column `program`."""
-        return self._core.program_names
+        return self.core.program_names
 
     def _rows(self) -> int:
         chosen = self._chosen()
-        return self._core.changes if chosen is None else len(chosen)
+        return self.core.changes if chosen is None else len(chosen)
 
     def _row(self, index: int) -> Change:
         chosen = self._chosen()
-        return Change(*self._core.change_row(index if chosen is None else int(chosen[index])))
+        return Change(*self.core.change_row(index if chosen is None else int(chosen[index])))
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         chosen = self._chosen()
-        columns = {name: self._core.change_column(name) for name in names}
+        columns = {name: self.core.change_column(name) for name in names}
         if chosen is None:
             return columns
         return {name: column[chosen] for name, column in columns.items()}
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         return self.programs if name == "program" else None
 
-    def _size(self) -> str:
+    def size_words(self) -> str:
         watched = ", ".join(f"#{number}" for number in self.beginning)
-        return f"{super()._size()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
+        return f"{super().size_words()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
 
 
 class Codes(Table[SentCode]):
@@ -229,7 +229,7 @@ class Codes(Table[SentCode]):
     @property
     def programs(self) -> list[str]:
         """The names behind the codes of the column `program`."""
-        return self._core.program_names
+        return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
@@ -237,15 +237,15 @@ class Codes(Table[SentCode]):
         return ["M", "T", "S"]
 
     def _rows(self) -> int:
-        return self._core.codes
+        return self.core.codes
 
     def _row(self, index: int) -> SentCode:
-        return SentCode(*self._core.code_row(index))
+        return SentCode(*self.core.code_row(index))
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
-        return {name: self._core.code_column(name) for name in names}
+        return {name: self.core.code_column(name) for name in names}
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
 
@@ -276,20 +276,20 @@ class Calls(Table[Call]):
     @property
     def programs(self) -> list[str]:
         """The names behind the codes of the column `program`."""
-        return self._core.program_names
+        return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
         """The texts behind the codes of the column `kind`: `M98`, `G65`, `M-code` and so on."""
-        return self._core.kind_names
+        return self.core.kind_names
 
     def _rows(self) -> int:
-        return self._core.calls
+        return self.core.calls
 
     def _row(self, index: int) -> Call:
-        call, parent, kind, program, start_n, *counts = self._core.call_row(index)
+        call, parent, kind, program, start_n, *counts = self.core.call_row(index)
         repeats, level, first_step, last_step, caller_step = counts
-        arguments = self._core.call_arguments(index)
+        arguments = self.core.call_arguments(index)
         return Call(
             call,
             known_or_none(parent),
@@ -305,9 +305,9 @@ class Calls(Table[Call]):
         )
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
-        return {name: self._core.call_column(name) for name in names}
+        return {name: self.core.call_column(name) for name in names}
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
     def plot(self, *, over: str = "time", title: str | None = None) -> Figure:
@@ -336,7 +336,7 @@ class Calls(Table[Call]):
         write_lines(self.tree(), lines.append, most=40)
         if len(self) > _DRAWN:
             lines.append(f"... drawn are the first {_DRAWN:,} calls")
-        return "\n".join([*lines, self._size()])
+        return "\n".join([*lines, self.size_words()])
 
     def _repr_html_(self) -> str:
         from cncsub.notebook import calls_html
@@ -412,7 +412,7 @@ class Moves(Table[Move]):
         """The axes that moves named, as their columns are called; in a part of a stream, those that
         the programs in memory name.
         """
-        return self._core.move_axes if self._axes is None else self._axes
+        return self.core.move_axes if self._axes is None else self._axes
 
     @property
     def columns(self) -> list[str]:
@@ -428,12 +428,12 @@ class Moves(Table[Move]):
     @property
     def programs(self) -> list[str]:
         """The names behind the codes of the column `program`."""
-        return self._core.program_names
+        return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
         """The texts behind the codes of the column `kind`."""
-        return self._core.move_kinds
+        return self.core.move_kinds
 
     @property
     def feed_modes(self) -> list[str]:
@@ -443,19 +443,19 @@ class Moves(Table[Move]):
     @property
     def skips(self) -> list[str]:
         """The texts behind the codes of the column `skip`."""
-        return self._core.skip_names
+        return self.core.skip_names
 
     @property
     def total_length(self) -> float:
         """The length of all moves, mm."""
-        return self._core.path_length
+        return self.core.path_length
 
     @property
     def total_time(self) -> float:
         """The time of all moves, s: feeds, rapid rates and dwells. Where a feed counts on a spindle
         that was never told a speed, it counts as one revolution a minute.
         """
-        return self._core.time
+        return self.core.time
 
     @property
     def time_words(self) -> str:
@@ -473,26 +473,26 @@ class Moves(Table[Move]):
         """The lowest and the highest coordinate that the moves lead to by axis, arcs with all they
         pass; programmed path, work coordinates. `"x"` is `"X"`.
         """
-        return Bounds({axis.upper(): pair for axis, pair in self._core.bounds.items()})
+        return Bounds({axis.upper(): pair for axis, pair in self.core.bounds.items()})
 
     def _rows(self) -> int:
-        return self._core.moves
+        return self.core.moves
 
     def _row(self, index: int) -> Move:
-        row = self._core.move_row(index)
+        row = self.core.move_row(index)
         values = {name: number_or_none(row[name]) for name in (*self.columns, *_MORE)}
         return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         if not _WORKED_OUT.isdisjoint(names):  # one pass over the moves tells both
             names = [*names, *_WORKED_OUT.difference(names)]
-        columns = self._core.move_columns(names)
+        columns = self.core.move_columns(names)
         for name in ("cycle", "compensated"):
             if name in columns:
                 columns[name] = columns[name].astype(bool)
         return columns
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         if name == "program":
             return self.programs
         texts = {"kind": self.kinds, "feed_mode": self.feed_modes, "skip": self.skips}

@@ -55,6 +55,11 @@ class Step(_Placed):
     frame: int
     repeat: int
 
+    _of_engine: ClassVar[tuple[str, ...]] = (
+        *("step", "program", "n", "line", "depth", "frame", "repeat"),
+        *("_code", "_address"),
+    )
+
     @property
     def text(self) -> str:
         """The block as it is written."""
@@ -79,9 +84,6 @@ class Step(_Placed):
     def __setstate__(self, state: tuple[Any, ...]) -> None:
         for name, value in zip((*self.__match_args__, "_text"), state, strict=True):
             object.__setattr__(self, name, value)
-
-
-Step._of_engine = (*Step.__match_args__, "_code", "_address")
 
 
 @dataclass(frozen=True, slots=True)

@@ -46,7 +46,7 @@ class Table(Stays, Generic[Row]):
     _instead = "send to_arrow(), to_pandas() or list(rows)"
 
     def __init__(self, core: _core.Trace) -> None:
-        self._core = core
+        self.core = core
         self._columns: dict[str, Column] = {}
 
     # What the tables differ in.
@@ -72,7 +72,7 @@ class Table(Stays, Generic[Row]):
     def _fetch(self, names: list[str]) -> dict[str, Column]:
         raise NotImplementedError
 
-    def _texts(self, name: str) -> list[str] | None:
+    def texts_of(self, name: str) -> list[str] | None:
         """The texts of a column of codes, `None` for any other column."""
         raise NotImplementedError
 
@@ -81,7 +81,7 @@ class Table(Stays, Generic[Row]):
     def column(self, name: str) -> Column:
         """One column as a NumPy array. `KeyError` names the columns there are."""
         self._check([name])
-        return self._fetched([name])[name]
+        return self.fetched([name])[name]
 
     def _check(self, names: Iterable[str]) -> list[str]:
         known = [*self.columns, *self.more_columns]
@@ -93,7 +93,7 @@ class Table(Stays, Generic[Row]):
                 )
         return wanted
 
-    def _fetched(self, names: list[str]) -> dict[str, Column]:
+    def fetched(self, names: list[str]) -> dict[str, Column]:
         """These columns; those that were not asked for before, or have grown, are made together."""
         rows = len(self)
         known = {name: self._columns.get(name) for name in names}
@@ -105,7 +105,7 @@ class Table(Stays, Generic[Row]):
 
             for name, column in self._fetch(missing).items():
                 column.flags.writeable = False  # what ran cannot be changed
-                texts = self._texts(name)
+                texts = self.texts_of(name)
                 self._columns[name] = column if texts is None else text_column(column, texts)
         return {name: self._columns[name] for name in names}
 
@@ -160,7 +160,7 @@ class Table(Stays, Generic[Row]):
         return frame
 
     def _of_pandas(self, pandas: Any, name: str, column: Column) -> Any:
-        texts = self._texts(name)
+        texts = self.texts_of(name)
         if texts is not None:
             from cncsub.tables.text_column import text_column
 
@@ -175,13 +175,13 @@ class Table(Stays, Generic[Row]):
         """
         arrow = optional_module("pyarrow")
         names = self.columns if columns is None else self._check(columns)
-        fetched = self._fetched(names)
+        fetched = self.fetched(names)
 
         def array(name: str) -> Any:
             import numpy as np
 
             column = fetched[name].view(np.ndarray)
-            texts = self._texts(name)
+            texts = self.texts_of(name)
             none = None
             if texts is not None or name in self._nulls:
                 none = np.isnan(column) if column.dtype.kind == "f" else column < 0
@@ -215,21 +215,22 @@ class Table(Stays, Generic[Row]):
         ]
         return names, rows
 
-    def _size(self) -> str:
+    def size_words(self) -> str:
+        """How many rows there are, such as `12 moves`."""
         count = len(self)
         return f"{count:,} {self._title[:-1] if count == 1 else self._title}"
 
     def __repr__(self) -> str:
         names, rows = self._printed()
         if not rows:
-            return self._size()
+            return self.size_words()
         widths = [max(map(len, cells)) for cells in zip(names, *rows, strict=True)]
         shown = _fitting(widths, max(_NARROW, shutil.get_terminal_size((_NARROW, 24)).columns))
         lines = [
             "  ".join(cell.rjust(width) for cell, width in zip(row[:shown], widths)).rstrip()
             for row in (names, *rows)
         ]
-        size = self._size()
+        size = self.size_words()
         if shown < len(names):
             more = f"{size}; and the columns {', '.join(names[shown:])}"
             size = "\n".join(textwrap.wrap(more, _NARROW, subsequent_indent="  "))
@@ -244,7 +245,7 @@ class Table(Stays, Generic[Row]):
             f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows
         )
         table = f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
-        return f"{table}<p>{escape(self._size())}</p>"
+        return f"{table}<p>{escape(self.size_words())}</p>"
 
 
 def _fitting(widths: Sequence[int], room: int) -> int:
@@ -292,7 +293,7 @@ def records(table: Table[Any], as_text: Callable[[str], str] = str) -> Iterator[
     `None`, and texts go through `as_text`.
     """
     names = table.columns
-    table._fetched(names)
+    table.fetched(names)
     columns = [_plain_values(table, name, as_text) for name in names]
     for values in zip(*columns, strict=True):
         yield dict(zip(names, values, strict=True))
@@ -302,7 +303,7 @@ _NO_INDEX = frozenset(("step", "n", "line", "parent", "start_n", "last_step"))
 
 
 def _plain_values(table: Table[Any], name: str, as_text: Callable[[str], str]) -> list[Any]:
-    texts = table._texts(name)
+    texts = table.texts_of(name)
     values = table.column(name).tolist()
     if texts is not None:
         texts = [as_text(text) for text in texts]

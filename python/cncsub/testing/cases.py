@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
 import re
-import sys
 import textwrap
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -332,7 +332,10 @@ def case(claim: str, **said: Any) -> Case:
     ...     )
     ... )
     """
-    caller = sys._getframe(1)
+    here = inspect.currentframe()
+    assert here is not None
+    assert here.f_back is not None
+    caller = here.f_back
     place = {"topic": Path(caller.f_code.co_filename).stem, "line": caller.f_lineno}
     made = read_case(claim, **{**place, **said})
     if _tables:

@@ -82,7 +82,7 @@ def _options(case: Case) -> dict[str, Any]:
 
 
 @functools.cache
-def _scratch() -> Path:
+def scratch() -> Path:
     folder = Path(tempfile.mkdtemp(prefix="cncsub-cases-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder
@@ -96,7 +96,7 @@ def _folder(case: Case, which: str) -> Path:
     """The files of the case as a folder on disk, written once."""
     key = (id(case), which)
     if key not in _folders:
-        folder = _scratch() / str(len(_folders))
+        folder = scratch() / str(len(_folders))
         folder.mkdir()
         files: Mapping[str, Text] = getattr(case, which)
         for name, text in files.items():
