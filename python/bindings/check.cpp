@@ -180,7 +180,7 @@ void add_check(py::module_& m) {
   m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
   m.def("checks", &all_rules);
   m.def("told_for", &told_for, py::arg("control"));
-  py::class_<Flows>(m, "Flows");
+  py::class_<Flows>(m, "Flows", py::is_final());
   m.def("flows", &flows, py::arg("code"));
   m.def("flow", &flow, py::arg("flows"), py::arg("program"));
 }

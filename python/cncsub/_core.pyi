@@ -257,6 +257,7 @@ def told_for(control: Control) -> tuple[list[tuple[str, str]], dict[str, tuple[s
     every cause, by its slug.
     """
 
+@final
 class Flows:
     """The ways through all programs of a memory."""
 
