@@ -11,7 +11,7 @@ import inspect
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cache
-from typing import Annotated, Any, NamedTuple, TypedDict, TypeVar, Unpack, get_type_hints
+from typing import Annotated, Any, NamedTuple, TypedDict, TypeVar, Unpack
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
@@ -229,8 +229,7 @@ class RunOptions(MdiOptions, total=False):
 @cache
 def stated(of: type = RunOptions) -> dict[str, Option]:
     """What is stated of each of the options, in their order."""
-    hints = get_type_hints(of, include_extras=True)
-    return {name: hint.__metadata__[0] for name, hint in hints.items()}
+    return {name: kind.__metadata__[0] for name, kind in of.__annotations__.items()}
 
 
 @cache
@@ -259,7 +258,6 @@ def takes(
 
     def shown(function: F) -> F:
         options = {name: option for name, option in stated(of).items() if name not in without}
-        types = get_type_hints(of)
         with_options(
             function,
             [
@@ -267,7 +265,7 @@ def takes(
                     name,
                     inspect.Parameter.KEYWORD_ONLY,
                     default=others.get(name, option.default),
-                    annotation=types[name],
+                    annotation=of.__annotations__[name].__origin__,
                 )
                 for name, option in options.items()
             ],
