@@ -140,7 +140,7 @@ def target_rows(results: Results) -> Iterator[Row]:
         ("flat", 25, "flat G1, load and run with moves"),
         ("calls", 150, "M98 loop, load and run with moves"),
         ("sine", 70, "WHILE with a sine"),
-        ("mill", 20, "the milling program, load and run with moves"),
+        ("mill", 15, "the milling program, load and run with moves"),
     ):
         claim = f"{what}: {least} times as fast as `rs274`, or more"
         yield compared(results, claim, workload, "rs274", least)
