@@ -18,6 +18,7 @@ from hypothesis import strategies as st
 import cncsub
 from cncsub import _core, files
 from cncsub.files import decode, name_order, read_paths
+from cncsub.writing import replace_whole
 
 CONTROL = "fanuc-0i-f"
 PROGRAM = "N10 M30\n"
@@ -476,3 +477,15 @@ def test_what_the_system_refuses_is_told_in_its_words(tmp_path: Path) -> None:
     assert _core.names_in(missing, ()) == errno.ENOENT
     with pytest.raises(OSError, match="Input/output error"):
         cncsub.load("/proc/self/mem", control=CONTROL)
+
+
+def test_what_is_no_regular_file_is_written_to_and_stays_what_it_is(tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        replace_whole(pipe, b"O1\nM30\n")
+        assert os.read(reader, 100) == b"O1\nM30\n"
+    finally:
+        os.close(reader)
+    assert pipe.is_fifo()

@@ -35,7 +35,7 @@ void check_conflict(Checker& c, Address at, const Block& block, const Program& p
     const GCode code = c.g_codes.find(g);
     const bool goes = code.meaning != Meaning::None && code.meaning != Meaning::Unknown &&
                       code.meaning != Meaning::Uncomputed && !is_neutral(code.meaning);
-    if (!goes || refused) return;
+    if (!goes || refused || changes_shift(code.meaning)) return;
     const auto before = std::find_if(seen.begin(), seen.end(),
                                      [&](const auto& of) { return of.first == code.group; });
     if (before == seen.end()) {

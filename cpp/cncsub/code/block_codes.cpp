@@ -10,12 +10,6 @@ bool is_computed(const Control& c, Meaning meaning) {
   return meaning != Meaning::Uncomputed;
 }
 
-/// G92.1 to G92.3, which go with another code that holds for one block. [rs274 2.9]
-bool changes_shift(Meaning meaning) {
-  return meaning == Meaning::ClearShift || meaning == Meaning::SuspendShift ||
-         meaning == Meaning::RestoreShift;
-}
-
 /// Whether a code is that of a plain move.
 bool is_of_move(const CodeMeanings& meanings, const GCode& code) {
   return is_neutral(code.meaning) ||

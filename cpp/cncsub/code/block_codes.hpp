@@ -41,6 +41,12 @@ struct CodeMeanings;
 using MeaningSet = std::bitset<128>;
 constexpr std::size_t at(Meaning meaning) { return static_cast<std::size_t>(meaning); }
 
+/// G92.1 to G92.3, which go with another code that holds for one block. [rs274 2.9]
+inline bool changes_shift(Meaning meaning) {
+  return meaning == Meaning::ClearShift || meaning == Meaning::SuspendShift ||
+         meaning == Meaning::RestoreShift;
+}
+
 /// The codes with their meanings. Of two of a group the later counts.
 struct BlockCodes : CodeList {
   BlockCodes() = default;
