@@ -41,8 +41,8 @@ def write_whole(path: str | os.PathLike[str], data: str | bytes) -> None:
 def replace_whole(path: str | os.PathLike[str], data: bytes) -> None:
     """Write over a file: it holds the new bytes or the old ones, whatever happens meanwhile.
 
-    A link stays, and so do the permissions; a file of several hard links becomes one of its own. What is
-    no regular file, such as /dev/null or a pipe, is written to and stays what it is.
+    A link stays, and so do the permissions; a file of several hard links becomes one of its own.
+    What is no regular file, such as /dev/null or a pipe, is written to and stays what it is.
     """
     real = Path(os.path.realpath(path))
     if real.exists() and not real.is_file():
