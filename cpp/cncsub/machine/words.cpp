@@ -237,6 +237,24 @@ bool move(Run& run, const Block& block, NcWords& words) {
   return true;
 }
 
+/// The words of a block without those that hold no longer when it has taken modes back: F, S and
+/// how the feed counts are read before. [rs274 2.9]
+NcWords behind_modes(const NcWords& words, BlockCodes& codes) {
+  NcWords left = words;
+  codes = *words.codes;
+  codes.groups &= ~bit(Group::Feed);
+  codes.of[at(Group::Feed)] = {};
+  left.codes = &codes;
+  left.mask &= ~(bit('F') | bit('S'));
+  return left;
+}
+
+bool move_behind_modes(Run& run, const Block& block, const NcWords& words) {
+  BlockCodes codes;
+  NcWords left = behind_modes(words, codes);
+  return move(run, block, left);
+}
+
 }  // namespace
 
 bool decode(Run& run, const Block& block, Address at, NcWords& words) {
@@ -269,7 +287,9 @@ bool carry_out(Run& run, const Block& block) {
   if (run.heard != nullptr) hear(run, block, words);
   if (run.block.together != nullptr && !set_together(run)) return false;
   if ((words.codes->roles & kSavingRoles) != 0 && !change_saved_modes(run, words)) return false;
-  if (!move(run, block, words) || !send_codes(run, words, block)) return false;
+  const bool moved = words.has(Role::RestoreModes) ? move_behind_modes(run, block, words)
+                                                   : move(run, block, words);
+  if (!moved || !send_codes(run, words, block)) return false;
   const Motion::Outcome& outcome = run.block.outcome;
   if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)
     tell_dropped(run, block, words);

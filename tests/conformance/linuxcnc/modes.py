@@ -5,6 +5,11 @@ from conformance import case
 RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
 BOOK = {"control": "linuxcnc", "source": "LC m-code", "evidence": "maker's manual"}
 
+case("F and S beside M72 are read first, and taken back", **{**RUN, "source": "rs274 2.9"},
+     program="N10 G94 F300 S500\nN20 M70\nN30 F100 S10\nN40 M72 F55 S77\nN50 (print,#<_feed> #<_rpm>)\nN60 M2",
+     messages=["300.000000 500.000000"])
+case("F0 too", **{**RUN, "source": "rs274 2.9"},
+     program="N10 F300\nN20 M70\nN30 F100\nN40 M72 F0\nN50 G1 X1\nN60 M2", moves="F X1")
 case("M72 takes the modes back in that M70 saved", pins="roles:M70=save-modes roles:M72=restore-modes", **RUN,
      program="N10 G1 X1 F100\nN20 M70\nN30 G20 G91\nN40 M72\nN50 X3\nN60 M2", moves="F X1\nF X3")
 case("the feed comes back in its own unit", **RUN,
