@@ -18,6 +18,24 @@ bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
   return alarm(run, fault);
 }
 
+/// Nothing that a program comes to lies after this %.
+Fault nothing_behind(const Labelled& met) {
+  Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
+  fault.text = met.of_another_kind;
+  return fault;
+}
+
+/// A return that is passed over in the search for a label gives no value.
+void pass_return(Run& run) {
+  if (run.state.labels.searching) set_returned(run, 0, false);
+}
+
+/// Whether the main program begins with a %.
+bool begins_with_percent(const Run& run) {
+  const auto main = static_cast<std::size_t>(run.state.frames.front().program);
+  return run.code->programs[main].opening != 0;
+}
+
 }  // namespace
 
 std::string full_name(const Run& run, std::uint32_t label) {
@@ -49,16 +67,12 @@ bool read_on_the_way(Run& run, Address first, Address to, const std::string& sou
     }
     const Labelled& met = run.code->labelled[block.aux];
     if (met.kind == LabelledKind::TapeEnd) {
-      const auto main = static_cast<std::size_t>(run.state.frames.front().program);
-      const bool begun = run.code->programs[main].opening != 0;
-      if (met.refused != Labelled::kNone && !begun) continue;
-      Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
-      fault.text = met.of_another_kind;
-      return stopped_at(run, at, std::move(fault), sought);
+      if (met.refused != Labelled::kNone && !begins_with_percent(run)) continue;
+      return stopped_at(run, at, nothing_behind(met), sought);
     }
     if (at == to) break;
     if (met.kind == LabelledKind::Back) {
-      if (run.state.labels.searching) set_returned(run, 0, false);
+      pass_return(run);
       continue;
     }
     double p = 0, l = kVacant;

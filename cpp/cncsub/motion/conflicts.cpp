@@ -123,10 +123,10 @@ bool moves_axes(const Block& b) {
                      [&](char axis) { return b.words.has(axis); });
 }
 
-}  // namespace
-
-/// When a radius is compensated: before the block, or behind its G40 to G42.
+/// When a radius is compensated: before the block, or after its G40 to G42.
 enum class Compensated : std::uint8_t { Either, Before, Behind };
+
+}  // namespace
 
 struct Conflict {
   Cause cause;

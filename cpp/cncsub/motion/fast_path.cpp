@@ -16,8 +16,6 @@
 namespace cncsub {
 namespace {
 
-constexpr std::uint32_t kArcWords = kCentreWords | bit('R');
-
 /// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
   const Axes at = machine_point(state);

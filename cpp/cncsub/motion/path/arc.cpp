@@ -226,6 +226,11 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
   return std::nullopt;
 }
 
+/// G02 or G03 without a word of an arc.
+Result bare_arc(MotionView m, const BlockWords& block) {
+  return m.facts.refuses(Cause::NoRadius) ? check_axes(m, block, 0, false) : std::nullopt;
+}
+
 bool has_radius(const BlockWords& block) { return block.words.has('R') && block.words['R'] != 0; }
 
 }  // namespace
@@ -244,8 +249,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
-  if (named == 0 && !centre && !radius)
-    return m.facts.refuses(Cause::NoRadius) ? check_axes(m, block, named, radius) : std::nullopt;
+  if (named == 0 && !centre && !radius) return bare_arc(m, block);
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;
   if (auto wrong = check_axes(m, block, named, radius)) return wrong;
