@@ -99,19 +99,23 @@ sanitized_build() {
         sh -c '. tools/environment.sh; install ".[test]"'
 }
 
-# The sanitizers' run-time libraries come first in every process, and before the C++ library whose exceptions they watch.
-sanitized_tests() {
+# Python with the module under the sanitizers, whose run-time libraries come first in every process, and before the C++
+# library whose exceptions they watch.
+sanitized_python() {
     local preload
     preload="$(g++ -print-file-name=libasan.so) $(g++ -print-file-name=libstdc++.so)"
-    env LD_PRELOAD="$preload" \
-        ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 HYPOTHESIS_PROFILE=ci \
-        .venv-sanitize/bin/python -m pytest -p no:cacheprovider "$@"
+    env LD_PRELOAD="$preload" ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 HYPOTHESIS_PROFILE=ci \
+        .venv-sanitize/bin/python "$@"
+}
+
+sanitized_tests() {
+    sanitized_python -m pytest -p no:cacheprovider "$@"
 }
 
 # Whole programs made from the seed for so many seconds, and held to the laws, under the sanitizers.
 made_programs() {
-    .venv-sanitize/bin/python cpp/fuzz/seeds.py build/sanitize/seeds &&
+    sanitized_python cpp/fuzz/seeds.py build/sanitize/seeds &&
         build/sanitize/cpp/fuzz/fuzz_programs --seed "$SEED" --count 1000000000 --seconds "$1" build/sanitize/seeds/run
 }
 
-export -f debian counted_instructions lint tidy sanitized_build sanitized_tests made_programs
+export -f debian counted_instructions lint tidy sanitized_build sanitized_python sanitized_tests made_programs
