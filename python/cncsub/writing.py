@@ -48,17 +48,27 @@ def replace_whole(path: str | os.PathLike[str], data: bytes) -> None:
     if real.exists() and not real.is_file():
         write_whole(path, data)
         return
-    made = real.with_name(f".{real.name}.{os.getpid()}.part")
+    try:
+        put_whole(real, data, real.with_name(f".{real.name}.{os.getpid()}.part"), like=real)
+    except OSError as error:
+        error.filename = os.fspath(path)
+        raise
+
+
+def put_whole(target: Path, data: Any, made: Path, *, like: Path | None = None) -> None:
+    """Write bytes to `made` beside a file, and only when they are on the disk put it in its place.
+
+    `like`: the file whose permissions it gets.
+    """
     try:
         with opened(made, "wb") as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        shutil.copymode(real, made)
-        made.replace(real)
-    except BaseException as error:
+        if like is not None:
+            shutil.copymode(like, made)
+        made.replace(target)
+    except BaseException:
         with contextlib.suppress(OSError):
             made.unlink()
-        if isinstance(error, OSError):
-            error.filename = os.fspath(path)
         raise

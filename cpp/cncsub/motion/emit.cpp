@@ -1,7 +1,6 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/emit.hpp"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 

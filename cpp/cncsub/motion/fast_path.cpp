@@ -2,7 +2,6 @@
 #include "cncsub/motion/fast_path.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
 #include "cncsub/motion/emit.hpp"

@@ -21,17 +21,6 @@ inline int path_of(Meaning meaning) {
   return path >= 0 && path < 4 ? path : -1;
 }
 
-/// Whether F and the axis words of a block, where it has them, are such that the general path has
-/// nothing to say about them.
-inline bool has_plain_values(const MotionFacts& facts, const NcWords& words) {
-  // X beside U, Z beside W.
-  if ((words.mask & (words.mask & facts.increments) << ('X' - 'U')) != 0) return false;
-  if (!words.has('F')) return true;
-  const bool steps = (words.whole & bit('F')) != 0 &&
-                     facts.control->reading.whole_numbers.value == WholeNumbers::Increments;
-  return words['F'] > 0 && !steps;
-}
-
 /// What stands for the code of a path where another one is in force.
 constexpr std::uint8_t kOtherPath = 4;
 /// A code of plain moves, 0 to 3, is that of the moves to come.

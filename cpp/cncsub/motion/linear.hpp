@@ -26,7 +26,7 @@ inline double rapid_seconds(const ModalState& s, double dx, double dy, double dz
 }
 /// How long a line takes. What stands takes no time, also where the spindle stands.
 inline double feed_seconds(const ModalState& s, double dx, double dy, double dz) {
-  return std::sqrt(dx * dx * s.half[0] + dy * dy + dz * dz) * s.seconds_per_mm;
+  return std::sqrt(dx * dx * s.x_share + dy * dy + dz * dz) * s.seconds_per_mm;
 }
 
 inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,

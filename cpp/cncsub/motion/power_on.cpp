@@ -59,9 +59,9 @@ MotionState state_of(const MotionFacts& facts, const Setup& setup) {
   state.tables = tables_of(setup, *facts.control, facts.reference);
   for (std::size_t i = 0; i < 3; ++i) {
     const double share = facts.share(static_cast<int>(i)), rate = facts.rapid[i];
-    state.half[i] = share * share;
     state.rapid_seconds[i] = rate > 0 ? share * 60 / rate : 0;
   }
+  state.x_share = facts.share(0) * facts.share(0);
   power_on(facts, state, false);
   state.offset = zero_offset(state);
   state.work = Axes{} - state.offset;

@@ -177,7 +177,7 @@ struct ModalValues {
   CycleData cycle;
   TurnData turn;
 
-  std::array<double, 3> half{1, 1, 1};    // squared share of an axis in a path's length
+  double x_share = 1;                     // squared share of X in a path's length
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 
   Axes offset{};  // work to base: zero points, shift, local

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, Unpack
 
 from cncsub import _core
 from cncsub._core import Control
+from cncsub.analysis.block_errors import BlockError
 from cncsub.analysis.pairs import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.interrupts import uninterrupted
@@ -30,24 +31,10 @@ _KEPT = 1 << 24  # bytes of text that are kept; of a longer one each look runs t
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
 
-class FlattenError(ValueError):
+class FlattenError(BlockError):
     """Raised where no flat program exists or none can be written. `.reason`; `.program`, `.n` and
     `.line` tell the block, `None` where it is no single one.
     """
-
-    def __init__(
-        self,
-        reason: str,
-        program: str | None = None,
-        n: int | None = None,
-        line: int | None = None,
-    ) -> None:
-        place = "" if n is None else f" N{n}"
-        super().__init__(reason if program is None else f"{program}{place}, line {line}: {reason}")
-        self.reason, self.program, self.n, self.line = reason, program, n, line
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return FlattenError, (self.reason, self.program, self.n, self.line)
 
 
 class Origins(Table[Origin]):

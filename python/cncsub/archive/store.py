@@ -7,10 +7,8 @@ there is whole. What is done is known from these files alone.
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import json
-import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +17,7 @@ from cncsub._core import __version__
 from cncsub.archive.work import COLUMNS, Job, Row, Task
 from cncsub.files import clean
 from cncsub.tables.table import optional_module
-from cncsub.writing import opened
+from cncsub.writing import put_whole
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -87,7 +85,7 @@ class Folder:
         out.mkdir(parents=True, exist_ok=True)
         self._check(about)
         self._read_done()
-        _write_whole(out / _ABOUT, json.dumps(about, indent=2).encode())
+        _put(out / _ABOUT, json.dumps(about, indent=2).encode())
 
     def _check(self, about: dict[str, str]) -> None:
         try:
@@ -133,7 +131,7 @@ class Folder:
         sink = arrow.BufferOutputStream()
         metadata = {_DONE: json.dumps(done).encode()}
         self._parquet.write_table(table.replace_schema_metadata(metadata), sink)
-        _write_whole(name, sink.getvalue())
+        _put(name, sink.getvalue())
 
     def result(self, skipped: dict[str, int]) -> Any:
         """The folder as a data set, read when somebody asks for rows."""
@@ -175,16 +173,6 @@ def _digest(text: str) -> str:
     return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()[:16]
 
 
-def _write_whole(file: Path, data: Any) -> None:
+def _put(file: Path, data: Any) -> None:
     """Write a file that is there whole or not at all."""
-    made = file.with_name(f".{file.name}")
-    try:
-        with opened(made, "wb") as stream:
-            stream.write(data)
-            stream.flush()
-            os.fsync(stream.fileno())
-        made.replace(file)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            made.unlink()
-        raise
+    put_whole(file, data, file.with_name(f".{file.name}"))

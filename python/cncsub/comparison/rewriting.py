@@ -5,9 +5,10 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from cncsub._core import Control
+from cncsub.analysis.block_errors import BlockError
 from cncsub.checking import Edit
 from cncsub.comparison.cycle_counts import CycleCounts, letters_of
 from cncsub.library import Library
@@ -28,24 +29,10 @@ _OF_COMPUTED = ("program_word", "count_and_l", "max_program_digits", "call_value
 _OF_COUNTS = ("zero_repeats", "max_repeats", "too_many_repeats", "return_with_p")
 
 
-class TranslateError(ValueError):
+class TranslateError(BlockError):
     """Raised where a program cannot be rewritten so that the other control does the same.
     `.reason`; `.program`, `.n` and `.line` tell the block, `None` where it is no single one.
     """
-
-    def __init__(
-        self,
-        reason: str,
-        program: str | None = None,
-        n: int | None = None,
-        line: int | None = None,
-    ) -> None:
-        place = "" if n is None else f" N{n}"
-        super().__init__(reason if program is None else f"{program}{place}, line {line}: {reason}")
-        self.reason, self.program, self.n, self.line = reason, program, n, line
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return TranslateError, (self.reason, self.program, self.n, self.line)
 
 
 class _Tail(NamedTuple):

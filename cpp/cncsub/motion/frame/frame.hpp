@@ -33,13 +33,13 @@ Result select_work(MotionContext& m, BlockWords& block);
 /// G92, and G50 of a lathe: the point gets these coordinates, on the named axes.
 Result set_coordinate(MotionContext& m, BlockWords& block);
 Result clear_coordinate(MotionContext& m, BlockWords& block);
-/// The shift that G92 sets is given by itself, cleared, put aside or taken back in. [LC g-code,
-/// G52, G92.1, G92.2, G92.3]
 /// The shift that its variables tell, which a program may have written.
 Axes told_shift(const MotionState& state);
 /// A work system is chosen while variables of the shift in force were written: the point is
 /// told without what is written, and the shift stays what it was. [rs274 2.9]
 void lose_written_shift(MotionState& state);
+/// The shift that G92 sets is given by itself, cleared, put aside or taken back in. [LC g-code,
+/// G52, G92.1, G92.2, G92.3]
 Result change_shift(MotionContext& m, BlockWords& block, Meaning meaning);
 /// G52. U and W of a lathe say the same as X and Z. [TDi 19]
 Result set_local(MotionContext& m, BlockWords& block);
