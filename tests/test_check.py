@@ -88,7 +88,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a fault that is never reached": ("", "O1\nN10 GOTO 30\nN20 G0 X1.5.2\nN30 M30\n", "CS101 N20, CS301 N20"),
     "a fault behind a slash": ("", "O1\n/N10 M98 P-2\nN20 M30\n", "CS101 N10"),
     "a fault behind THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=[1\nN20 M30\n", "CS101 N10"),
-    "codes of another kind of machine": ("gsk-988ta", "O1\nN10 G43 H1\nN20 M30\n", "CS101 N10"),
+    "codes of another kind of machine": ("gsk-988ta", "O1\nN10 G43 H1\nN20 M30\n", "CS102 N10"),
     "a code no source tells of": ("hnc-21m", "%1\nN10 G5.9\nN20 M30\n", "CS102 N10"),
     "#3000 and #3006 are written by statements": ("", "O1\nN10 #3006=1(LOOK)\nN20 IF[#500 EQ 1]THEN #3000=1(NO)\n" + END, ""),
     "a variable only to be read": ("", "O1\nN10 #5021=1\n" + END, "CS104 N10"),
@@ -137,11 +137,18 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a way that has no end": ("", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 M30\nN30 G4 P1\n", "CS303 N30"),
     "where labels lead the way nobody knows": ("linuxcnc", "o1 sub\nN10 G0 X1\no1 endsub\n", ""),
     "M30 in a called program": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M30\n", "CS304 N30"),
+    "M2 in a subprogram with a label": (
+        "linuxcnc", "o1 sub\nG0 X1\nN5 M2\no1 endsub\no1 call\nG0 X5\nM2\n", "CS304 N5"),
+    "M2 on one way of a subprogram with a label": (
+        "linuxcnc", "o1 sub\no2 if [#1 gt 5]\nM2\no2 endif\nG0 X1\no1 endsub\no1 call [1]\nG0 X5\nM2\n", ""),
     "M30 on one way of it": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 IF[#500 EQ 1]GOTO 50\nN40 M30\nN50 M99\n", ""),
     "M20 starts the program over": ("gsk-928te", "%1\nN10 G0 X1\nN20 M20\n", ""),
     # How deep
     "a part of the own program": ("gsk-928te", "%1\nN10 M98 P30\nN20 M2\nN30 G0 X1\nN40 M99\n", ""),
     "a program that calls itself": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M98 P2\nN40 M99\n", "CS402 N30"),
+    "a program that calls itself until a condition holds": (
+        "", "O1\nN5 #100=0\nN10 M98 P2\nN20 M30\nO2\nN25 #100=#100+1\nN28 IF[#100 GE 3]GOTO 40\nN30 M98 P2\nN40 M99\n", ""),
+    "a call of the own program whose start is dropped": ("mitsubishi-m800", "O1\nN10 M98 Q5\n" + END, "CS704 N10"),
     "a code does not call in the program that it calls": ("gsk-988ta", "O1\nN20 M30\n", ""),
     # What a called program leaves behind
     "G91 where the caller moves on": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", "CS501 N20"),
@@ -168,6 +175,16 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "an argument of one call of two": (
         "", "O1\nN10 G65 P2 A1. B1.\nN20 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS602 N30"),
     "an argument never given": ("", "O1\nN10 G65 P2 A1.\n" + END + "O2\nN30 G0 X[#2+#1]\nN40 M99\n", "CS603 N30"),
+    "arguments that are left out of a block of words": (
+        "", "O1\nN10 G65 P2 Z10. F300.\n" + END + "O2\nN30 G31 X#24 Y#25 Z#26 F#9\nN40 M99\n", ""),
+    "an argument that is copied, and left out": (
+        "", "O1\nN10 G65 P2 Z10.\n" + END + "O2\nN30 #1=#24\nN35 G0 X#1 Z#26\nN40 M99\n", ""),
+    "an argument that is left out of a sum": (
+        "", "O1\nN10 G65 P2 Z10.\n" + END + "O2\nN30 G0 X[#24+1.] Z#26\nN40 M99\n", "CS603 N30"),
+    "an argument in a word whose letter may be mistaken": (
+        "", "O1\nN10 G65 P2 A10.\n" + END + "O2\nN30 G0 X#24\nN40 M99\n", "CS604 N10, CS603 N30"),
+    "an argument in a word of a macro that is given none": (
+        "", "O1\nN10 G65 P2\n" + END + "O2\nN30 G0 X#24\nN40 M99\n", "CS603 N30"),
     "an argument never read": ("", "O1\nN10 G65 P2 A1. B1.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", "CS604 N10"),
     "an argument never read is told at the first of its calls": (
         "", "O1\nN10 G65 P2 A1. B1.\nN20 G65 P2 A1. B2.\n" + END + "O2\nN30 G0 X[#2+1.]\nN40 M99\n", "CS604 N10"),
@@ -224,6 +241,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o<a> sub\nN5 g91 g0 x1\nN6 g90\no<a> endsub\nN10 g90 g0 x0\nN20 o<a> call\nN30 g1 x10 f100\nN40 m2\n", ""),
     "labels that call in a circle": (
         "linuxcnc", "o<a> sub\nN5 o<b> call\no<a> endsub\no<b> sub\nN6 o<a> call\no<b> endsub\nN20 o<a> call\nN40 m2\n", "CS402 N6"),
+    "a label that calls itself under a condition": (
+        "linuxcnc", "o<f> sub\no1 if [#1 gt 1]\nN5 o<f> call [#1-1]\no1 endif\no<f> endsub\nN20 o<f> call [5]\nN40 m2\n", ""),
     "labels that call too deep": (
         "linuxcnc", "".join(f"o{i} sub\nN{i} o{i + 1} call\no{i} endsub\n" for i in range(100, 109))
         + "o109 sub\ng0 x1\no109 endsub\nN10 o100 call\nN20 m2\n", "CS401 N108"),
@@ -241,6 +260,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a subprogram that reads what nothing sets": ("", "O1\nN20 M98 P2\nN30 M30\nO2\nN40 G0 X[#1+1.]\nN50 M99\n", "CS601 N40"),
     "an argument that is the caller's own by M98": (
         "", "O1\nN5 #1=3.\nN6 G0 Z#1\nN10 G65 P2 A1.\nN20 M98 P2\nN25 G0 X#1\nN30 M30\nO2\nN40 #1=#1+1.\nN45 G0 Y#1\nN50 M99\n", "CS605 N25"),
+    "a label whose head is refused": (
+        "linuxcnc", "o1 if [#<_metric_machine>]\ng0 x1\no1 else\ng0 x2\no1 endif\nm2\n", "CS105 :1"),
     "a label without its end": ("linuxcnc", "#1=1\no1 while [#1 lt 3]\n#1=[#1+1]\nm2\n", "CS207 :2"),
     "an end without its label": ("linuxcnc", "o1 endif\nm2\n", "CS207 :1"),
     "labels that cross": ("linuxcnc", "#1=1\no1 while [#1 lt 3]\no2 if [#1 gt 1]\n#1=[#1+1]\no1 endwhile\no2 endif\nm2\n", "CS207 :3"),
@@ -330,6 +351,9 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "an argument that is no length": ("", "O1\nN10 G0 X0.5\nN20 G65 P2 H5\n" + END + "O2\nN40 G0 X#11\nN50 M99\n", ""),
     "an argument where a number is millimetres": ("mitsubishi-m800", "O1\nN10 G0 X0.5\nN20 G65 P2 A5\n" + END + "O2\nN40 G0 X#1\nN50 M99\n", ""),
     # IF without THEN
+    "conditions that are joined where the control joins none": (
+        "", "O1\nN10 IF[[#500 EQ 1]AND[#501 EQ 2]]GOTO 90\n" + END, "CS101 N10"),
+    "what a refused assignment would have set": ("", "O1\nN10 #1=[2+3\nN20 G0 X[#1+1.]\n" + END, "CS101 N10"),
     "an IF with a code behind it": ("mitsubishi-m700", "O1\nN10 IF[#500 EQ 1] M8\n" + END, "CS103 N10"),
     "an IF with nothing behind it": ("", "O1\nN10 IF[#500 EQ 1]\n" + END, "CS101 N10"),
     # Offsets, shifts and calls that leak
@@ -379,6 +403,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a count in P that is meant": ("", "O1\nN10 M98 P21000\nN20 M30\nO1000\nN30 M99\n", ""),
     "L0 that alarms is a refusal": ("gsk-988ta", "O1\nN10 M98 P2 L0\nN20 M30\nO2\nN30 M99\n", "CS101 N10"),
     "a start block on a control that has none": ("fanuc-0i-f", "O1\nN10 M98 P2 Q5\nN15 M98 P2 H5\nN20 M30\nO2\nN5 M99\n", "CS704 N10, CS704 N15"),
+    "an offset that is not computed is told once": (
+        "siemens-one", "N10 T1 M6\nN20 D1 G0 X10\nN30 D2 BRISK\nN40 D0\nN50 M30\n", "CS105 N20, CS105 N30, CS105 N40"),
     "a start block on one that has it": ("gsk-988ta", "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN5 M99\n", ""),
     "H of a length offset in a block that calls": ("fanuc-0i-f", "O1\nN10 G43 H5 M98 P2\nN20 M30\nO2\nN5 M99\n", ""),
     "L where the count stands in P": ("gsk-980mdi", "O1\nN10 M98 P2 L3\nN20 M30\nO2\nN5 M99\n", "CS704 N10"),
@@ -413,6 +439,12 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. K3\nN30 G80\n" + END, "CS709 N20"),
     "K of a cycle that shifts or pecks": (
         "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G73 X1. Z-1. R-1. Q1. F9. K3\nN30 G80\n" + END, ""),
+    "K in a block behind the cycle": (
+        "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 X1. K3\nN30 G80\n" + END, "CS709 N25"),
+    "L in a block behind the cycle": (
+        "", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 Y1.\nN26 X1. L3\nN30 G80\n" + END, "CS709 N26"),
+    "L behind the end of the cycle": (
+        "", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 G80\nN26 X1. L3\n" + END, ""),
     "both letters where both count": (
         "gsk-980mdi", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. L3\nN25 X1. K3\nN30 G80\n" + END, ""),
     # Allowances and called programs without points
@@ -430,6 +462,9 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a common that is compared with #0": (
         "", "O1\nN10 IF[#500 EQ 1]GOTO 25\nN20 #100=1.\nN25 IF[#100 EQ #0]GOTO 90\nN30 G0 X#100\n" + END, ""),
     "a common that is set below the move": ("", "O1\nN10 G0 X#100\nN20 #100=1.\n" + END, "CS607 N10"),
+    "a common that is taken by another one of its numbers": (
+        "haas-ngc", "O1\nN10 #100=0\nN20 WHILE [#100 LT 3] DO1\nN30 M98 P2\nN40 #10100=#100+1\nN50 END1\n" + END
+        + "O2\nN60 #100=5\nN70 G0 X#100\nN80 M99\n", "CS606 N40"),
     # Loops over fractions
     "a loop that never meets its end": (
         "", "O1\nN10 #1=0\nN20 WHILE[#1 NE 1.]DO1\nN30 #1=#1+0.1\nN40 END1\n" + END, "CS711 N20"),
@@ -444,10 +479,28 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 #1=0\nN20 #1=#1+0.1\nN30 IF[#1 GT 1.05]GOTO 90\nN40 GOTO 20\n" + END, ""),
     "a loop whose counter is rounded": (
         "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN30 #1=ROUND[#1*10+1]/10\nN40 END1\n" + END, ""),
+    "a loop of labels": (
+        "linuxcnc", "#1=0\no100 while [#1 lt 1]\ng0 x#1\n#1=[#1+0.1]\no100 endwhile\nm2\n", "CS711 :2"),
+    "a loop of labels that counts a name of all programs": (
+        "linuxcnc", "#<_n>=0\no100 while [#<_n> lt 1]\ng0 x#<_n>\n#<_n>=[0.1+#<_n>]\no100 endwhile\nm2\n", "CS711 :2"),
+    "a loop of labels that counts a name": (
+        "linuxcnc", "#<x>=0\no<edge> do\ng0 x#<x>\n#<x>=[#<x>+0.1]\no<edge> while [#<x> lt 1]\nm2\n", "CS711 :5"),
+    "a loop of labels whose end is no fraction": (
+        "linuxcnc", "#1=0\no100 while [#1 le 1.05]\ng0 x#1\n#1=[#1+0.1]\no100 endwhile\nm2\n", ""),
+    "a loop of labels inside another one": (
+        "linuxcnc", "#2=0\no99 while [#2 lt 3]\n#1=0\no100 while [#1 lt 1]\n#1=[#1+0.1]\no100 endwhile\n#2=[#2+1]\no99 endwhile\nm2\n", "CS711 :4"),
+    "a loop of labels that compares for equality, which takes what is near": (
+        "linuxcnc", "#1=0\no100 while [#1 ne 1]\n#1=[#1+0.1]\no100 endwhile\nm2\n", ""),
     # Inputs
     "an input behind G103": ("haas-ngc", "O1\nN10 G103 P1\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, ""),
     "an input where G103 is taken back": (
         "haas-ngc", "O1\nN10 G103 P1\nN15 G103\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, "CS710 N20"),
+    "an output that is set while the control waits": (
+        "haas-ngc", "O1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, "CS710 N10, CS710 N30"),
+    "an output behind G103": (
+        "haas-ngc", "O1\nN5 G103 P1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, ""),
+    "a position, which is read when its block runs": (
+        "haas-ngc", "O1\nN10 G0 X1.\nN20 #100=#5021\nN30 G0 Z#100\n" + END, ""),
     # What follows from a call that is refused
     "blocks that a refused call would lead to": (
         "", "O1\nN10 M98 Q50\nN20 M30\nN50 G0 X1.\nN60 M99\n", "CS101 N10"),
@@ -475,6 +528,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "small letters that are printed": ("", "O1\nN10 POPEN\nN20 DPRNT[abc]\nN30 PCLOS\n" + END, ""),
     "a program in small letters": ("", "O1\nn10 g0 x1.\nN20 Z1.\nn90 m30\n", "CS803 N10"),
     "a language that takes small letters": ("linuxcnc", "g0 x1\nm2\n", ""),
+    "G99 where M99 is meant is one finding": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G0 X1.\nN40 G99\n", "CS706 N40"),
+    "a code that is none of the control": ("mitsubishi-m800", "O1\nN10 G999\n" + END, "CS102 N10"),
+    "a variable that a language refuses where it is read": ("linuxcnc", "N10 #6000=1\nM2\n", "CS104 N10"),
+    "a parameter that the control lacks": ("siemens-one", "N10 R99999=1\nN20 M30\n", "CS104 N10"),
     "G99 in the middle": ("gsk-988ta", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 G99\nN40 M99\n", ""),
 }  # fmt: skip
 
@@ -758,8 +815,8 @@ def part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_command_tells_and_its_status_says_whether(part: Path) -> None:
     status, output = command("check", "part.nc", "-c", MILL)
     assert status == 1
-    assert "error CS303 no-end [PS5010]: O2 ends" in output
-    assert output.endswith("checked: 2 programs on FANUC Series 0i-F: 1 error, 1 warning\n")
+    assert "warning CS706 g99-for-m99 [PS5010]: G99 is no return" in output
+    assert output.endswith("checked: 2 programs on FANUC Series 0i-F: 1 warning\n")
     assert command("check", "part.nc", "-c", MILL, "--ignore", "CS303", "--ignore", "CS7")[0] == 0
     status, output = command("check", "part.nc", "-c", MILL, "--rule", "CS999")
     assert (status, output.startswith("cncsub: check has no rule 'CS999'")) == (2, True)

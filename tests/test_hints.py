@@ -297,6 +297,8 @@ def test_a_link_has_the_files_beside_what_it_leads_to(tmp_path: Path) -> None:
 
 FOREIGN = {
     "Heidenhain": "0 BEGIN PGM A MM\n1 L X+10 R0 FMAX\n",
+    "Heidenhain (Klartext)": "TOOL CALL 5 Z S2000\nL X+10 Y-5 R0 FMAX M3\nCALL LBL 1\n",
+    "Mazatrol": "UNo. MAT INITIAL-Z ATC MODE MULTI MODE\n 0 CST IRN 100. 0 OFF\n",
     "Okuma": "CALL O9000 PX=1\nM02\n",
     "Fagor": "%PART,MX--,\n(P100=5)\nG0 X10\nM30\n",
     "Fadal": "N1O1(PART)\nN2 #V1=5\nM30\n",
@@ -328,6 +330,49 @@ def test_a_language_that_no_control_reads_is_told_in_a_batch(tmp_path: Path) -> 
     told = {Path(row["path"]).stem: row["error"] for row in table.to_pylist()}
     assert told.pop("own") is None
     assert all(f"language of {language}" in (told[language] or "") for language in FOREIGN)
+
+
+def test_a_language_that_no_control_reads_is_told_of_each_file_of_a_folder(tmp_path: Path) -> None:
+    (tmp_path / "a.nc").write_text("O1\nG0 X1.\nM30\n")
+    (tmp_path / "b.nc").write_text("%PART,MX--,\n(P100=5)\nG0 X10.\nM30\n")
+    told = CliRunner().invoke(app, ["check", str(tmp_path), "-c", CONTROL]).stderr
+    assert f"hint: {tmp_path / 'b.nc'} seems to be written in the language of Fagor" in told
+
+
+def test_a_language_that_no_control_reads_is_told_where_a_batch_finds_nothing(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "b.nc").write_text("%PART,MX--,\n(P100=5)\nG0 X10.\nM30\n")
+    (tmp_path / "own.nc").write_text("O1\nM30\n")
+    for words in (["--check"], []):
+        done = CliRunner().invoke(app, ["batch", str(tmp_path), "-c", CONTROL, *words])
+        assert done.exit_code == 0, done.output
+        assert done.output.count("language of Fagor") == 1
+
+
+SINUMERIK = (
+    "DEF REAL DEPTH\nG0 X10\nM30\n",
+    "G0 X=R1\nM30\n",
+    "N10 G0 X10\nN20 IF R1>5 GOTOF END\nN30 X20\nEND: M30\n",
+    "N10 T1 M6\nN20 MCALL CYCLE81(10,0,2,-5)\nN30 X10 Y10\nN40 MCALL\nN50 M30\n",
+    "G90 G0 X0\nCYCLE83(10,0,2,-20)\nM30\n",
+)
+
+
+@pytest.mark.parametrize("text", SINUMERIK)
+def test_a_program_of_sinumerik_is_told_by_run_and_by_check(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text(text)
+    for command in ("run", "check"):
+        told = CliRunner().invoke(app, [command, str(file), "-c", CONTROL]).stderr
+        assert "it seems to be written for SINUMERIK: -c siemens-one" in told, command
+
+
+def test_the_language_of_one_file_of_a_folder_is_told(tmp_path: Path) -> None:
+    (tmp_path / "a.nc").write_text("O1\nG0 X1.\nM30\n")
+    (tmp_path / "b.nc").write_text(SINUMERIK[1])
+    told = CliRunner().invoke(app, ["check", str(tmp_path), "-c", CONTROL]).stderr
+    assert f"{tmp_path / 'b.nc'}: it seems to be written for SINUMERIK" in told
 
 
 @pytest.mark.parametrize("block", ["N10 M98 P2 Q100", "N10 M98 Q100"])

@@ -40,6 +40,7 @@ Frame frame_of(const Code& code, Address at) {
 struct Told {
   Check check{};
   Alarm place;
+  std::string hint;
   std::optional<Alarm> alarm;
   std::vector<Frame> path;
   std::vector<std::pair<Alarm, std::pair<std::string, std::string>>> edits;  // place, old, new
@@ -54,6 +55,7 @@ Told told(const Code& code, const Finding& finding, InterruptCheck& interrupt) {
            .place = alarm_of(
                code, finding.block,
                {.at = finding.place.at, .width = finding.place.width, .detail = finding.detail}),
+           .hint = finding.hint,
            .alarm = std::nullopt,
            .path = {},
            .edits = {},
@@ -99,7 +101,7 @@ py::tuple row_of(Told& row) {
     edits.append(py::make_tuple(at.file, at.line, at.column, texts.first, texts.second));
   const std::string line = row.place.source_line;
   return py::make_tuple(static_cast<int>(row.check), std::move(row.place), line,
-                        alarm_or_none(row.alarm), path, edits, again, row.count);
+                        alarm_or_none(row.alarm), path, edits, again, row.count, row.hint);
 }
 
 py::list check_all(const Code& code, std::int32_t main, const std::string& machine) {

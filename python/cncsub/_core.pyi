@@ -244,6 +244,7 @@ _FindingRow = tuple[
     list[tuple[str, int, int, str, str]],
     tuple[tuple[Alarm, str], ...],
     int,
+    str,
 ]
 
 def check(code: Code, main: int, machine: str) -> list[_FindingRow]:

@@ -222,6 +222,7 @@ def _finding(
     edits: Sequence[tuple[str, int, int, str, str]],
     again: Sequence[tuple[_core.Alarm, str]],
     count: int,
+    cure_here: str,
 ) -> Finding:
     rule = RULES[index]
     meaning, hint = told[0][index]
@@ -230,6 +231,7 @@ def _finding(
         meaning, cure = told[1][alarm.cause]
         hint = cure if rule.name in _OF_ANY_CAUSE else hint
     message = detail or meaning
+    hint = cure_here or hint
     return Finding(
         rule.number,
         rule.name,

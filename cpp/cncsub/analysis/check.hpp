@@ -50,6 +50,7 @@ struct Finding {
   Address block = kNowhere;
   TextPlace place;
   std::string detail;
+  std::string hint;  // what to write instead; empty: what the rule says
   // What the control raises, and in which block; nothing where it raises nothing, or nobody knows.
   std::optional<Fault> alarm;
   Address alarm_block = kNowhere;

@@ -138,8 +138,8 @@ inline bool calls_subprogram(const Code& code, const Block& block) {
   return calls;
 }
 
-/// Whether a program ends in G99 alone, as one that was meant to end in M99.
-bool ends_in_g99(const Checker& c, const ProgramFlow& flow);
+/// Whether a program that nothing else ends has G99 alone as its last block, which means M99.
+bool means_m99(const Checker& c, const ProgramFlow& flow);
 
 /// The G codes of a block that are written as numbers, ten times each.
 template <class Take>

@@ -1,6 +1,7 @@
 // Loops that count in fractions: sums of 0.1 are not what they look like.
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,11 @@ std::vector<Instruction> instructions_of(const Expression& of) {
   return all;
 }
 
-std::optional<Counter> counter_of(const Instruction& ins) {
+std::optional<Counter> counter_of(const Code& code, const Instruction& ins) {
+  if (ins.op == Ins::NamedLocal || ins.op == Ins::NamedCommon) {
+    const NamedVariable& named = code.named_variables[static_cast<std::size_t>(ins.value)];
+    return Counter{!named.common, static_cast<std::uint32_t>(named.index)};
+  }
   const bool local = ins.op == Ins::Local || ins.op == Ins::LocalRaw;
   const bool common = ins.op == Ins::Common || ins.op == Ins::CommonRaw;
   if ((!local && !common) || (local && ins.at == 0)) return std::nullopt;
@@ -59,15 +64,16 @@ struct Asked {
   std::optional<double> limit;  // where it is written as a number
 };
 
-std::optional<Asked> asked_by(const Expression& of) {
+std::optional<Asked> asked_by(const Code& code, const Expression& of) {
   const std::vector<Instruction> all = instructions_of(of);
   const auto mirrored = all.size() == 3 ? turned(all[2].op) : std::nullopt;
   if (!mirrored) return std::nullopt;
   const auto constant = [](const Instruction& ins) {
     return ins.op == Ins::Constant ? std::optional<double>(ins.value) : std::nullopt;
   };
-  if (const auto left = counter_of(all[0])) return Asked{*left, all[2].op, constant(all[1])};
-  if (const auto right = counter_of(all[1])) return Asked{*right, *mirrored, constant(all[0])};
+  if (const auto left = counter_of(code, all[0])) return Asked{*left, all[2].op, constant(all[1])};
+  if (const auto right = counter_of(code, all[1]))
+    return Asked{*right, *mirrored, constant(all[0])};
   return std::nullopt;
 }
 
@@ -115,7 +121,9 @@ class CountingCheck {
 
   Body body(Address at) const;
   /// A loop from one block up to another, which asks in a third whether it goes on.
-  void loop(Address at, const Statement& of, Address from, Address to);
+  void loop(Address at, std::uint32_t expression, Address from, Address to);
+  /// A while of a language of labels, and the end that it has.
+  void labelled(Address at);
   /// A loop that a jump back closes, and that blocks in it leave where a condition holds.
   void leaving(Address from, Address to);
   bool assigns(Address at, const Counter& counter) const;
@@ -125,6 +133,8 @@ class CountingCheck {
 
   Checker& c_;
   const ProgramFlow& flow_;
+  std::map<std::uint32_t, Address> open_;  // by its label, the last do or while
+  std::size_t looked_at_ = 0;
 };
 
 bool CountingCheck::assigns(Address at, const Counter& counter) const {
@@ -137,6 +147,21 @@ bool CountingCheck::assigns(Address at, const Counter& counter) const {
   return counter == Counter{local, static_cast<std::uint32_t>(of.index)};
 }
 
+/// By how much an expression differs from a counter, where it is a sum of that and a number.
+std::optional<double> added_to(const Code& code, const Counter& counter, const Expression& of) {
+  const std::vector<Instruction> all = instructions_of(of);
+  if (all.size() < 2 || all.size() > 3) return std::nullopt;
+  const bool two = all.size() == 2;
+  const Ins op = two ? all[1].op : all[2].op;
+  const bool adds = op == (two ? Ins::AddConstant : Ins::Add);
+  if (!adds && op != (two ? Ins::SubtractConstant : Ins::Subtract)) return std::nullopt;
+  const bool turned = !two && all[0].op == Ins::Constant;  // 0.1+#1
+  const Instruction& number = turned ? all[0] : all[1];
+  if ((!two && number.op != Ins::Constant) || (turned && !adds)) return std::nullopt;
+  if (counter_of(code, turned ? all[1] : all[0]) != counter) return std::nullopt;
+  return adds ? number.value : -number.value;
+}
+
 /// By how much the one assignment of a loop changes its counter.
 std::optional<double> CountingCheck::step(const Counter& counter, Address from, Address to) const {
   std::optional<double> found;
@@ -145,11 +170,9 @@ std::optional<double> CountingCheck::step(const Counter& counter, Address from, 
     const bool sets = block.op == Op::Set || block.op == Op::Assign;
     if (!sets || !assigns(at, counter)) continue;
     const Statement of = assignment_of(c_.code, block);
-    const std::vector<Instruction> all = instructions_of(c_.code.expression(of.expression));
-    const bool adds = all.size() == 2 && counter_of(all[0]) == counter &&
-                      (all[1].op == Ins::AddConstant || all[1].op == Ins::SubtractConstant);
-    if (!adds || found) return std::nullopt;
-    found = all[1].op == Ins::AddConstant ? all[1].value : -all[1].value;
+    const auto added = added_to(c_.code, counter, c_.code.expression(of.expression));
+    if (!added || found) return std::nullopt;
+    found = added;
   }
   return found;
 }
@@ -176,9 +199,9 @@ bool is_rounded(double step) {
          std::round(step * kScale) != step * kScale;
 }
 
-void CountingCheck::loop(Address at, const Statement& of, Address from, Address to) {
-  const Expression written = c_.code.expression(of.expression);
-  if (const auto asked = asked_by(written)) ask(at, *asked, written, from, to);
+void CountingCheck::loop(Address at, std::uint32_t expression, Address from, Address to) {
+  const Expression written = c_.code.expression(expression);
+  if (const auto asked = asked_by(c_.code, written)) ask(at, *asked, written, from, to);
 }
 
 /// What holds where another comparison does not.
@@ -206,7 +229,7 @@ void CountingCheck::leaving(Address from, Address to) {
     const Statement& of = c_.code.statements[block.aux];
     if (of.to == kNowhere || (of.to >= from && of.to <= to)) continue;
     const Expression written = c_.code.expression(of.expression);
-    auto asked = asked_by(written);
+    auto asked = asked_by(c_.code, written);
     if (!asked) continue;
     asked->op = opposite(asked->op);
     ask(at, *asked, written, from, to);
@@ -248,20 +271,43 @@ CountingCheck::Body CountingCheck::body(Address at) const {
   return target < flow_.first() ? Body{} : Body{target, at};
 }
 
+void CountingCheck::labelled(Address at) {
+  const Labelled& own = c_.code.labelled[c_.code.blocks[at].aux];
+  if (own.kind == LabelledKind::Sub || own.kind == LabelledKind::Head ||
+      own.kind == LabelledKind::EndSub)
+    open_.clear();  // a label means something in its subprogram
+  const auto kind_of = [&](Address of) { return c_.code.labelled[c_.code.blocks[of].aux].kind; };
+  const bool ends = own.kind == LabelledKind::While || own.kind == LabelledKind::EndWhile;
+  const auto begun = ends ? open_.find(own.label) : open_.end();
+  if (begun == open_.end()) {
+    if (own.kind == LabelledKind::While || own.kind == LabelledKind::Do) open_[own.label] = at;
+    return;
+  }
+  const Address from = begun->second;
+  const bool of_do = kind_of(from) == LabelledKind::Do;
+  const Address asks = of_do ? at : from;
+  const std::uint32_t value = c_.code.labelled[c_.code.blocks[asks].aux].value;
+  looked_at_ += at - from;
+  open_.erase(begun);
+  if (of_do == (own.kind == LabelledKind::While) && value != Labelled::kNone)
+    loop(asks, value, from, at);
+}
+
 /// Check the loops of the program. Loops inside loops are gone over again: a bound keeps the work
 /// in proportion to the program.
 void CountingCheck::run() {
   const std::size_t most = 64 * flow_.size();
-  std::size_t looked_at = 0;
   for (Address at = flow_.first(); at < flow_.last() && !c_.over(); ++at) {
-    const Body of = body(at);
-    if (of.from >= of.to || looked_at > most) continue;
-    looked_at += of.to - of.from;
     const Block& block = c_.code.blocks[at];
+    if (looked_at_ > most) return;
+    if (block.op == Op::Labelled) labelled(at);
+    const Body of = body(at);
+    if (of.from >= of.to) continue;
+    looked_at_ += of.to - of.from;
     if (block.op == Op::Goto)
       leaving(of.from, of.to);
     else
-      loop(at, c_.code.statements[block.aux], of.from, of.to);
+      loop(at, c_.code.statements[block.aux].expression, of.from, of.to);
   }
 }
 

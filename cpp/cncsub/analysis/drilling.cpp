@@ -59,6 +59,7 @@ class DrillCheck {
       : c_(c), flow_(flow), program_(c.program(flow.program())) {}
   void depths();
   void counts(Address at, const Block& block);
+  void follow(const Block& block);
 
  private:
   static constexpr std::uint8_t kNone = 1, kGiven = 2;  // what Z a cycle may have
@@ -70,6 +71,7 @@ class DrillCheck {
   Checker& c_;
   const ProgramFlow& flow_;
   const Program& program_;
+  CycleUse series_;  // the cycle in force, as far as the blocks above tell
 };
 
 std::uint8_t DrillCheck::behind(Address at, std::uint8_t state) const {
@@ -137,13 +139,29 @@ void DrillCheck::depths() {
   }
 }
 
-/// L where the control counts by K, and K where it counts by L.
-void DrillCheck::counts(Address at, const Block& block) {
-  const Letters& letters = c_.code.control->motion.cycle_repeats.value;
+/// Remember the cycle that a block begins, or that goes on in it. Where another program may have
+/// ended it, or a jump leads on, none is known.
+void DrillCheck::follow(const Block& block) {
+  if (block.op >= Op::Set && block.op != Op::Set && block.op != Op::Assign &&
+      block.op != Op::IfGoto && block.op != Op::IfThen)
+    series_ = {};
+  if (!is_words(block.op)) return;
   const CycleUse use = use_of(c_, block);
-  if (block.op != Op::Words || !use.begins || letters.has('L') == letters.has('K')) return;
-  const bool shifts = use.meaning == Meaning::FineBore || use.meaning == Meaning::BackBore ||
-                      use.meaning == Meaning::Peck || use.meaning == Meaning::PeckFast;
+  if (use.forgets) series_ = {};
+  if (use.begins) series_ = use;
+}
+
+/// L where the control counts by K, and K where it counts by L: in the block of a cycle, and where
+/// one behind it drills.
+void DrillCheck::counts(Address at, const Block& block) {
+  constexpr std::uint32_t kPlace = bit('X') | bit('Y') | bit('Z');
+  follow(block);
+  const Letters& letters = c_.code.control->motion.cycle_repeats.value;
+  if (!is_words(block.op) || !series_.begins || letters.has('L') == letters.has('K')) return;
+  if (!use_of(c_, block).begins && (block.mask & kPlace) == 0) return;
+  const bool shifts = series_.meaning == Meaning::FineBore ||
+                      series_.meaning == Meaning::BackBore || series_.meaning == Meaning::Peck ||
+                      series_.meaning == Meaning::PeckFast;
   const char other = letters.has('K') ? 'L' : 'K', own = letters.has('K') ? 'K' : 'L';
   if ((block.mask & bit(other)) == 0 || (other == 'K' && shifts)) return;
   for (const WrittenWord& word : c_.code.words_of(block, program_))

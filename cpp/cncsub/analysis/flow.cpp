@@ -180,8 +180,11 @@ void FlowReader::labelled(const Block& block, const Labelled& own) {
       break;
   }
   next();
+  // The head of the program that is looked at is entered, not passed over.
+  const bool entered =
+      own.kind == LabelledKind::Sub && at_ == to_.first_ && code_.program_at(at_) == to_.program_;
   const bool known = own.next != Labelled::kNone && own.next < to_.last_;
-  if (known) exit(own.next, Way::Jump);
+  if (known && !entered) exit(own.next, Way::Jump);
 }
 
 void FlowReader::variant(const Block& block) {

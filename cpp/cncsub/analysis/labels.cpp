@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -59,6 +60,7 @@ class LabelCheck {
   void breaks(const std::vector<Address>& all);
   void statements(const std::vector<Address>& all);
   void crossings(std::uint32_t sub);
+  std::string refused_label(Address at) const;
   const Labelled& labelled(Address at) const { return c_.code.labelled[c_.code.blocks[at].aux]; }
   TextPlace place(Address at) const { return {labelled(at).at, labelled(at).width}; }
 
@@ -67,6 +69,7 @@ class LabelCheck {
   std::map<std::uint32_t, Address> heads_;
   std::vector<Address> open_;                   // the subprograms that have not ended yet
   std::map<std::uint32_t, Address> last_ends_;  // of each label, the last endsub
+  std::set<std::string> refused_;               // the labels of blocks that are refused
   Address last_do_ = kNowhere;
   std::map<Key, std::vector<Address>> statements_;
 };
@@ -110,8 +113,31 @@ void LabelCheck::never_ended() {
   open_.pop_back();
 }
 
+/// The label that a refused block begins with, as it is kept; empty where it begins with none.
+std::string LabelCheck::refused_label(Address at) const {
+  const Block& block = c_.code.blocks[at];
+  if (block.op != Op::Fault) return "";
+  const std::string_view all = c_.code.files[c_.program(flow_.program()).file].text.view();
+  std::string_view text = all.substr(block.text, block.length);
+  const auto pass = [&text](auto passes) {
+    while (!text.empty() && passes(text.front())) text.remove_prefix(1);
+  };
+  pass(is_blank);
+  if (text.empty() || upper(text.front()) != 'O') return "";
+  text.remove_prefix(1);
+  const bool named = text.starts_with('<');
+  if (named) text.remove_prefix(1);
+  std::string label;
+  for (const char c : text) {
+    if (named ? c == '>' : !is_digit(c)) break;
+    if (!is_blank(c)) label += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return label;
+}
+
 void LabelCheck::run() {
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
+    if (std::string label = refused_label(at); !label.empty()) refused_.insert(std::move(label));
     if (c_.code.blocks[at].op != Op::Labelled) continue;
     if (labelled(at).kind == LabelledKind::EndSub) last_ends_[labelled(at).label] = at;
     if (labelled(at).kind == LabelledKind::Do) last_do_ = at;
@@ -134,7 +160,8 @@ void LabelCheck::run() {
   while (!open_.empty()) never_ended();
   std::set<std::uint32_t> subs;
   for (const auto& [key, all] : statements_) {
-    statements(all);
+    // What a refused block would have begun or ended is told there.
+    if (!refused_.contains(c_.code.labels[key.second])) statements(all);
     breaks(all);
     subs.insert(key.first);
   }

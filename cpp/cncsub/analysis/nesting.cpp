@@ -142,6 +142,8 @@ class CallOrder {
   };
 
   bool is_told(Address at);
+  bool is_avoided(const Open& open);
+  bool has_condition(std::size_t to);
   std::string group_of(std::size_t place) const { return std::to_string(groups_.of[place]); }
   void circle_from(std::vector<Open>::const_iterator first, std::string& names,
                    std::vector<Address>& path) const;
@@ -160,7 +162,40 @@ class CallOrder {
   std::vector<std::size_t> order_;
   std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
   std::vector<bool> told_;  // blocks
+  std::size_t looked_at_ = 0;
 };
+
+/// Whether some way through what is entered comes to its end without the call that is open in it.
+bool CallOrder::is_avoided(const Open& open) {
+  constexpr std::size_t kMostBlocks = 4'000'000;  // beyond that, no way is looked for
+  const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
+  const Block& block = c_.code.blocks[call];
+  if (block.op == Op::IfThen || block.skip != 0) return true;
+  const Entered& from = tree_.entered(open.place);
+  const ProgramFlow& flow = c_.flow(from.program);
+  std::vector<bool> seen(flow.size(), false);
+  std::vector<Address> waiting{from.start};
+  while (!waiting.empty() && looked_at_ < kMostBlocks && !c_.over()) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    if (at == call || seen[at - flow.first()]) continue;
+    if (at >= flow.last() || flow.returns(at) || flow.ends(at)) return true;
+    seen[at - flow.first()] = true;
+    ++looked_at_;
+    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
+      waiting.push_back(exit->to);
+  }
+  return false;
+}
+
+/// Whether one of the calls of a circle stands under a condition, which ends the circle.
+bool CallOrder::has_condition(std::size_t to) {
+  for (auto at = open_.rbegin(); at != open_.rend(); ++at) {
+    if (is_avoided(*at)) return true;
+    if (at->place == to) break;
+  }
+  return false;
+}
 
 /// Whether something was told of a block before.
 bool CallOrder::is_told(Address at) {
@@ -190,7 +225,10 @@ void CallOrder::circle(const CallTree::Call& call) {
   // A code does not call in the program that it calls.
   const Block& block = c_.code.blocks[edge.from];
   const bool code = block.op == Op::Choose && c_.code.choices[block.aux].address != 0;
-  if (code || is_refused_again(c_, edge) || is_told(edge.from)) return;
+  // A call of the own program without what it drops, such as where it begins.
+  const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
+  if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
+  if (has_condition(call.to)) return;
   const CallRecord& record = c_.code.calls[edge.record];
   if (c_.known(Check::Recursion, group_of(call.to), edge.from, {record.at, record.width})) return;
   auto first = open_.cbegin();

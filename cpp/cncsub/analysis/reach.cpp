@@ -144,7 +144,7 @@ void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   if (code.empty()) return;
   const Program& program = c.program(flow.program());
   const bool called = c.is_called(flow.program()) && flow.program() != c.main && !flow.ever_ends();
-  if ((!called && !only_parts_end(c, flow)) || ends_in_g99(c, flow)) return;
+  if (!called && !only_parts_end(c, flow)) return;
   const std::string_view text = c.code.files[program.file].text.view();
   const Block& last = c.code.blocks[flow.last() - 1];
   const std::size_t end = std::min(text.find('\n', last.text), text.size());
@@ -162,7 +162,8 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   if (!alarms && (!c.is_called(flow.program()) || flow.last() == flow.first())) return;
   const bool empty = flow.last() == flow.first();
   const Address at = empty ? flow.last() : flow.last() - 1;
-  if (c.code.blocks[at].op == Op::Fault) return;  // what is wrong there may have been the end
+  // What is wrong there may have been the end.
+  if (c.code.blocks[at].op == Op::Fault || means_m99(c, flow)) return;
   const Block& last = c.code.blocks[at];
   Finding& found = c.found(Check::NoEnd, at, {last.text, last.length}, what);
   if (!empty) mend_end(c, flow, found);
@@ -171,12 +172,22 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   found.alarm_block = flow.last();
 }
 
-void check_ends_in_call(Checker& c, const ProgramFlow& flow) {
-  if (!c.is_called(flow.program()) || flow.program() == c.main || !flow.ever_ends() ||
-      flow.ever_returns())
-    return;
-  Address at = flow.first();
-  while (!flow.ends(at)) ++at;
+/// The first of the blocks that some way leads to and that end the run; kNowhere where none does,
+/// or where one returns.
+Address only_end(const ProgramFlow& flow, const std::vector<bool>& reached) {
+  Address end = kNowhere;
+  for (Address at = flow.first(); at < flow.last(); ++at) {
+    if (!reached[at - flow.first()]) continue;
+    if (flow.returns(at)) return kNowhere;
+    if (flow.ends(at) && end == kNowhere) end = at;
+  }
+  return end;
+}
+
+void check_ends_in_call(Checker& c, const ProgramFlow& flow, const std::vector<bool>& reached) {
+  if (!c.is_called(flow.program()) || flow.program() == c.main || !flow.ever_ends()) return;
+  const Address at = only_end(flow, reached);
+  if (at == kNowhere) return;
   const CallEdge& call = c.callers[static_cast<std::size_t>(flow.program())].front();
   const Block& block = c.code.blocks[at];
   c.found(Check::EndsInCall, at, {block.text, block.length},
@@ -259,15 +270,15 @@ void check_reach(Checker& c) {
   }
   const std::vector<bool> unsure = unsure_programs(c, all_reached);
   for (const ProgramFlow& flow : c.flows) {
-    if (c.inside(flow)) continue;
     if (c.over(flow.size())) return;
     std::vector<bool>& reached = all_reached[static_cast<std::size_t>(flow.program())];
+    check_ends_in_call(c, flow, reached);
+    if (c.inside(flow)) continue;
     if (!labels) check_end(c, flow, reached[flow.last() - flow.first()]);
     mark_profiles(c, flow, reached);
     if (!starts && !unsure[static_cast<std::size_t>(flow.program())])
       check_unreached(c, flow, reached);
     check_tape_ends(c, flow, reached);
-    check_ends_in_call(c, flow);
     check_fallen_into(c, flow);
     if (!computed) check_never_called(c, flow);
   }

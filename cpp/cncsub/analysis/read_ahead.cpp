@@ -1,4 +1,6 @@
-// Inputs that are read while blocks before them still run.
+// Inputs that are read, and outputs that are set, while blocks before them still run: what a
+// control reads ahead includes its macro statements. Offsets and positions are read when their
+// block runs. [Haas 96-8000: lookahead, G103, offsets]
 #include <string>
 #include <vector>
 
@@ -10,10 +12,11 @@ namespace {
 
 constexpr int kLimit = 1030;  // G103 P1: no block is read ahead
 
-bool is_input(const Code& code, std::int64_t number) {
-  const VariablePlace place = code.place(number);
-  return place.range != nullptr &&
-         (place.kind == VariableKind::Input || place.kind == VariableKind::InputWord);
+bool is_input(VariableKind kind) {
+  return kind == VariableKind::Input || kind == VariableKind::InputWord;
+}
+bool is_output(VariableKind kind) {
+  return kind == VariableKind::Output || kind == VariableKind::OutputWord;
 }
 
 bool names_limit(const Checker& c, const Block& block) {
@@ -22,12 +25,25 @@ bool names_limit(const Checker& c, const Block& block) {
   return named;
 }
 
-/// Whether a block reads an input: its place, of no width where it reads none.
-TextPlace input_of(const Checker& c, const Block& block, std::int32_t program) {
-  if (block.op < Op::Set || block.op == Op::Fault || block.op == Op::EndOfRecord) return {0, 0};
-  for (const VariableReference& of : references_of(c.code, block, program).reads)
-    if (of.number >= 0 && !of.computed && is_input(c.code, of.number)) return of.place;
-  return {0, 0};
+/// The input that a block reads, or the output that it sets; of no width where it does neither.
+struct Signal {
+  TextPlace place{0, 0};
+  bool output = false;
+};
+
+Signal signal_of(const Checker& c, const Block& block, std::int32_t program) {
+  if (block.op < Op::Set || block.op == Op::Fault || block.op == Op::EndOfRecord) return {};
+  const References of_block = references_of(c.code, block, program);
+  const auto holds = [&](const VariableReference& of, bool (*is)(VariableKind)) {
+    if (of.number < 0 || of.computed) return false;
+    const VariablePlace place = c.code.place(of.number);
+    return place.range != nullptr && is(place.kind);
+  };
+  for (const VariableReference& of : of_block.reads)
+    if (holds(of, is_input)) return {of.place, false};
+  for (const VariableReference& of : of_block.writes)
+    if (holds(of, is_output)) return {of.place, true};
+  return {};
 }
 
 /// The blocks that some way leads to without a limit of what is read ahead.
@@ -60,13 +76,14 @@ void check_read_ahead(Checker& c) {
     if (c.inside(flow) || c.is_called(flow.program())) continue;
     std::vector<bool> free;  // looked for where it is asked
     for (Address at = flow.first(); at < flow.last() && !c.over(4); ++at) {
-      const TextPlace place = input_of(c, c.code.blocks[at], flow.program());
-      if (place.width == 0) continue;
+      const Signal signal = signal_of(c, c.code.blocks[at], flow.program());
+      if (signal.place.width == 0) continue;
       if (free.empty()) free = unlimited(c, flow);
       if (free[at - flow.first()])
-        c.found(Check::InputAhead, at, place,
-                "the control reads blocks ahead: the input may be read before the blocks above "
-                "have run");
+        c.found(Check::InputAhead, at, signal.place,
+                std::string("the control reads blocks ahead: the ") +
+                    (signal.output ? "output may be set" : "input may be read") +
+                    " before the blocks above have run");
     }
   }
 }

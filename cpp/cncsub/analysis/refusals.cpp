@@ -91,6 +91,14 @@ bool is_of_loops(Cause cause) {
   return cause == Cause::MissingEnd || cause == Cause::MissingDo || cause == Cause::IfWithoutEnd;
 }
 
+/// Whether a text goes on with the name of a logic operation.
+bool is_logic(std::string_view text) {
+  std::string name;
+  for (const char letter : text.substr(0, 4))
+    if (is_letter(letter)) name += upper(letter);
+  return name.starts_with("AND") || name.starts_with("OR") || name.starts_with("XOR");
+}
+
 /// Whether an IF is refused because a statement or a word stands right behind its condition.
 bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   const IfForm form = code.control->macros.if_form.value;
@@ -102,7 +110,7 @@ bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   while (behind < text.size() && is_blank(text[behind])) ++behind;
   if (behind == text.size() || (text[behind] != '#' && !is_letter(text[behind]))) return false;
   while (before > 0 && is_blank(text[before - 1])) --before;
-  return before > 0 && text[before - 1] == ']';
+  return before > 0 && text[before - 1] == ']' && !is_logic(text.substr(behind));
 }
 
 /// Whether a block that is refused would have called or jumped.
@@ -117,12 +125,21 @@ bool leads_on(const Checker& c, Address at, const Program& program) {
   });
 }
 
+bool is_of_variable(Cause cause) {
+  return cause == Cause::IllegalVariable || cause == Cause::VariableNotKnown ||
+         cause == Cause::VariableWriteProtected || cause == Cause::VariableReadProtected ||
+         cause == Cause::VacantAssigned;
+}
+
 void check_fault(Checker& c, Address at, const Program& program, const Fault& fault) {
   Check check = Check::Refused;
   if (leads_on(c, at, program)) c.unsure.push_back({c.code.program_at(at), at});
   if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
   if (is_of_loops(fault.cause)) check = Check::LoopUnclosed;
   if (fault.cause == Cause::CodeNotComputed) check = Check::NotComputed;
+  if (fault.cause == Cause::GCodeNotAvailable || fault.cause == Cause::CodeNotKnown)
+    check = Check::CodeMissing;
+  if (is_of_variable(fault.cause)) check = Check::VariableMissing;
   if (lacks_then(c.code, program, fault)) check = Check::IfWithoutThen;
   c.refused(check, at, fault);
 }

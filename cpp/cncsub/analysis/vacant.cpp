@@ -28,6 +28,7 @@ class VacantCheck {
   void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
   void take_conditions(const ProgramFlow& flow);
   bool is_lonely(Address at) const;
+  bool omits_on_purpose(const ProgramFlow& flow) const;
   void tell_vacant(const ProgramFlow& flow);
   void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
   void tell_unread();
@@ -103,7 +104,7 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
     set |= (called.any ? ~Bits{0} : called.writes) & ~uses_.named();
   }
   const Op op = c_.code.blocks[at].op;
-  if (op == Op::Labelled || op == Op::Choose ||
+  if (op == Op::Labelled || op == Op::Choose || op == Op::Fault ||  // what it would have set
       (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
     set |= ~uses_.named();
   state.always &= ~set;
@@ -177,27 +178,41 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, 
   }
 }
 
+/// Whether the arguments that no call of a macro gives are left out on purpose, where they stand
+/// alone in a word: the calls give others, and the macro reads all of these. A letter that it never
+/// reads may be meant for one that is missing.
+bool VacantCheck::omits_on_purpose(const ProgramFlow& flow) const {
+  const LocalUse& of = uses_.of_program(flow.program());
+  Bits all = 0;
+  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(flow.program())])
+    if (edge.macro) all |= given(edge);
+  return all != 0 && (all & ~of.reads) == 0;
+}
+
 void VacantCheck::tell_vacant(const ProgramFlow& flow) {
   Bits told = uses_.of_program(flow.program()).tested;
   const std::vector<Vacant> before = vacant(flow);
   const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
   const bool macro =
       std::any_of(callers.begin(), callers.end(), [](const CallEdge& edge) { return edge.macro; });
+  const bool on_purpose = omits_on_purpose(flow);
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* own = uses_.of(at);
     const Vacant& state = before[at - flow.first()];
     if (own == nullptr || !state.reached || own->read_locals == 0) continue;
     const Bits always = own->read_locals & state.always & ~told;
     const Bits arguments = macro ? always & ~uses_.named() : 0;
-    tell_vacant(flow, at, arguments, Check::ArgumentMissing);
+    const Bits missing = arguments & ~(on_purpose ? own->word_locals : 0);
+    tell_vacant(flow, at, missing, Check::ArgumentMissing);
     tell_vacant(flow, at, always & ~arguments, Check::Vacant);
-    told |= always;
+    told |= missing | (always & ~arguments);
     const Bits sometimes =
         own->read_locals & ~own->word_locals & state.sometimes & ~told & ~uses_.named();
     tell_vacant(flow, at, sometimes, Check::MaybeVacant);
     told |= sometimes;
   }
 }
+
 /// Arguments of one call that its macro, and the subprograms that share its locals, never read;
 /// each is told at the first call that gives it.
 void VacantCheck::tell_unread(const CallEdge& edge, Bits& told) {

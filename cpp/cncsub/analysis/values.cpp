@@ -225,7 +225,40 @@ std::string dropped(const Checker& c, const Block& block, std::string_view text,
            parameter_of(c, "m_codes_per_block");
   if (is_call(block.op) && (letter == 'Q' || letter == 'H'))
     return std::string("the control's calls know no ") + letter + parameter_of(c, "start_word");
+  if (!is_call(block.op))
+    return std::string(1, letter) + " stands again: the control obeys the last";
   return "the control does not obey it";
+}
+
+/// What says on this control what a word of a call says that it does not obey; empty where that is
+/// no word of a call.
+std::string instead_of(const Checker& c, const Block& block, std::string_view text,
+                       const Drop& drop) {
+  if (drop.at >= text.size()) return "";
+  const char letter = upper(text[drop.at]);
+  if (!is_call(block.op)) return letter == 'M' ? "" : "keep one of the two words";
+  const StartWord start = c.code.control->calls.start_word.value;
+  const std::string value(text.substr(drop.at + 1, drop.width - 1));
+  if (letter == 'L' && block.op == Op::Call)
+    return "write the count before the number: `M98 P30002`";
+  if (letter != 'Q' && letter != 'H') return "";
+  if (start == StartWord::None)
+    return std::string("take ") + letter +
+           " away: a call begins at the head; make what begins at that block a program of its own";
+  const char own = start == StartWord::Q ? 'Q' : 'H';
+  return std::string("write ") + own + value + " for " + letter + value + ": " + own +
+         " names the block where a call begins";
+}
+
+/// A word that the control obeys, and that a run leaves out: of an offset, such as D1. One that is
+/// a name, such as BRISK, changes no path.
+void tell_left_out(Checker& c, Address at, std::string_view text, const Drop& drop) {
+  const std::string_view word = text.substr(std::min<std::size_t>(drop.at, text.size()), 2);
+  if (word.empty() || (word.size() == 2 && is_letter(word[1]))) return;
+  Finding& found =
+      c.found(Check::NotComputed, at, {drop.at, drop.width},
+              std::string(1, upper(word[0])) + " is not computed here: a run goes on without it");
+  found.hint = "nothing in the program: a run makes the moves that it makes without this word";
 }
 
 void check_drops(Checker& c, Address at, const Block& block) {
@@ -234,23 +267,33 @@ void check_drops(Checker& c, Address at, const Block& block) {
   auto drop = std::lower_bound(c.code.drops.begin(), c.code.drops.end(), block.data,
                                [](const Drop& of, std::uint32_t data) { return of.data < data; });
   const std::string_view text = c.code.files[c.program(c.code.program_at(at)).file].text.view();
-  for (; drop != c.code.drops.end() && drop->data == block.data; ++drop)
-    c.found(Check::Dropped, at, {drop->at, drop->width}, dropped(c, block, text, *drop));
+  for (; drop != c.code.drops.end() && drop->data == block.data; ++drop) {
+    if (c.code.control->dialect == "iso")
+      c.found(Check::Dropped, at, {drop->at, drop->width}, dropped(c, block, text, *drop)).hint =
+          instead_of(c, block, text, *drop);
+    else
+      tell_left_out(c, at, text, *drop);
+  }
 }
 
 /// G99 as the last block of a program that nothing else ends.
 void check_last(Checker& c, const ProgramFlow& flow) {
-  if (!ends_in_g99(c, flow) || flow.ever_returns() || flow.program() == c.main) return;
+  if (!means_m99(c, flow)) return;
   const Block& block = c.code.blocks[flow.last() - 1];
-  c.found(Check::G99ForM99, flow.last() - 1, {block.text, block.length}, "");
+  Finding& found = c.found(Check::G99ForM99, flow.last() - 1, {block.text, block.length},
+                           "G99 is no return: the program runs into its end");
+  if (c.code.control->reading.missing_end.value != MissingEnd::Alarm) return;
+  found.alarm = Fault{Cause::EndOfRecord, c.program(flow.program()).text_end, 1, found.detail};
+  found.alarm_block = flow.last();
 }
 
 }  // namespace
 
-bool ends_in_g99(const Checker& c, const ProgramFlow& flow) {
+bool means_m99(const Checker& c, const ProgramFlow& flow) {
   constexpr int kG99 = 990;
   const bool returns = c.code.control->calls.roles.value.of_m(99) == Role::Return;
   if (flow.last() == flow.first() || !returns) return false;
+  if (flow.ever_returns() || flow.program() == c.main) return false;
   const Block& block = c.code.blocks[flow.last() - 1];
   if (block.op != Op::Words || (block.mask & ~bit('P')) != 0 || block.m_count != 0) return false;
   bool g99 = false;

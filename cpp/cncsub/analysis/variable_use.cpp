@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cncsub/code/references.hpp"
+#include "cncsub/control/variable_table.hpp"
 
 namespace cncsub {
 
@@ -28,10 +29,16 @@ VariableUses::VariableUses(const Checker& c) : c_(c), programs_(c.flows.size()) 
   share();
 }
 
+std::int64_t VariableUses::own_number(std::int64_t number) const {
+  const VariablePlace place = c_.code.place(number);
+  if (place.range == nullptr || !is_alias(*place.range)) return number;
+  return place.range->from + (number - place.range->first);
+}
+
 Bits VariableUses::bit_of(std::int64_t number, std::vector<std::int32_t>& to) const {
   const VariablePlace place = c_.code.place(number);
   const bool local = place.is_local() && place.index < kMostBits;
-  if (local || place.is_common()) to.push_back(static_cast<std::int32_t>(number));
+  if (local || place.is_common()) to.push_back(static_cast<std::int32_t>(own_number(number)));
   return local ? Bits{1} << place.index : 0;
 }
 
@@ -58,7 +65,16 @@ std::int32_t VariableUses::number_of(std::int32_t local) const {
 }
 
 std::string VariableUses::name_of(std::int32_t number) const {
-  if (number < kFirstNamed) return "#" + std::to_string(number);
+  if (number < kFirstNamed) {
+    const std::string own = "#" + std::to_string(number);
+    for (const PlacedRange& placed : c_.code.variables) {
+      const VariableRange& range = placed.range;
+      const std::int32_t other = range.first + (number - range.from);
+      if (is_alias(range) && other >= range.first && other <= range.last)
+        return "#" + std::to_string(other) + " (" + own + ")";
+    }
+    return own;
+  }
   return "#<" + named_variable(number).name + ">";
 }
 
@@ -101,6 +117,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   VariableUse use;
   use.tests = tests_vacancy(block);
   LocalUse& program = programs_[static_cast<std::size_t>(flow.program())];
+  const bool left_out = c_.code.control->macros.vacant_address.value == VacantAddress::Ignored;
   const bool prints = block.op >= Op::Print && block.op <= Op::NameVariables;
   const std::string_view text = c_.code.files[c_.program(flow.program()).file].text.view();
   for (const VariableReference& each : of.reads) {
@@ -108,8 +125,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
     if (each.asked) program.tested |= own;
     use.read_locals |= prints ? own & ~named_ : own;  // one without a value is printed as such
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
-    const bool alone = is_alone(block, written);
-    if (alone) use.word_locals |= own;
+    if (left_out && is_alone(block, written)) use.word_locals |= own;
   }
   for (const VariableReference& each : of.writes)
     use.written_locals |= bit_of(each, use.writes, use.any);
@@ -165,7 +181,8 @@ TextPlace VariableUses::place_of(Address at, std::int32_t number) const {
   const std::string name = name_of(number);
   for (const VariableReference& each : of.reads) {
     const bool named = each.number < 0 && !each.computed && name == "#<" + each.name + ">";
-    if (each.number == number || named) return each.place;
+    const bool same = !each.computed && each.number >= 0 && own_number(each.number) == number;
+    if (same || named) return each.place;
   }
   return {block.text, block.length};
 }

@@ -18,9 +18,11 @@ constexpr std::int32_t kMostBits = 64;
 struct VariableUse {
   std::vector<std::int32_t> reads, writes;  // locals and commons by number, those with names behind
   Bits read_locals = 0, written_locals = 0;
-  Bits word_locals = 0;  // those of `read_locals` that a word holds alone, or that are copied
-  bool tests = false;    // compares with #0: what it reads may be vacant
-  bool any = false;      // a number is computed, or a name is used
+  // Those of `read_locals` that a word holds alone, or that are copied, where the control leaves
+  // out the word of a vacant one.
+  Bits word_locals = 0;
+  bool tests = false;  // compares with #0: what it reads may be vacant
+  bool any = false;    // a number is computed, or a name is used
 };
 
 /// What one program does with locals, with the subprograms that share them.
@@ -56,6 +58,8 @@ class VariableUses {
 
  private:
   void take(const ProgramFlow& flow, Address at);
+  /// The number of a common that has two, always the same one.
+  std::int64_t own_number(std::int64_t number) const;
   Bits bit_of(std::int64_t number, std::vector<std::int32_t>& to) const;
   Bits bit_of(const VariableReference& of, std::vector<std::int32_t>& to, bool& any) const;
   const NamedVariable& named_variable(std::int32_t number) const;

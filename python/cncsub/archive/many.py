@@ -108,11 +108,12 @@ def check_many(
     setup: Setup | Mapping[str, Any] | None = None,
 ) -> Any:
     """Check every program file of some files and folders: a row for each finding, and one for each
-    file that cannot be read. A file without findings has no row.
+    file that cannot be read. A file without findings has no row, but where it is `foreign`.
 
     `rules` and `setup` are those of `Library.check`, the other arguments those of `run_many`, and
-    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`, `unreadable`
-    or `crashed`), those of a `Finding`, with the number of its alarm, and `error`.
+    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`,
+    `unreadable`, `crashed`, or `foreign` where nothing is found in a language that no control
+    reads), those of a `Finding`, with the number of its alarm, and `error`.
 
     >>> import cncsub
     >>> cncsub.check_many([], control="fanuc-0i-f").column_names[:4]

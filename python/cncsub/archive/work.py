@@ -105,11 +105,15 @@ def _rows(task: Task, job: Job) -> list[Row]:
     try:
         left_out = _left_out(task, library)
         if task.kind == "check":
-            found = finding_rows(task, job, library.check(**task.options), library)
+            language = foreign_language(library, _own_files(job, library))
+            found = finding_rows(task, job, library.check(**task.options), language)
+            if language and not found:
+                found = [bad_row(task, job, "foreign", language)]
             return found + ([bad_row(task, job, "unreadable", left_out)] if left_out else [])
         run = uninterrupted(library.run(**task.options))
         seconds = time.perf_counter() - begun
-        return [_run_row(task, job, run, seconds, left_out, foreign_language(library))]
+        language = foreign_language(library, _own_files(job, library))
+        return [_run_row(task, job, run, seconds, left_out, language)]
     except Exception as error:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
 
@@ -135,6 +139,11 @@ def _library(task: Task, job: Job) -> Library:
         files += outside.rows(True)
     code = _core.compile(task.control, files, task.external is not None)
     return Library(code, names, reading.skipped)
+
+
+def _own_files(job: Job, library: Library) -> list[str]:
+    """The files of a job, without those that lie beside them."""
+    return list(library.files)[: len(job.names)]
 
 
 def _left_out(task: Task, library: Library) -> str:
@@ -175,10 +184,9 @@ def _run_row(
 
 
 def finding_rows(
-    task: Task, job: Job, findings: Sequence[Any], library: Library | None = None
+    task: Task, job: Job, findings: Sequence[Any], language: str | None = None
 ) -> list[Row]:
     """A row for each finding of one job; the first tells a language that no control here reads."""
-    language = None if library is None or not findings else foreign_language(library)
     names = list(CHECK_COLUMNS)[3:-2]
     return [
         (

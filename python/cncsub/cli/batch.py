@@ -32,7 +32,7 @@ from cncsub.escapes import shown
 
 _SHOWN = 20  # of the runs that did not end well, and of the findings, as text
 NOT_DONE = 5  # exit status: no room for processes
-FINE = ("ran", "cycles", "note")
+FINE = ("ran", "cycles", "note", "foreign")
 
 
 class BatchFormat(enum.StrEnum):
@@ -129,7 +129,7 @@ def _tell(rows: Any, format: BatchFormat, severities: Mapping[str, str]) -> dict
             counts[status] = counts.get(status, 0) + 1
             if format is BatchFormat.JSON:
                 typer.echo(json.dumps(row))
-            elif status not in FINE and (told := told + 1) <= _SHOWN:
+            elif (status not in FINE or row["error"]) and (told := told + 1) <= _SHOWN:
                 typer.echo(shown(_line(row)))
     if format is BatchFormat.TEXT:
         from cncsub.archive.store import SKIPPED
@@ -142,7 +142,8 @@ def _line(row: dict[str, Any]) -> str:
     where = "" if row["line"] is None else f":{row['line']}"
     if row.get("rule"):
         named = f"{row['severity']} {row['rule']} {row['name']}"
-        return f"{row['file']}{where}: {named}: {row['message']}"
+        more = f"; {row['error']}" if row["error"] else ""
+        return f"{row['file']}{where}: {named}: {row['message']}{more}"
     alarm = " ".join(row[name] for name in ("number", "cause") if row.get(name))
     why = ": ".join(text for text in (alarm, row["error"]) if text)
     return f"{row['path']}{where}: {row['status']}{' ' + why if why else ''}"

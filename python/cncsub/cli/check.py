@@ -115,9 +115,11 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
         return [finding for finding in found if finding.file not in beside]
 
     found = look(library)
-    if (language := hints.language_beside_findings(library, found, look)) is not None:
+    own = [file for file in library.files if file not in beside]
+    language = hints.language_beside_findings(library, found, look, own)
+    if language is not None:
         print(f"hint: {shown(language)}", file=sys.stderr)
-    else:
+    if language is None or len(own) > 1:
         found = hints.with_ways_past(library, found, look)
     return _Part(library, findings.with_severity(found, dict(project.severity)))
 

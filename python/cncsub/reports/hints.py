@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -25,13 +25,28 @@ from cncsub.sibling_files import files_named, folders_in, folders_of
 MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
 MOST_SECONDS = 1.0
 MOST_TOLD = 3
+MOST_FILES = 200  # whose language is asked
 MOST_TEXT = 20_000  # letters of a program that are looked at
 
 # How programs of other languages look, and the control here that reads them, if there is one.
 _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
-    (r"^ *\d+ +BEGIN PGM\b", "Heidenhain (Klartext)", None),
     (
-        r"^ *(?:N\d+ +)?R\d+ *=|^ *(?:N\d+ +)?M17\b|^%_N_\w+_(?:MPF|SPF)",
+        r"^ *(?:\d+ +)?(?:BEGIN PGM\b|BLK FORM\b|TOOL CALL +\d|CYCL DEF +\d|CALL (?:LBL|PGM)\b"
+        r"|LBL +\d+ *$|FN *\d+ *: *Q|L +[XYZABC][+-]\d|CC +[XY][+-]|CYCL CALL\b)",
+        "Heidenhain (Klartext)",
+        None,
+    ),
+    (
+        r"^ *(?:\d+ +)?UNO\.? +(?:MAT|UNIT)\b|\bINITIAL-Z\b|^ *SNO\.? +TOOL\b"
+        r"|^ *FIG +PTN\b|\bATC +MODE\b",
+        "Mazatrol",
+        None,
+    ),
+    (
+        r"^ *(?:N\d+ +)?R\d+ *=|^ *(?:N\d+ +)?M17\b|^%_N_\w+_(?:MPF|SPF)"
+        r"|^ *(?:N\d+ +)?(?:DEF +(?:INT|REAL|BOOL|CHAR|STRING|AXIS|FRAME)\b|MCALL\b|MSG *\("
+        r"|(?:CYCLE|POCKET|SLOT|LONGHOLE|HOLES)\d* *\(|A?(?:TRANS|ROT) +[XYZ]|PROC +\w|EXTERN +\w)"
+        r"|\bGOTO[FB] +\w|\b[XYZ] *= *(?:R\d|[AI]C *\()",
         "SINUMERIK",
         "siemens-one",
     ),
@@ -126,6 +141,9 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
 # ---- another language ----
 
 
+_NOT_COMPUTED = "code-not-computed"  # the control has it, and a run stops there all the same
+
+
 def _language(
     library: Library, run: Run, alarm: Alarm, mdi: str | None, again: Callable[..., Run]
 ) -> str | None:
@@ -140,7 +158,8 @@ def _language(
             read = again(library.read_for(control), max_blocks=1_000, trace="none")
         except (KeyError, ValueError):  # it has no such program, variable, axis
             continue
-        if read.alarm is None or read.blocks > run.blocks:
+        other = read.alarm
+        if other is None or other.cause == _NOT_COMPUTED or read.blocks > run.blocks:
             return _seems(name, control)
     return None
 
@@ -158,38 +177,70 @@ def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
             yield name, control
 
 
-def foreign_language(library: Library, file: str | None = None) -> str | None:
-    """The language of a file of the memory, or of its first one, where no control here reads it: it
-    is told also where what its blocks seem to say runs. In the words of a hint.
+def foreign_language(library: Library, files: Collection[str] | None = None) -> str | None:
+    """The languages of files of the memory, or of its first one, that no control here reads: they
+    are told also where what their blocks seem to say runs. In the words of a hint.
     """
-    for name, _, source, _ in library.code.sources[:MOST_TOLD]:
-        if file in (None, name):
-            text = source[:MOST_TEXT].decode(errors="replace")
-            found = (_seems(*each) for each in languages_of(text) if each[1] is None)
-            return next(found, None)
-    return None
+    sources = [(name, text) for name, _, text, _ in library.code.sources]
+    if files is None:
+        asked = sources[:1]
+    else:
+        asked = [each for each in sources if each[0] in files][:MOST_FILES]
+    told: dict[str, list[str]] = {}
+    for name, source in asked:
+        text = source[:MOST_TEXT].decode(errors="replace")
+        found = next((known for known, control in languages_of(text) if control is None), None)
+        if found is not None:
+            told.setdefault(found, []).append(name)
+    if len(asked) == 1:
+        return next((_seems(known, None) for known in told), None)
+    return "; ".join(_each_seems(known, of) for known, of in told.items()) or None
+
+
+def _each_seems(language: str, files: list[str]) -> str:
+    more = len(files) - MOST_TOLD
+    named = ", ".join(files[:MOST_TOLD]) + (f" and {more} more" if more > 0 else "")
+    seem = "seems" if len(files) == 1 else "seem"
+    return (
+        f"{named} {seem} to be written in the language of {language}, which no control here reads"
+    )
 
 
 def language_beside_findings(
-    library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
+    library: Library,
+    found: list[Finding],
+    check: Callable[[Library], list[Finding]],
+    files: Collection[str],
 ) -> str | None:
-    """The language of the first file: one that no control here reads, or one as which it is read
-    with fewer errors. In the words of a hint.
+    """The language of the files that were asked for: one that no control here reads, or one as
+    which a file is read with fewer errors. In the words of a hint.
     """
-    if (foreign := foreign_language(library)) is not None or not found:
+    if (foreign := foreign_language(library, files)) is not None or not found:
         return foreign
-    errors = sum(f.count for f in found if f.severity == "error")
-    for _, _, source, _ in library.code.sources[:1]:
-        for name, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
-            if control in (None, library.control.name):
+    others: dict[str, list[Finding]] = {}
+    looked_at = 0
+    for name, _, source, _ in library.code.sources:
+        errors = _errors_in(name, found) if name in files else 0
+        for language, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
+            if not errors or control in (None, library.control.name) or looked_at == MOST_TOLD:
                 continue
+            looked_at += 1
             try:
-                other = check(library.read_for(str(control)))
+                if control not in others:
+                    others[control] = check(library.read_for(control))
             except (KeyError, ValueError):  # it has no such program
                 continue
-            if sum(f.count for f in other if f.severity == "error") < errors:
-                return _seems(name, control)
+            if _errors_in(name, others[control]) < errors:
+                hint = _seems(language, control)
+                return hint if len(files) == 1 else f"{name}: {hint}"
     return None
+
+
+def _errors_in(file: str, found: list[Finding]) -> int:
+    """How many places of a file have errors."""
+    errors = [finding for finding in found if finding.severity == "error"]
+    files = (at for f in errors for at in (f.file, *(place.file for place in f.places)))
+    return sum(at == file for at in files)
 
 
 def other_reading(library: Library, file: str) -> str | None:
