@@ -65,7 +65,9 @@ def test_series_values_and_codes_of_group_00(
 
 
 @pytest.mark.skipif(RS274 is None, reason="rs274 is not installed: Debian package linuxcnc-uspace")
-@pytest.mark.parametrize("kind", ["feed", "units", "modes", "calls", "tools", "held"])
+@pytest.mark.parametrize(
+    "kind", ["feed", "units", "modes", "calls", "tools", "held", "block", "written"]
+)
 def test_blocks_that_are_read_or_refused(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str
 ) -> None:

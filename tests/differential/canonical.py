@@ -45,6 +45,17 @@ class Move:
         return f"{self.kind} {end}" + (f" about {centre}" if centre else "")
 
 
+@dataclass(frozen=True)
+class Lost:
+    """From where on rs274 does not know what a machine would have told it: how many moves and
+    messages stand before, and why.
+    """
+
+    moves: int
+    messages: int
+    why: str
+
+
 @dataclass
 class Output:
     """What a run of rs274 made; `blocks`: the sequence numbers of its calls, in order."""
@@ -55,6 +66,7 @@ class Output:
     errors: list[str] = field(default_factory=list)  # the message, and the block behind it
     tolerance: float = TOLERANCE  # of what is printed, in mm
     probes_at: int | None = None  # how many moves stand before the first probe
+    lost: Lost | None = None
 
     @property
     def travel(self) -> list[Move]:
@@ -71,7 +83,7 @@ class Output:
 def read_output(stdout: str, stderr: str = "") -> Output:
     """What stands in the two outputs of rs274."""
     made = Output(errors=[line for line in stderr.splitlines() if line != "executing"])
-    unit, axes = 1.0, "XYZ"
+    unit, axes, has_length = 1.0, "XYZ", False
     for line in stdout.splitlines():
         call = _CALL.match(line)
         if call is None:
@@ -80,9 +92,13 @@ def read_output(stdout: str, stderr: str = "") -> Output:
         n, name, inner = call.groups()
         if n.isdigit():
             made.blocks.append(int(n))
+        if made.lost is None and (why := _asks_machine(name, inner, unit, has_length)):
+            made.lost = Lost(len(made.moves), len(made.messages), why)
         if name == "USE_LENGTH_UNITS":
             unit = 25.4 if "INCHES" in inner else 1.0
             made.tolerance = max(made.tolerance, INCH_TOLERANCE if unit > 1 else 0)
+        elif name == "USE_TOOL_LENGTH_OFFSET":
+            has_length = any(map(float, re.findall(r"[-\d.]+", inner)))
         elif name == "SELECT_PLANE":
             axes = _PLANES.get(inner[-2:], axes)  # it knows no plane of U, V, W
         elif name == "MESSAGE":
@@ -101,6 +117,22 @@ def read_output(stdout: str, stderr: str = "") -> Output:
         elif name == "ARC_FEED":
             made.moves.append(_arc(_numbers(inner), axes, unit))
     return made
+
+
+def _asks_machine(name: str, inner: str, unit: float, has_length: bool) -> str:
+    """What rs274 asks of its machine in this call, where the answer is not a machine's; or nothing.
+
+    [saicanon.cc: GET_EXTERNAL_TOOL_LENGTH_ZOFFSET tells the length in the unit it was given in;
+    GET_EXTERNAL_POSITION_Z, which is asked after a tool change, tells the place without a length,
+    and before a move that waits; CHANGE_TOOL(0) and CHANGE_TOOL_NUMBER leave the tool where it is]
+    """
+    if has_length and name == "USE_LENGTH_UNITS" and (unit > 1) != ("INCHES" in inner):
+        return "a change of units under a tool length"
+    if has_length and name == "CHANGE_TOOL":
+        return "a tool change under a tool length"
+    if name == "CHANGE_TOOL_NUMBER":
+        return "M61"
+    return "M6 of no tool" if name == "CHANGE_TOOL" and inner == "0" else ""
 
 
 def is_call(line: str) -> bool:

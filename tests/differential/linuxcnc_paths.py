@@ -10,16 +10,20 @@ and calls subprograms of such lines with computed words. It prints positions and
 have a mistake. Compared are the moves of the tool in work coordinates, the messages, and at which
 of them the run stopped; where both stopped in other words, that is counted.
 
-Not compared is what rs274 still moves in a block that it then refuses: cncsub refuses it whole. Left
-out is what rs274 does not do as a machine would: where a probing move leaves the tool (it stops a
-hundredth of an inch short of its end), the path of splines (it tells how many points they have, and
-reads one beyond them), U, V and W, which it does not know, what a tool length is behind a change of
-units or of the tool, for which it asks a machine, G43.2 by axis words, where it looks for tool -1,
-G88, where the operator draws back, a work system that is turned under a shift of G92, of which it
-loses sight where the tool is, a peck that ends at the bottom but for rounding, taps outside of G17 in
-series, G90 and G91 between the holes of careful programs, tools that no table has, which a setup
-need not list, M61 under compensation, where it asks a machine where the tool stands while a move still
-waits, and M6 of T0 and M61 of another tool, which leave the tool of its carousel where it was. Careful programs, of which `--together` makes one, have nothing of the kinds held and
+Not compared is what rs274 still moves in a block that it then refuses: cncsub refuses it whole.
+
+Compared up to there alone, and counted by that name, is what follows where rs274 asks its machine
+and is answered otherwise than by one [canonical.py: _asks_machine]: a change of units or of the tool
+under a tool length, M61, and M6 of T0.
+
+Left out of the programs is what rs274 does not do as a machine would: where a probing move leaves
+the tool (it stops a hundredth of an inch short of its end), the path of splines (it tells how many
+points they have, and reads one beyond them), U, V and W, which it does not know, G43.2 by axis
+words, where it looks for tool -1, G88, where the operator draws back, a work system that is turned
+under a shift of G92, of which it loses sight where the tool is, a peck that ends at the bottom but
+for rounding, taps outside of G17 in series, G90 and G91 between the holes of careful programs, tools
+that no table has, which a setup need not list, and words beside M72, which it loses where a mode is
+taken back. Careful programs, of which `--together` makes one, have nothing of the kinds held and
 tools, and of block only what never stops; by themselves programs have all of it.
 """
 
@@ -415,6 +419,7 @@ class Outcome:
     messages: list[str]
     error: str
     tolerance: float = 0.0  # of what is printed, in mm
+    lost: str = ""  # why it goes on, but not as a machine would
 
 
 def tool_moves(run: cncsub.Run) -> list[Move]:
@@ -462,8 +467,12 @@ class Rs274:
         made = self.interpreter.run()
         if made is None:
             return None
+        error, lost = (made.errors or [""])[0].rstrip(), made.lost
+        if lost is not None:
+            made.moves, made.messages = made.moves[: lost.moves], made.messages[: lost.messages]
+            error = ""
         messages = [m.rstrip() for m in made.messages if not canonical.is_call(m)]
-        return Outcome(made.moves, messages, (made.errors or [""])[0].rstrip(), made.tolerance)
+        return Outcome(made.moves, messages, error, made.tolerance, lost.why if lost else "")
 
 
 def difference(ours: Outcome, theirs: Outcome) -> str:
@@ -482,6 +491,9 @@ def difference(ours: Outcome, theirs: Outcome) -> str:
     for said, wanted in zip(ours.messages, theirs.messages):
         if not same_message(said, wanted, blur):
             return f"says {said!r} instead of {wanted!r}"
+    if theirs.lost:
+        less = len(one) < len(other) or len(ours.messages) < len(theirs.messages)
+        return f"stops by {ours.error!r} before {theirs.lost}" if less else ""
     if bool(ours.error) != bool(theirs.error):
         return f"stops by {ours.error!r} instead of {theirs.error!r}"
     refused = ours.error and theirs.error and len(one) < len(other)
@@ -494,12 +506,13 @@ def difference(ours: Outcome, theirs: Outcome) -> str:
 
 def same_message(one: str, other: str, blur: float) -> bool:
     unit = INCH if one.startswith("m ") and other.startswith("m ") else 1
+    shown = 1e-4 * unit  # rs274 shows what is below as 0 [interp_convert.cc: convert_param_comment]
     try:
         ours, theirs = (list(map(float, text.removeprefix("m ").split())) for text in (one, other))
     except ValueError:
         return one == other
     pairs = list(zip(ours, [unit * value for value in theirs], strict=True))
-    return all(abs(a - b) <= max(blur, 2e-5) for a, b in pairs)
+    return all(abs(a - b) <= (max(blur, 2e-5) if b else max(blur, shown)) for a, b in pairs)
 
 
 @dataclass
@@ -508,6 +521,7 @@ class Report:
     longer: int = 0  # than the time that a run gets
     moves: int = 0
     stopped: int = 0
+    lost: Counter[str] = field(default_factory=Counter)  # compared up to there alone
     worded: Counter[str] = field(default_factory=Counter)  # stops in other words than rs274's
     different: list[int] = field(default_factory=list)
 
@@ -515,6 +529,7 @@ class Report:
         lines = [
             f"{self.programs} programs, {self.moves} moves, {self.stopped} stopped by a mistake,"
             f" {self.longer} left out as too long, {len(self.different)} different",
+            *(f"    {count:>6}  compared up to {why}" for why, count in self.lost.most_common()),
             *(f"    {count:>6}  {words}" for words, count in self.worded.most_common(20)),
         ]
         return "\n".join(lines)
@@ -547,14 +562,16 @@ def judge(
         return
     ours = on_cncsub(text)
     found = difference(ours, theirs)
-    if found and len(many) > 1:
+    if (found or theirs.lost) and len(many) > 1:
         for place in many:
             judge(report, seed, range(place, place + 1), rs274, together, kinds)
         return
     report.programs += len(many)
     report.moves += len(theirs.moves)
     report.stopped += bool(theirs.error)
-    if not found and ours.error != theirs.error:
+    if theirs.lost:
+        report.lost[theirs.lost] += 1
+    if not found and not theirs.lost and ours.error != theirs.error:
         report.worded[f"{ours.error!r} instead of {theirs.error!r}"] += 1
     if found:
         report.different.append(many.start)

@@ -93,6 +93,7 @@ constexpr FaultWords kFaultWords[] = {
     {Cause::CompensationEndMode, "radius"},
     {Cause::CompensationNoMove, "radius"},
     {Cause::CompensationPlane, "plane"},
+    {Cause::CompensationWrongPlane, "radius"},
     {Cause::CompensationNoIntersection, "axis motion"},
     {Cause::CompensationInterference, "axis motion"},
     {Cause::CompensationArcTooSmall, "R CR I J K axis"},

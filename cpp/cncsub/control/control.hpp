@@ -173,6 +173,7 @@ enum class VariableKind : std::uint8_t {
   AxisWorkOffset,   // #2500...: 100 numbers an axis, the first of them external
   Shift,            // #5210...: whether the shift of G92 counts, and the shift
   ReferencePoint,   // #5161...: 20 numbers a reference point
+  MessageSwitch,    // #5599: 1 until it is written
   WorkSystem,       // #5220: which work system is in force
   ExtraWorkOffset,  // #7001...: G54.1 P1...
   LengthWear,       // tool offsets
@@ -196,7 +197,8 @@ struct VariableRange {
   // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
   // begin before these: how many are missing.
   std::int32_t from = 0;
-  bool metric = false;  // lengths are millimetres, whatever the unit of the program
+  bool metric = false;           // lengths are millimetres, whatever the unit of the program
+  bool not_compensated = false;  // no program reads it while a radius is compensated
 };
 
 /// Variables that a shop buys. Common ones: `commons` are all that a control with the option has;

@@ -11,6 +11,7 @@
 #include "cncsub/machine/ends.hpp"
 #include "cncsub/machine/expressions.hpp"
 #include "cncsub/machine/limits.hpp"
+#include "cncsub/machine/variables.hpp"
 
 namespace cncsub {
 
@@ -108,9 +109,16 @@ std::string shown(const Run& run, const Print& print, const PrintField& field, d
       std::clamp(std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
 }
 
+bool is_shown(const Run& run, const Print& print) {
+  double value = 1;
+  if (print.shown_if != 0) read_variable(run, print.shown_if, run.state.level, value);
+  return value > 0;
+}
+
 }  // namespace
 
 bool print(Run& run, const Print& print) {
+  if (!is_shown(run, print)) return true;
   std::string line;
   std::size_t left = kLongText;
   for (const PrintField& field : print.fields) {

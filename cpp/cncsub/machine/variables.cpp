@@ -7,6 +7,7 @@
 
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
+#include "cncsub/motion/query.hpp"
 
 namespace cncsub {
 
@@ -160,6 +161,8 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
       return active_word(run, place.range->address);
     case VariableKind::ParameterValue:
       return chosen_parameter(run);
+    case VariableKind::MessageSwitch:
+      return in(s.system, 1);
     default:
       if (const auto value = written_over(run, number)) return *value;
       if (const auto value = of_motion(run.motion.view(), place))
@@ -264,6 +267,9 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
   }
   if (place.kind == VariableKind::Hours) run.state.taken.time = true;
   if (place.range != nullptr && is_of_outside(place.kind)) run.state.taken.asked = number;
+  if (place.range != nullptr && place.range->not_compensated && compensating(run.motion.state()))
+    return Fault{.cause = Cause::CompensationPosition,
+                 .detail = "#" + std::to_string(number) + " is read under radius compensation"};
   return read_at(run, place, number, run.state.level, value);
 }
 

@@ -225,8 +225,6 @@ bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
 
 /// The motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
-  if (auto fault = unused_word(run.motion.view(), words))
-    return alarm_of_motion(run, std::move(*fault));
   words.ends = block.op == Op::EndProgram && ends_the_run(run);
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
@@ -286,6 +284,8 @@ bool carry_out(Run& run, const Block& block) {
   if (!decode(run, block, run.state.pc, words)) return false;
   if (run.heard != nullptr) hear(run, block, words);
   if (run.block.together != nullptr && !set_together(run)) return false;
+  if (auto fault = unused_word(run.motion.view(), words))
+    return alarm_of_motion(run, std::move(*fault));
   if ((words.codes->roles & kSavingRoles) != 0 && !change_saved_modes(run, words)) return false;
   const bool moved = words.has(Role::RestoreModes) ? move_behind_modes(run, block, words)
                                                    : move(run, block, words);

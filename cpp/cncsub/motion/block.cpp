@@ -124,6 +124,8 @@ Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
 }
 
 Result make_motion(MotionContext& m, BlockWords& block) {
+  // It holds for its block; the mode before it goes on. [rs274 2.9: convert_spline]
+  if (block.meaning(Group::Motion) == Meaning::Spline) return spline(m, block);
   take_motion_code(m, block);
   if (block.has(Group::Cycle)) {
     if (auto wrong = enter_cycle(m, block)) return wrong;
@@ -151,8 +153,6 @@ Result make_motion(MotionContext& m, BlockWords& block) {
       return thread(m, block, meaning);
     case Meaning::Skip:
       return skip(m, block);
-    case Meaning::Spline:
-      return spline(m, block);
     case Meaning::DriveLineThread:
       return drive_line_thread(m, block);
     default:
@@ -175,7 +175,7 @@ Result act(MotionContext& m, BlockWords& block) {
   if (leaves_axes(m.facts, block)) {
     if (auto wrong = one_shot(m, block)) return wrong;
     if (auto wrong = change_shift_beside(m, block)) return wrong;
-    return has_motion(block) ? make_motion(m, block) : std::nullopt;
+    return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
   }
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);

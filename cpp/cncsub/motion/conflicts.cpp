@@ -62,12 +62,17 @@ bool names_axis(const Block& b) {
          std::any_of(kAxisNames.begin(), kAxisNames.end(),
                      [&](char axis) { return b.words.has(axis); });
 }
+/// Whether the axis words are lengths of the tool, where no motion code of the block moves by them.
+bool gives_length(const Block& b) {
+  return b.has(Group::Length) && b.code(Group::Length).which == 1 && !b.has(Group::Motion) &&
+         !b.has(Group::Cycle);
+}
 /// Whether a block makes a straight move by its own code, or by its axes in the mode in force.
 bool makes_line(const State& s, const Block& b) {
   if (b.has(Group::Cycle)) return false;
   if (b.has(Group::Motion)) return b.meaning(Group::Motion) <= Meaning::Line;
   const Meaning mode = s.modal[at(Group::Motion)].meaning;
-  return !b.was_cycle && !s.no_motion && mode <= Meaning::Line && names_axis(b);
+  return !b.was_cycle && !s.no_motion && mode <= Meaning::Line && names_axis(b) && !gives_length(b);
 }
 bool stops(const Block& b) {
   return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
@@ -255,6 +260,11 @@ constexpr Conflict kConflicts[] = {
        return drills && feed == Meaning::InverseTime && names_axis(b);
      },
      true},
+    {Cause::CompensationWrongPlane,
+     [](const State& s, const Block& b) {
+       return b.has(Group::Radius) && b.meaning(Group::Radius) != Meaning::RadiusOff &&
+              plane(s, b) == Plane::YZ;
+     }},
     {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false, nullptr,
      &MotionRules::m_codes_not_compensated, Compensated::Before},
     {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false,
@@ -343,7 +353,7 @@ const GCode* mode_of(const State& s, const Block& b) {
   const bool own = does(b, Meaning::SetData) || returns(b) || does(b, Meaning::SetCoordinate) ||
                    does(b, Meaning::SetShift) || does(b, Meaning::Local);
   const GCode& mode = b.was_cycle ? s.cycle.code : s.modal[at(Group::Motion)];
-  if (names_axis(b)) return own ? nullptr : &mode;
+  if (names_axis(b)) return own || gives_length(b) ? nullptr : &mode;
   return !own && !b.was_cycle && is_arc(mode.meaning) && (b.words.mask & kCentreWords) != 0
              ? &mode
              : nullptr;

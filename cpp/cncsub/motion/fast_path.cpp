@@ -130,7 +130,8 @@ CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const Motion
   const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b),
              across = static_cast<std::size_t>(plane.across);
   const bool helix = (mask & bit(kAxisNames[across])) != 0;
-  if (arc.centre[across] != 0 || (helix && rules.helix.value == Helix::Refused)) return false;
+  const bool off_plane = (mask & bit("IJK"[across])) != 0;
+  if (off_plane || (helix && rules.helix.value == Helix::Refused)) return false;
   if ((mask & bit('R')) != 0 &&
       !find_centre(facts, {arc.end[a] - s.work[a], arc.end[b] - s.work[b]}, radius, plane, arc))
     return false;

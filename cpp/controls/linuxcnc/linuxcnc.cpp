@@ -25,6 +25,7 @@ void language(Control& c) {
       "59.3 61 61.1 64 70 71 71.1 71.2 72 72.1 72.2 73 74 76 80 81 82 83 84 85 86 87 88 89 90 90.1 "
       "91 91.1 92 92.1 92.2 92.3 93 94 95 96 97 98 99",
       kOverview, Manual};
+  c.reading.repeated_address = {RepeatedAddress::Alarm, kRun, SourceDocument};
   c.reading.missing_end = {MissingEnd::Alarm, kRun, SourceDocument};
   c.calls.max_nesting = {9, kRun, SourceDocument};
   give_role(c.calls.roles, "M70", Role::SaveModes, kMCode, Manual);
@@ -73,7 +74,8 @@ void motion(Control& c) {
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
-       CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution},
+       CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution,
+       CompensationWrongPlane, ArcAxis},
       kRun, SourceDocument);
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};
@@ -116,7 +118,10 @@ void variables(Control& c) {
   add(5400, 5409, Kind::ToolLength, Access::ReadOnly, 0, -1);  // the first is the tool itself
   add(5410, 5419, Kind::Kept, Access::ReadOnly);
   add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
-  add(5429, 5601, Kind::Kept, Access::ReadWrite);
+  c.variables.back().not_compensated = true;
+  add(5429, 5598, Kind::Kept, Access::ReadWrite);
+  add(5599, 5599, Kind::MessageSwitch, Access::ReadWrite);
+  add(5600, 5601, Kind::Kept, Access::ReadWrite);
   for (VariableRange& range : c.variables)
     range.metric = range.kind == Kind::WorkOffset || range.kind == Kind::ToolLength ||
                    range.kind == Kind::Shift || range.kind == Kind::ReferencePoint ||
@@ -127,7 +132,7 @@ void variables(Control& c) {
   add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
   add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
   add(15020, 15025, Kind::MachinePosition, Access::ReadOnly);
-  add(15040, 15045, Kind::WorkPosition, Access::ReadOnly);
+  add(15040, 15048, Kind::WorkPosition, Access::ReadOnly);
 }
 
 /// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
@@ -154,6 +159,8 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {CommentNotClosed, "Unclosed comment found"},
     {BlockTooLong, "Command too long"},
     {CompensationPlane, "Cannot change planes with cutter radius compensation on"},
+    {CompensationWrongPlane, "Cutter radius compensation allowed only in XY, XZ planes"},
+    {CompensationPosition, "Cannot read current position with cutter radius compensation on"},
     {CompensationCycle, "Cannot use canned cycles with cutter compensation on"},
     {MotionWordMissing, "All axes missing with motion code"},
     {ModesNotSaved, "Cannot restore context from invalid stack frame - missing M70/M73?"},

@@ -41,4 +41,10 @@ case("a radius alone has no direction at the zero point", **RUN,
 case("G5 is a curve to its end by the directions at both ends", **BOOK,
      program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 M2", final_work="X4 Y0", time=6.7436)
 case("behind it one without I and J goes on in its direction", **BOOK,
-     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 P0 Q-3 X8 Y0\nN40 M2", final_work="X8 Y0", time=13.4872)
+     program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 G5 P0 Q-3 X8 Y0\nN40 M2", final_work="X8 Y0", time=13.4872)
+for _code in ("G5 X9 Y1 I1 J1 P0 Q-1", "G5.1 X9 Y1 I1 J1"):
+    case(f"{_code} holds for its block, and the mode before goes on", **{**BOOK, "source": "rs274 2.9"},
+         program=f"N10 G1 X5 F100\nN20 {_code}\nN30 (print,#<_motion_mode>)\nN40 X3\nN50 M2",
+         messages=["10.000000"], final_work="X3 Y1")
+    case(f"where none was in force, none is after {_code}", **{**BOOK, "source": "rs274 2.9"},
+         program=f"N10 F100\nN20 {_code}\nN30 X3\nN40 M2", runs="N10 N20", alarm="no-motion-code", word="X3")

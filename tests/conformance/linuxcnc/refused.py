@@ -33,12 +33,16 @@ case("a thread has no feed of its own", **RUN,
      program="N10 M3 S1\nN20 G33 Z-1 K1 F1\nN30 M2", runs="N10", alarm="address-not-usable", word="F1")
 case("a dwell does not share its P with an arc", **RUN,
      program="N10 G2 G4 X2 I1 P1 F1\nN20 M2", runs="", alarm="one-shot-with-motion", word="G4")
-for _word in ("H1", "D1", "E1", "I1", "K1", "Q1", "R1"):
+for _word in ("H1", "D1", "E1", "I1", "J1", "K1", "Q1", "R1", "D1 I1 J1"):
     case(f"M98 takes no {_word}", **RUN, program=f"N10 M98 P1 {_word}\nN20 M2\nO1\nN30 M99",
-         runs="", alarm="address-not-usable", word=_word)
+         runs="", alarm="address-not-usable", word=_word.split()[0])
 
 case("a G code that is computed is refused at its own word", **RUN,
      program="N10 X3 G[2*100]\nN20 M2", runs="", alarm="g-code-not-available", at="MAIN N10", word="G[2*100]")
+
+for _line in ("G[0+1] G[1+1] X1 I1", "G0 G[1+1] X1 I1", "G[1] G0 X1", "G17 G[9+9]"):
+    case(f"{_line} are codes of one group, computed or not", **RUN,
+         program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="address-given-twice")
 
 # ---- G53 ----
 
@@ -93,11 +97,24 @@ for _code in ("G90", "G91.1", "M3", "M8", "S5", "T2", "F5", "G4 P1", "G17", "G94
 case("G92.1 does nothing there", **RUN, setup=D1,
      program="N10 G92 X0\nN20 G52 X3\nN30 G41 D1 G1 X5 F100\nN40 G92.1\nN50 G1 X9\nN60 M2", final_work="X9")
 
+for _line in ("#1=#5420", "X#5421", "G40 X[#5428+9]", "#1=##2"):
+    case(f"a program does not read a position there: {_line}", **RUN, setup=D1,
+         program=f"N10 #2=5422\nN20 G41 D1 G1 X5 F100\nN30 {_line}\nN40 M2", runs="N10 N20", alarm="position-in-offset")
+case("whether there is one it may ask, and a message tells it", **RUN, setup=D1,
+     program="N10 G41 D1 G1 X5 F100\nN20 Y5\nN30 #1=EXISTS[#5420]\nN40 (print,#5420 #1)\nN50 M2", messages=["4.000000 1.000000"])
+case("beside G41 it reads the one before", **RUN, setup=D1,
+     program="N10 G0 X3\nN20 G41 D1 G1 X[#5420+5] F100\nN30 Y5\nN40 M2", centre="X3 | X7 Y1 | X7 Y5")
+
 # ---- beside G40 to G42, which come before the block's other codes ----
 
 for _code in ("G55", "G28", "G61", "G64", "G99", "G92 X1"):
     case(f"{_code} does not stand beside G41", pins="codes_not_compensated", **RUN, setup=D1,
          program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="code-in-offset", word="G41")
+for _code in ("G28.1", "G30.1"):
+    case(f"{_code} stores no point beside G41", **RUN, setup=D1,
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word="G41")
+    case(f"{_code} stores one beside G40", **RUN, setup=D1,
+         program=f"N10 G41 D1 G1 X5 F100\nN20 G40 {_code}\nN30 M2", runs="N10 N20 N30")
 for _code in ("G43", "G49"):
     case(f"{_code} neither", **RUN, setup=D1,
          program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word="G41")
@@ -114,6 +131,28 @@ case("L0 lies no way", **RUN, program="N10 G18\nN20 G41.1 D2 L0\nN30 M2", runs="
 for _line, _word in (("G19 G2 I1", "I1"), ("G18 G3 J1", "J1"), ("G17 G2 K1", "K1"), ("G19 G93 G2 I1 F5", "I1")):
     case(f"{_line} has a centre outside of its plane", **RUN,
          program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="arc-axis-not-in-plane", word=_word)
+for _line, _word in (("G2 X2 I1 K0", "K0"), ("G18 G3 X2 I1 J0", "J0"), ("G19 G2 Y2 J1 I0", "I0")):
+    case(f"at 0 too: {_line}", pins="refuses:arc-axis-not-in-plane", **RUN,
+         program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="arc-axis-not-in-plane", word=_word)
+case("where the arc goes on by its centre as well", **RUN,
+     program="N10 G2 X2 I1 F100\nN20 K0 I1\nN30 M2", runs="N10", alarm="arc-axis-not-in-plane", word="K0")
+for _line in ("G19 G41", "G42 G19 M51", "G19 G41.1 D1", "G42.1 D2 G19 X5"):
+    case(f"the plane of Y and Z has no radius compensation: {_line}", pins="refuses:offset-in-wrong-plane", **RUN,
+         program=f"N10 G0 X1\nN20 {_line}\nN30 M2", runs="N10", alarm="offset-in-wrong-plane", word=next(w for w in _line.split() if w.startswith("G4")))
+case("there it may end", **RUN, program="N10 G19\nN20 G40\nN30 M2", runs="N10 N20 N30")
+for _code in ("G4 P1", "G28.1", "G92.1", "G92.3"):
+    case(f"beside {_code} the axes of G43.1 are its own too", **RUN,
+         program=f"N10 G0 X1 Z5\nN20 {_code} G43.1 Z4\nN30 G90\nN40 (print,#<_z>)\nN50 M2", messages=["1.000000"], final_machine="X1 Z5")
+case("a motion code moves by them as well", **RUN,
+     program="N10 G0 X1 Z5\nN20 G0 G43.1 Z4\nN30 M2", final_work="X1 Z4", final_machine="X1 Z8")
+case("a drilling code too", **RUN,
+     program="N10 G0 X1 Z5 F100\nN20 G81 G43.1 Z4 R6\nN30 M2", final_machine="X1 Z10", moves="R X1 Z5\nR Z6\nF Z4\nR Z6")
+case("a word that nothing uses is seen before M72 takes modes back", **RUN, setup=D1,
+     program="N10 M70\nN20 G41 D1 G1 X5 F100\nN30 M72 Y5 D3\nN40 M2", runs="N10 N20", alarm="address-not-usable", word="D3")
+case("no straight move is made by them for G53", **RUN,
+     program="N10 G0 X1 Z5\nN20 G53 G43.1 Z4\nN30 M2", runs="N10", alarm="machine-move-without-line", word="G53")
+case("nor has an arc words by them", **RUN,
+     program="N10 G2 X2 I1 F100\nN20 G43.1 Z4 I1\nN30 M2", runs="N10", alarm="address-not-usable", word="I1")
 for _code in ("G2", "G3", "G99 G3"):
     case(f"{_code} alone is no arc", **RUN, program=f"N10 F100\nN20 {_code}\nN30 M2", runs="N10", alarm="no-radius", word=_code.split()[-1])
 case("under G96 a feed per minute needs no speed", **RUN,

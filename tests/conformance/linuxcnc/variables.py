@@ -93,3 +93,10 @@ case("#<_abs_x> is the machine position, #<_x> the one in the work system", **RU
 case("named variables tell the modes", **RUN,
      program="N10 G55 G99\nN15 G41.1 D1\nN20 (print,#<_coord_system> #<_retract_r_plane> #<_ccomp> #<_units_per_rev>)\nN30 M2",
      messages=["550.000000 1.000000 411.000000 0.000000"])
+case("#5599 at 0 or below silences (debug,), and not (print,) and (msg,)", **RUN,
+     program="N10 (debug,a #5599)\nN20 #5599=0\nN30 (debug,b)\nN40 (print,c #5599)\nN50 (msg,d)\nN60 #5599=-1\nN70 (debug,e)\n"
+     "N80 #5599=0.5\nN90 (debug,f)\nN100 M2",
+     messages=["a 1.000000", "c 0.000000", "d", "f"])
+for _name in ("_x", "_abs_z", "_metric", "_task", "_value", "_value_returned", "_line", "_vmajor", "_current_tool", "_u"):
+    case(f"#<{_name}> is not assigned to", **RUN,
+         program=f"N10 #<{_name}>=5\nN20 M2", runs="", alarm="variable-write-protected")

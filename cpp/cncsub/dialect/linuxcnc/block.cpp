@@ -21,6 +21,8 @@ WordValue word_of(const Value& value, double factor = 1) {
   return {value.computed, value.expression, value.number * factor};
 }
 
+constexpr std::int32_t kMessageSwitch = 5599;  // (DEBUG,...) says nothing where it is 0 or below
+
 constexpr int kCycleOff = 800;  // in tenths
 
 /// A byte beyond ASCII is shown by its number. [rs274 2.9]
@@ -291,7 +293,10 @@ bool BlockReader::comment(Block& block, Words& words) {
   if (begins("MSG,")) {
     words.print.emplace();
     words.print->fields.push_back({.text = std::string(said)});
-  } else if (begins("DEBUG,") || begins("PRINT,")) {
+  } else if (begins("DEBUG,")) {
+    message(said, at, words.print.emplace());
+    words.print->shown_if = kMessageSwitch;
+  } else if (begins("PRINT,")) {
     message(said, at, words.print.emplace());
   } else if (begins("ABORT,")) {
     message(said, at, words.print.emplace());

@@ -7,7 +7,7 @@
 namespace cncsub {
 
 const std::string_view linuxcnc_rules =
-    "refuses power_on reset_clears missing_end g_codes "
+    "refuses repeated_address power_on reset_clears missing_end g_codes "
     "self_call caller_call max_nesting max_total_nesting roles main_return end_in_subprogram "
     "machine g_meanings modal_groups power_on_feed rapid_rate max_feed "
     "arc_rounding arc_tolerance_share no_radius negative_radius helix "

@@ -10,6 +10,9 @@ namespace cncsub::linuxcnc {
 
 namespace {
 
+constexpr std::int64_t kFirstPosition = 5420, kLastPosition = 5428;
+constexpr std::int64_t kPositionShown = 15040;  // the same, beyond what programs can name
+
 /// The place of a name among Code::named_variables.
 std::uint32_t named(Builder& to, const std::string& name) {
   return to.names().variable(name, name.starts_with('_'));
@@ -45,7 +48,8 @@ bool push_built_in(Builder& to, const Line& line, const std::string& name) {
 }  // namespace
 
 bool is_read_only(std::int64_t number) {
-  return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
+  return (number >= 5400 && number <= 5413) ||
+         (number >= kFirstPosition && number <= kLastPosition);
 }
 
 std::optional<std::int64_t> ExpressionReader::variable_number(std::size_t place) {
@@ -181,6 +185,10 @@ bool ExpressionReader::shown(Value& value) {
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (number >= kFirstPosition && number <= kLastPosition) {  // a message tells it at any time
+    push_load(to_, line_, number - kFirstPosition + kPositionShown);
+    return finish(value, at);
+  }
   if (digits.size() > 9 || !to_.code().can_name(number, kLastVariable))
     emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
   else

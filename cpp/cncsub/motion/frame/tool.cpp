@@ -45,7 +45,8 @@ void give_length(MotionContext& m, BlockWords& block, bool add) {
   for (std::size_t i = 0; i < length.size(); ++i)
     if (const char name = kAxisNames[i]; block.words.has(name)) {
       length[i] = number(m, block, name) + (add ? length[i] : 0);
-      block.consumed = !block.has(Group::Motion);  // whose words they are too [rs274 2.9]
+      // A motion code of the block has them too. [rs274 2.9]
+      block.consumed = !block.has(Group::Motion) && !block.has(Group::Cycle);
     }
   m.state.length = in_frame(m.state, length);
 }

@@ -181,8 +181,8 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
     return outside(std::countr_zero(beyond),
                    m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   const char word = kCentreNames[static_cast<std::size_t>(across)];
-  if (!radius && block.words.has(word) && block.words[word] != 0)
-    return fault_at(word, Cause::ArcAxis, block);
+  const bool counts = block.words[word] != 0 || m.facts.refuses(Cause::ArcAxis);
+  if (!radius && block.words.has(word) && counts) return fault_at(word, Cause::ArcAxis, block);
   return std::nullopt;
 }
 
