@@ -351,6 +351,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "an argument that is no length": ("", "O1\nN10 G0 X0.5\nN20 G65 P2 H5\n" + END + "O2\nN40 G0 X#11\nN50 M99\n", ""),
     "an argument where a number is millimetres": ("mitsubishi-m800", "O1\nN10 G0 X0.5\nN20 G65 P2 A5\n" + END + "O2\nN40 G0 X#1\nN50 M99\n", ""),
     # IF without THEN
+    "the end of a loop whose head is refused": (
+        "", "O1\nN10 WH[[#500 GE 1]AND[#501 GE 2]]DO1\nN20 G0 X1.\nN30 END1\n" + END, "CS101 N10"),
+    "the ELSE of an IF that is refused": (
+        "mitsubishi-m800", "O1\nN10 IF[#500 EQ ]THEN\nN20 G0 X1.\nN30 ELSE\nN40 G0 X2.\nN50 ENDIF\n" + END, "CS101 N10"),
     "conditions that are joined where the control joins none": (
         "", "O1\nN10 IF[[#500 EQ 1]AND[#501 EQ 2]]GOTO 90\n" + END, "CS101 N10"),
     "what a refused assignment would have set": ("", "O1\nN10 #1=[2+3\nN20 G0 X[#1+1.]\n" + END, "CS101 N10"),
@@ -411,6 +415,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "L of M99": ("fanuc-16i", "O1\nN10 M98 P2\nN20 M30\nO2\nN5 M99 L2\n", "CS704 N5"),
     "L of M99 that counts": ("fanuc-0i-f", "O1\nN10 M98 P2\nN20 M30\nO2\nN5 M99 L0\n", ""),
     "M198 on a control without a device": ("hnc-21m", "%1\nN10 M198 P5\n" + END, "CS707 N10"),
+    "what M97 would call elsewhere": ("", "O1\nN10 M97 P20\nN15 M30\nN20 G0 X1.\nN30 M99\n", "CS707 N10"),
     "M97 that calls": ("haas-ngc", "O1\nN10 M97 P20\nN15 M30\nN20 M99\n", ""),
     "M97 that jumps": ("mitsubishi-meldas", "O1\nN10 G4 P1\n" + END, ""),
     "M198 of LinuxCNC is a code of the machine's own": ("linuxcnc", "M198 P5\nM2\n", ""),
@@ -479,6 +484,12 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 #1=0\nN20 #1=#1+0.1\nN30 IF[#1 GT 1.05]GOTO 90\nN40 GOTO 20\n" + END, ""),
     "a loop whose counter is rounded": (
         "", "O1\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN30 #1=ROUND[#1*10+1]/10\nN40 END1\n" + END, ""),
+    "a loop whose step and limit are variables": (
+        "", "O1\nN5 #2=0.1\nN6 #3=1.\nN10 #1=0\nN20 WHILE[#1 LT #3]DO1\nN30 G0 X#1\nN40 #1=#1+#2\nN50 END1\n" + END, "CS711 N20"),
+    "a loop whose step changes": (
+        "", "O1\nN5 #2=0.1\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN30 #2=#2*2\nN40 #1=#1+#2\nN50 END1\n" + END, ""),
+    "a loop whose step is an argument": (
+        "", "O1\nN5 G65 P2 B0.1\nN6 M30\nO2\nN10 #1=0\nN20 WHILE[#1 LT 1.]DO1\nN40 #1=#1+#2\nN50 END1\nN60 M99\n", ""),
     "a loop of labels": (
         "linuxcnc", "#1=0\no100 while [#1 lt 1]\ng0 x#1\n#1=[#1+0.1]\no100 endwhile\nm2\n", "CS711 :2"),
     "a loop of labels that counts a name of all programs": (

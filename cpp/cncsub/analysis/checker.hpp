@@ -138,6 +138,16 @@ inline bool calls_subprogram(const Code& code, const Block& block) {
   return calls;
 }
 
+/// The M code of a block that calls, jumps or returns on other controls only; -1 where it has none.
+/// M97 and M198 without P may be anything.
+int plain_code(const Checker& c, const Block& block);
+
+/// Whether a program that begins at a block is one of a label, which endsub and return end.
+inline bool begins_with_label(const Code& code, Address first) {
+  return code.blocks[first].op == Op::Labelled &&
+         code.labelled[code.blocks[first].aux].kind == LabelledKind::Sub;
+}
+
 /// Whether a program that nothing else ends has G99 alone as its last block, which means M99.
 bool means_m99(const Checker& c, const ProgramFlow& flow);
 

@@ -57,23 +57,19 @@ std::optional<Ins> turned(Ins op) {
   }
 }
 
-/// What a loop asks: whether its counter stands so to a limit.
+/// What a loop asks: whether its counter stands so to a limit, which a number or a variable says.
 struct Asked {
   Counter counter;
   Ins op{};
-  std::optional<double> limit;  // where it is written as a number
+  Instruction limit;
 };
 
 std::optional<Asked> asked_by(const Code& code, const Expression& of) {
   const std::vector<Instruction> all = instructions_of(of);
   const auto mirrored = all.size() == 3 ? turned(all[2].op) : std::nullopt;
   if (!mirrored) return std::nullopt;
-  const auto constant = [](const Instruction& ins) {
-    return ins.op == Ins::Constant ? std::optional<double>(ins.value) : std::nullopt;
-  };
-  if (const auto left = counter_of(code, all[0])) return Asked{*left, all[2].op, constant(all[1])};
-  if (const auto right = counter_of(code, all[1]))
-    return Asked{*right, *mirrored, constant(all[0])};
+  if (const auto left = counter_of(code, all[0])) return Asked{*left, all[2].op, all[1]};
+  if (const auto right = counter_of(code, all[1])) return Asked{*right, *mirrored, all[0]};
   return std::nullopt;
 }
 
@@ -128,6 +124,7 @@ class CountingCheck {
   void leaving(Address from, Address to);
   bool assigns(Address at, const Counter& counter) const;
   void ask(Address at, const Asked& asked, const Expression& written, Address from, Address to);
+  std::optional<double> value(const Instruction& of, Address from, Address to) const;
   std::optional<double> step(const Counter& counter, Address from, Address to) const;
   std::optional<double> start(const Counter& counter, Address before) const;
 
@@ -147,19 +144,37 @@ bool CountingCheck::assigns(Address at, const Counter& counter) const {
   return counter == Counter{local, static_cast<std::uint32_t>(of.index)};
 }
 
-/// By how much an expression differs from a counter, where it is a sum of that and a number.
-std::optional<double> added_to(const Code& code, const Counter& counter, const Expression& of) {
+/// What is added to a counter, or taken from it.
+struct Step {
+  Instruction by;
+  bool adds = true;
+};
+
+std::optional<Step> step_of(const Code& code, const Counter& counter, const Expression& of) {
   const std::vector<Instruction> all = instructions_of(of);
-  if (all.size() < 2 || all.size() > 3) return std::nullopt;
-  const bool two = all.size() == 2;
-  const Ins op = two ? all[1].op : all[2].op;
-  const bool adds = op == (two ? Ins::AddConstant : Ins::Add);
-  if (!adds && op != (two ? Ins::SubtractConstant : Ins::Subtract)) return std::nullopt;
-  const bool turned = !two && all[0].op == Ins::Constant;  // 0.1+#1
-  const Instruction& number = turned ? all[0] : all[1];
-  if ((!two && number.op != Ins::Constant) || (turned && !adds)) return std::nullopt;
-  if (counter_of(code, turned ? all[1] : all[0]) != counter) return std::nullopt;
-  return adds ? number.value : -number.value;
+  if (all.size() == 2 && counter_of(code, all[0]) == counter) {
+    const bool adds = all[1].op == Ins::AddConstant;
+    if (!adds && all[1].op != Ins::SubtractConstant) return std::nullopt;
+    return Step{{Ins::Constant, 0, 0, all[1].value}, adds};
+  }
+  if (all.size() != 3 || (all[2].op != Ins::Add && all[2].op != Ins::Subtract)) return std::nullopt;
+  const bool adds = all[2].op == Ins::Add;
+  if (counter_of(code, all[0]) == counter) return Step{all[1], adds};
+  if (adds && counter_of(code, all[1]) == counter) return Step{all[0], adds};  // 0.1+#1
+  return std::nullopt;
+}
+
+/// The value that a number, or a variable that nothing in a loop changes, has in it.
+std::optional<double> CountingCheck::value(const Instruction& of, Address from, Address to) const {
+  if (of.op == Ins::Constant) return of.value;
+  const auto variable = counter_of(c_.code, of);
+  if (!variable) return std::nullopt;
+  for (Address at = from; at < to; ++at) {
+    const Block& block = c_.code.blocks[at];
+    if ((block.op == Op::Set || block.op == Op::Assign) && assigns(at, *variable))
+      return std::nullopt;
+  }
+  return start(*variable, from);
 }
 
 /// By how much the one assignment of a loop changes its counter.
@@ -170,9 +185,10 @@ std::optional<double> CountingCheck::step(const Counter& counter, Address from, 
     const bool sets = block.op == Op::Set || block.op == Op::Assign;
     if (!sets || !assigns(at, counter)) continue;
     const Statement of = assignment_of(c_.code, block);
-    const auto added = added_to(c_.code, counter, c_.code.expression(of.expression));
-    if (!added || found) return std::nullopt;
-    found = added;
+    const auto added = step_of(c_.code, counter, c_.code.expression(of.expression));
+    const auto by = added ? value(added->by, from, to) : std::nullopt;
+    if (!by || found) return std::nullopt;
+    found = added->adds ? *by : -*by;
   }
   return found;
 }
@@ -239,14 +255,16 @@ void CountingCheck::leaving(Address from, Address to) {
 void CountingCheck::ask(Address at, const Asked& asked, const Expression& written, Address from,
                         Address to) {
   constexpr double kDigits = 1e7;
-  const auto by = step(asked.counter, from, to);
+  const Address head = std::min(from, at);
+  const auto by = step(asked.counter, head, to);
   if (!by || !is_rounded(*by)) return;
-  const auto begins = start(asked.counter, std::min(from, at));
+  const auto begins = start(asked.counter, head);
+  const auto limit = value(asked.limit, head, to);
   const std::string sums = "the control adds up fractions that it holds in binary: ";
   std::string told;
-  if (asked.limit && begins) {
-    const auto real = passes(asked.op, *asked.limit, *begins, *by, 0);
-    const auto meant = passes(asked.op, *asked.limit, *begins, *by, kDigits);
+  if (limit && begins) {
+    const auto real = passes(asked.op, *limit, *begins, *by, 0);
+    const auto meant = passes(asked.op, *limit, *begins, *by, kDigits);
     if (!meant || real == meant) return;
     told = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
                               std::to_string(*meant) + " are written"

@@ -260,9 +260,12 @@ void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
     const std::string cause = std::to_string(edge.called) + " " + std::to_string(mode);
     if (c_.known(rule_of(mode), cause, edge.from, place)) continue;
     const Address moves = moves_with(flow, edge.from, mode, moving);
-    c_.found(rule_of(mode), edge.from, place,
-             c_.code.name_of(edge.called) + " leaves " + modes_.name(mode, leak) +
-                 " on, and line " + std::to_string(c_.code.blocks[moves].line) + " moves with it");
+    Finding& found = c_.found(rule_of(mode), edge.from, place,
+                              c_.code.name_of(edge.called) + " leaves " + modes_.name(mode, leak) +
+                                  " on, and line " + std::to_string(c_.code.blocks[moves].line) +
+                                  " moves with it");
+    if (begins_with_label(c_.code, c_.flow(edge.called).first()))
+      found.hint = "switch it off before endsub, or on again in the caller";
   }
 }
 

@@ -190,9 +190,11 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow, const std::vector<b
   if (at == kNowhere) return;
   const CallEdge& call = c.callers[static_cast<std::size_t>(flow.program())].front();
   const Block& block = c.code.blocks[at];
-  c.found(Check::EndsInCall, at, {block.text, block.length},
-          c.code.name_of(flow.program()) + " is called from " + c.code.name_of(call.caller))
-      .path = {call.from};
+  Finding& found =
+      c.found(Check::EndsInCall, at, {block.text, block.length},
+              c.code.name_of(flow.program()) + " is called from " + c.code.name_of(call.caller));
+  found.path = {call.from};
+  if (begins_with_label(c.code, flow.first())) found.hint = "write a return of its label instead";
 }
 
 /// Parts of a main program that it calls, and that it also runs into.

@@ -125,13 +125,47 @@ bool leads_on(const Checker& c, Address at, const Program& program) {
   });
 }
 
+/// The letters that a block begins with behind its slash and its number, as capitals.
+std::string first_letters(std::string_view text) {
+  std::size_t at = 0;
+  const auto pass = [&](auto passes) {
+    while (at < text.size() && passes(text[at])) ++at;
+  };
+  pass([](char c) { return is_blank(c) || c == '/' || is_digit(c); });
+  if (at < text.size() && upper(text[at]) == 'N' && at + 1 < text.size() &&
+      !is_letter(text[at + 1])) {
+    ++at;
+    pass([](char c) { return is_blank(c) || is_digit(c); });
+  }
+  std::string letters;
+  for (; at < text.size() && is_letter(text[at]); ++at) letters += upper(text[at]);
+  return letters;
+}
+
+/// Whether a refused block would have begun or ended a loop or a branch: what others lack is told
+/// there.
+bool is_of_structure(const Code& code, const Program& program, const Block& block) {
+  if (block.op != Op::Fault || is_of_loops(code.faults[block.aux].cause)) return false;
+  const std::string_view text =
+      std::string_view(code.files[program.file].text.view()).substr(block.text, block.length);
+  const std::string first = first_letters(text);
+  for (const std::string_view word : {"WH", "DO", "EN", "EL"})
+    if (first.starts_with(word)) return true;
+  const IfForm form = code.control->macros.if_form.value;
+  const bool jumps = text.find("GO") != std::string_view::npos;
+  return first.starts_with("IF") &&
+         (form == IfForm::Blocks || (form == IfForm::ThenBlocks && !jumps));
+}
+
 bool is_of_variable(Cause cause) {
   return cause == Cause::IllegalVariable || cause == Cause::VariableNotKnown ||
          cause == Cause::VariableWriteProtected || cause == Cause::VariableReadProtected ||
          cause == Cause::VacantAssigned;
 }
 
-void check_fault(Checker& c, Address at, const Program& program, const Fault& fault) {
+void check_fault(Checker& c, Address at, const Program& program, const Fault& fault,
+                 bool structure_refused) {
+  if (structure_refused && is_of_loops(fault.cause)) return;
   Check check = Check::Refused;
   if (leads_on(c, at, program)) c.unsure.push_back({c.code.program_at(at), at});
   if (fault.cause == Cause::JumpTargetNotFound) check = Check::TargetMissing;
@@ -170,15 +204,17 @@ void mark_dropped(Checker& c, Address at, std::int32_t program, const CallRecord
   c.unsure.push_back({known ? record.target.program : program, at});
 }
 
-void check_block(Checker& c, Address at, std::int32_t program) {
+void check_block(Checker& c, Address at, std::int32_t program, bool structure_refused) {
   const Block& block = c.code.blocks[at];
   each_variant(c.code, block, [&](const Block& of) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
-    if (of.op == Op::Fault) check_fault(c, at, c.program(program), c.code.faults[of.aux]);
+    if (of.op == Op::Fault)
+      check_fault(c, at, c.program(program), c.code.faults[of.aux], structure_refused);
     if (is_call(of.op)) check_call(c, at, program, c.code.calls[of.aux]);
     if (is_call(of.op) && (of.flags & Block::kDrops) != 0)
       mark_dropped(c, at, program, c.code.calls[of.aux]);
     if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);
+    if (plain_code(c, of) >= 0) c.unsure.push_back({program, at});
   });
   if (block.op == Op::Labelled) check_labelled(c, at, program, block);
   if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);
@@ -189,8 +225,11 @@ void check_block(Checker& c, Address at, std::int32_t program) {
 void check_refusals(Checker& c) {
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;
+    bool refused = false;
+    for (Address at = flow.first(); at < flow.last() && !refused; ++at)
+      refused = is_of_structure(c.code, c.program(flow.program()), c.code.blocks[at]);
     for (Address at = flow.first(); at < flow.last() && !c.over(4); ++at)
-      check_block(c, at, flow.program());
+      check_block(c, at, flow.program(), refused);
   }
 }
 

@@ -161,21 +161,6 @@ void check_call(Checker& c, Address at, const CallRecord& record) {
           ", while O" + std::to_string(whole) + " exists");
 }
 
-/// The M code of a block that calls, jumps or returns on other controls only; -1 where it has none.
-/// M97 and M198 without P may be anything.
-int plain_code(const Checker& c, const Block& block) {
-  const Control& control = *c.code.control;
-  if (block.op != Op::Words || block.m_count == 0 || block.g_count != 0) return -1;
-  const bool p = (block.mask & bit('P')) != 0;
-  const CodeList codes = c.code.codes_of(block);
-  for (const int m : codes.m()) {
-    const bool user = control.dialect != "iso" && m == 198;  // a code of the machine's own there
-    if (calls_elsewhere(control.calls.roles.value, m) && !user && (p || m == 98 || m == 99))
-      return m;
-  }
-  return -1;
-}
-
 /// What this control has instead.
 std::string instead_of(const Checker& c, int m) {
   const CallRules& calls = c.code.control->calls;
@@ -288,6 +273,19 @@ void check_last(Checker& c, const ProgramFlow& flow) {
 }
 
 }  // namespace
+
+int plain_code(const Checker& c, const Block& block) {
+  const Control& control = *c.code.control;
+  if (block.op != Op::Words || block.m_count == 0 || block.g_count != 0) return -1;
+  const bool p = (block.mask & bit('P')) != 0;
+  const CodeList codes = c.code.codes_of(block);
+  for (const int m : codes.m()) {
+    const bool user = control.dialect != "iso" && m == 198;  // a code of the machine's own there
+    if (calls_elsewhere(control.calls.roles.value, m) && !user && (p || m == 98 || m == 99))
+      return m;
+  }
+  return -1;
+}
 
 bool means_m99(const Checker& c, const ProgramFlow& flow) {
   constexpr int kG99 = 990;

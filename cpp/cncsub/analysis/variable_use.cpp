@@ -8,6 +8,7 @@
 
 #include "cncsub/code/references.hpp"
 #include "cncsub/control/variable_table.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -66,7 +67,7 @@ std::int32_t VariableUses::number_of(std::int32_t local) const {
 
 std::string VariableUses::name_of(std::int32_t number) const {
   if (number < kFirstNamed) {
-    const std::string own = "#" + std::to_string(number);
+    const std::string own = sign_ + std::to_string(number);
     for (const PlacedRange& placed : c_.code.variables) {
       const VariableRange& range = placed.range;
       const std::int32_t other = range.first + (number - range.from);
@@ -127,8 +128,11 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
     if (left_out && is_alone(block, written)) use.word_locals |= own;
   }
-  for (const VariableReference& each : of.writes)
+  for (const VariableReference& each : of.writes) {
     use.written_locals |= bit_of(each, use.writes, use.any);
+    const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
+    if (written.size() > 1 && upper(written[0]) == 'R' && is_digit(written[1])) sign_ = 'R';
+  }
   program.reads |= use.read_locals;
   program.again |= program.writes & use.written_locals;
   program.writes |= use.written_locals;

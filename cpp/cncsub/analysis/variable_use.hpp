@@ -71,6 +71,7 @@ class VariableUses {
   std::unordered_map<Address, VariableUse> uses_;
   std::vector<LocalUse> programs_;
   Bits named_ = 0;
+  char sign_ = '#';  // that numbers are written with: #1, R1
 };
 
 /// The calls of a program by their blocks.

@@ -111,7 +111,8 @@ case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="m
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
 for text, word in (
     ("X=IC(5)", "X=IC(5)"), ("TRANS X10", "TRANS"), ("G41 X5", "G41"), ("G500", "G500"), ("X1=5", "X1=5"), ("DEF REAL A", "DEF"),
-    ("R1=$P_UIFR", "R1=$P_UIFR"), ("MCALL HOLE", "MCALL"), ("SPOS=90", "SPOS"), ('MSG("a"<<R1)', 'MSG("a"'),
+    ("R1=$P_UIFR", "R1=$P_UIFR"), ("MCALL HOLE", "MCALL"), ("SPOS=90", "SPOS"), ("DEPTH = 5", "DEPTH"), ('T="DRILL" M6', '"DRILL"'),
+    ("R1=6 B_AND 3", "R1=6 B_AND 3"), ('MSG("a"<<R1)', 'MSG("a"'),
 ):
     case(
         f"{text} is not computed, and says so", **POLICY,

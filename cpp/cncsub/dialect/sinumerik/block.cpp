@@ -234,8 +234,9 @@ bool BlockReader::named(Block& block, Words& words) {
     words.back = at;
     return true;
   }
-  if (!is_not_computed(name) && line_.ahead(written.size()) != '=' &&
-      line_.ahead(written.size()) != '[')
+  std::size_t behind = written.size();
+  while (behind < line_.rest().size() && is_blank(line_.ahead(behind))) ++behind;
+  if (!is_not_computed(name) && line_.ahead(behind) != '=' && line_.ahead(behind) != '[')
     return call(block, words, written);
   line_.pass(name.size());
   return not_computed(block, name, at);

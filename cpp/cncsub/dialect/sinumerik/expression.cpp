@@ -145,7 +145,16 @@ bool ExpressionReader::read(int depth) {
     constant_.reset();
   }
   for (; !waiting.empty(); waiting.pop_back()) emit_operator(*waiting.back());
-  return true;
+  return !is_uncomputed_operator();
+}
+
+/// Whether an operator follows that works on bits. [NCI precedence: manual 4.1.3.3]
+bool ExpressionReader::is_uncomputed_operator() {
+  const std::uint32_t at = line_.offset();
+  const std::string name = capitals(line_.name());
+  if (name != "B_AND" && name != "B_OR" && name != "B_XOR") return false;
+  line_.pass(name.size());
+  return !not_computed(name, at);
 }
 
 /// The sign that stands here, or NOT, and what it is of.
@@ -174,6 +183,10 @@ bool ExpressionReader::read_operand(int depth) {
     line_.pass(1);
     line_.pass(line_.name().size());
     return not_computed("a system variable", at);
+  }
+  if (c == '"') {
+    line_.pass_quoted();
+    return not_computed("a text", at);
   }
   if (name.empty()) return wrong(Cause::ExpressionFormat, "no value begins like this", at);
   if (name[0] == 'R' && (name.size() == 1 ? line_.ahead(1) == '[' : is_digit(name[1])))

@@ -53,6 +53,7 @@ class ExpressionReader {
   bool read_function(std::string_view name, int depth);
   bool read_bracket(char open, char close, int depth);
   const Operator* next_operator();
+  bool is_uncomputed_operator();
   void emit_operator(const Operator& of);
   bool parameter_number(std::string_view digits, std::uint32_t at, VariablePlace& place,
                         std::int32_t& number);
