@@ -506,6 +506,12 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "an input behind G103": ("haas-ngc", "O1\nN10 G103 P1\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, ""),
     "an input where G103 is taken back": (
         "haas-ngc", "O1\nN10 G103 P1\nN15 G103\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, "CS710 N20"),
+    "an input in a macro whose caller has no limit": (
+        "haas-ngc", "O1\nN10 G0 X0\nN20 G65 P9000 A1.\n" + END + "O9000\nN30 IF [#1004 EQ 0] GOTO 50\nN40 G0 X#1\nN50 M99\n", "CS710 N30"),
+    "an input in a macro whose caller has one": (
+        "haas-ngc", "O1\nN10 G103 P1\nN20 G65 P9000 A1.\n" + END + "O9000\nN30 IF [#1004 EQ 0] GOTO 50\nN40 G0 X#1\nN50 M99\n", ""),
+    "an input in a macro that limits for itself": (
+        "haas-ngc", "O1\nN10 G0 X0\nN20 G65 P9000 A1.\n" + END + "O9000\nN25 G103 P1\nN30 IF [#1004 EQ 0] GOTO 50\nN40 G0 X#1\nN50 G103\nN60 M99\n", ""),
     "an output that is set while the control waits": (
         "haas-ngc", "O1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, "CS710 N10, CS710 N30"),
     "an output behind G103": (

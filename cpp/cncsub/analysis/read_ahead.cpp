@@ -46,10 +46,12 @@ Signal signal_of(const Checker& c, const Block& block, std::int32_t program) {
   return {};
 }
 
-/// The blocks that some way leads to without a limit of what is read ahead.
-std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow) {
+/// The blocks that some way leads to without a limit of what is read ahead. `free`: none is in
+/// force where the program begins.
+std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow, bool free) {
   std::vector<bool> found(flow.size(), false);
-  std::vector<Address> waiting{flow.first()};
+  std::vector<Address> waiting;
+  if (free) waiting.push_back(flow.first());
   for (Address at = flow.first(); at < flow.last(); ++at)  // G103 alone takes the limit back
     if (names_limit(c, c.code.blocks[at]) && (c.code.blocks[at].mask & bit('P')) == 0)
       waiting.push_back(at);
@@ -67,23 +69,50 @@ std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow) {
   return found;
 }
 
+/// By program, the blocks without a limit: a program has the limit of the blocks that call it.
+std::vector<std::vector<bool>> all_unlimited(const Checker& c) {
+  std::vector<std::vector<bool>> free(c.flows.size());
+  std::vector<std::int32_t> waiting;
+  std::vector<bool> entered(c.flows.size(), false);
+  const auto enter = [&](std::int32_t program) {
+    if (entered[static_cast<std::size_t>(program)]) return;
+    entered[static_cast<std::size_t>(program)] = true;
+    waiting.push_back(program);
+  };
+  for (const ProgramFlow& flow : c.flows)
+    if (!c.is_called_by_another(flow.program())) enter(flow.program());
+  for (std::size_t next = 0; next < c.flows.size() || !waiting.empty();) {
+    const bool of_callers = !waiting.empty();
+    const auto program = of_callers ? waiting.back() : static_cast<std::int32_t>(next++);
+    if (of_callers) waiting.pop_back();
+    std::vector<bool>& own = free[static_cast<std::size_t>(program)];
+    if (!of_callers && !own.empty()) continue;
+    const ProgramFlow& flow = c.flow(program);
+    own = unlimited(c, flow, of_callers);
+    for (const CallEdge& edge : flow.calls())
+      if (own[edge.from - flow.first()]) enter(edge.called);
+    if (c.over(flow.size())) break;
+  }
+  return free;
+}
+
 }  // namespace
 
 void check_read_ahead(Checker& c) {
   const GCode limit = c.g_codes.find(kLimit);
   if (limit.meaning != Meaning::Neutral || !c.code.g_codes.test(kLimit)) return;
+  const std::vector<std::vector<bool>> free = all_unlimited(c);
   for (const ProgramFlow& flow : c.flows) {
-    if (c.inside(flow) || c.is_called(flow.program())) continue;
-    std::vector<bool> free;  // looked for where it is asked
+    const std::vector<bool>& own = free[static_cast<std::size_t>(flow.program())];
+    if (c.inside(flow) || own.empty()) continue;
     for (Address at = flow.first(); at < flow.last() && !c.over(4); ++at) {
+      if (!own[at - flow.first()]) continue;
       const Signal signal = signal_of(c, c.code.blocks[at], flow.program());
       if (signal.place.width == 0) continue;
-      if (free.empty()) free = unlimited(c, flow);
-      if (free[at - flow.first()])
-        c.found(Check::InputAhead, at, signal.place,
-                std::string("the control reads blocks ahead: the ") +
-                    (signal.output ? "output may be set" : "input may be read") +
-                    " before the blocks above have run");
+      c.found(Check::InputAhead, at, signal.place,
+              std::string("the control reads blocks ahead: the ") +
+                  (signal.output ? "output may be set" : "input may be read") +
+                  " before the blocks above have run");
     }
   }
 }
