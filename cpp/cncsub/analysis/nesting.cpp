@@ -143,7 +143,6 @@ class CallOrder {
 
   bool is_told(Address at);
   bool is_avoided(const Open& open);
-  bool has_condition(std::size_t to);
   std::string group_of(std::size_t place) const { return std::to_string(groups_.of[place]); }
   void circle_from(std::vector<Open>::const_iterator first, std::string& names,
                    std::vector<Address>& path) const;
@@ -188,15 +187,6 @@ bool CallOrder::is_avoided(const Open& open) {
   return false;
 }
 
-/// Whether one of the calls of a circle stands under a condition, which ends the circle.
-bool CallOrder::has_condition(std::size_t to) {
-  for (auto at = open_.rbegin(); at != open_.rend(); ++at) {
-    if (is_avoided(*at)) return true;
-    if (at->place == to) break;
-  }
-  return false;
-}
-
 /// Whether something was told of a block before.
 bool CallOrder::is_told(Address at) {
   const bool told = told_[at];
@@ -228,11 +218,12 @@ void CallOrder::circle(const CallTree::Call& call) {
   // A call of the own program without what it drops, such as where it begins.
   const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
   if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
-  if (has_condition(call.to)) return;
-  const CallRecord& record = c_.code.calls[edge.record];
-  if (c_.known(Check::Recursion, group_of(call.to), edge.from, {record.at, record.width})) return;
   auto first = open_.cbegin();
   while (first->place != call.to) ++first;
+  const auto avoided = [this](const Open& open) { return is_avoided(open); };
+  if (std::any_of(first, open_.cend(), avoided)) return;  // a condition ends the circle
+  const CallRecord& record = c_.code.calls[edge.record];
+  if (c_.known(Check::Recursion, group_of(call.to), edge.from, {record.at, record.width})) return;
   std::string names;
   std::vector<Address> path;
   circle_from(first, names, path);
