@@ -80,6 +80,10 @@ def any_block(of: Writer) -> None:
     words += r.choice(([], [], [], [r.choice(r.choice(GROUPS).split())]))
     words += letters(of, LETTERS, 2)
     axes = of.axes("XYZA" if of.chance(0.1) else "XYZ", 1, 5) if of.chance(0.6) else ""
+    if "M6" in words:  # a length beside it is in force where the machine is asked for its place
+        words = [word for word in words if not word.startswith("G43")]
+    if not axes and ("G28" in words or "G30" in words):  # see linuxcnc_paths.py: reference
+        axes = of.axes("XYZ")
     if of.chance(0.3):
         r.shuffle(words)
     # Where M72 takes a mode back, what rs274 reads then stands in place of the words beside it: they

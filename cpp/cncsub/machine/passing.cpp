@@ -98,6 +98,13 @@ bool may_be_read(Run& run, const Labelled& own, std::int32_t file, const std::st
 
 bool uses_words_beside(Run& run, const Labelled& own) {
   if (own.beside == 0) return true;
+  constexpr std::uint32_t kRotary = bit('A') | bit('B') | bit('C');
+  constexpr std::uint32_t kAxisWords = bit('X') | bit('Y') | bit('Z') | kRotary;
+  const MotionState& motion = run.motion.state();
+  if (motion.no_motion && (own.beside & kAxisWords) != 0)
+    return alarm_of_motion(run, {.cause = Cause::NoMotionCode, .at = run.state.pc, .detail = {}});
+  if (in_cycle(motion) && (own.beside & kRotary) != 0)
+    return alarm_of_motion(run, {.cause = Cause::CycleRotary, .at = run.state.pc, .detail = {}});
   NcWords words;
   words.mask = own.beside;
   words.at = run.state.pc;

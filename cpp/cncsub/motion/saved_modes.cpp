@@ -18,6 +18,12 @@ double speed_of(const MotionState& state) {
   return state.surface ? state.surface_speed : state.speed;
 }
 
+/// The code that takes a mode back. A side is known, not the form that began it: G41 is written for
+/// G41.1. [rs274 2.9: write_g_codes]
+int code_of(const MotionFacts& facts, const GCode& code) {
+  return code.group == Group::Radius ? facts.codes.of(code.meaning).code : code.code;
+}
+
 }  // namespace
 
 SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
@@ -40,8 +46,8 @@ ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
   for (const Group group :
        {Group::Plane, Group::Radius, Group::Distance, Group::Feed, Group::Work, Group::Return,
         Group::Surface, Group::Centre, Group::Diameter, Group::Path}) {
-    const GCode code = saved.codes[at(group)];
-    if (code.code >= 0 && code.code != state.modal[at(group)].code) block.codes.add_g(code.code);
+    const int code = code_of(facts, saved.codes[at(group)]);
+    if (code >= 0 && code != code_of(facts, state.modal[at(group)])) block.codes.add_g(code);
   }
   const auto add = [&](Meaning meaning) {
     if (const GCode code = facts.codes.of(meaning); code.code >= 0) block.codes.add_g(code.code);

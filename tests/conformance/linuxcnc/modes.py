@@ -127,3 +127,10 @@ case("D of G96 is the highest speed, not an offset", pins="speed_limit", **RUN,
      program="N10 G21 G96 D600 S100 M3\nN20 G95 G1 Z-10 F1\nN30 M2", time=1)
 case("G96 without D has no highest speed", **RUN,
      program="N10 G21 G96 D600 S100 M3\nN20 G96 S31.415926535898\nN30 G0 X10\nN40 G95 G1 Z-10 F1\nN50 M2", moves="R X10\nF Z-10", time=0.66)
+for _begun, _before in (("G41.1 D4", "G40"), ("G41.1 D4", "G40\nN31 G41 D2\nN32 G40"), ("G41 D2", "G40")):
+    case(f"M72 begins the side of {_begun} by G41, with the tool in the spindle, behind {len(_before.split())} words", **RUN,
+         setup={"radius_offsets": {1: 1, 2: 3}},
+         program=f"N10 T1 M6\nN20 {_begun}\nN25 M70\nN30 {_before}\nN40 M72\nN50 G1 X5 F100\nN60 X9\nN70 M2",
+         centre="X5 Y1 | X9 Y1")
+case("where a side is compensated, M72 leaves its radius", **RUN,
+     program="N10 G41.1 D4\nN20 M70\nN30 G40\nN40 G41.1 D2\nN50 M72\nN60 G1 X5 F100\nN70 X9\nN80 M2", centre="X5 Y1 | X9 Y1")

@@ -44,6 +44,14 @@ for _line in ("G[0+1] G[1+1] X1 I1", "G0 G[1+1] X1 I1", "G[1] G0 X1", "G17 G[9+9
     case(f"{_line} are codes of one group, computed or not", **RUN,
          program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="address-given-twice")
 
+for _word in ("X1", "A1"):
+    case(f"{_word} beside M98 stands where a motion is in force alone", **RUN,
+         program=f"N10 G80\nN20 M98 P1 {_word}\nN30 M2\nO1\nN40 M99", runs="N10", alarm="no-motion-code")
+case("no rotary axis stands beside M98 in a canned cycle", **RUN,
+     program="N10 G81 X1 Z-1 R1 F100\nN20 M98 P1 A3\nN30 M2\nO1\nN40 M99", runs="N10", alarm="rotary-axis-in-cycle")
+case("lengths of G43.1 stand beside M98 at any time", **RUN,
+     program="N10 G80\nN20 M98 P1 G43.1 Z1\nN30 M2\nO1\nN40 M99", runs="N10 N20 N40 N30")
+
 # ---- G53 ----
 
 case("G53 goes with a straight move of the block or of the mode", **RUN,

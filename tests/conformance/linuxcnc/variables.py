@@ -92,7 +92,10 @@ case("#<_abs_x> is the machine position, #<_x> the one in the work system", **RU
      program="N10 G10 L2 P1 X5\nN20 G0 X1\nN30 (print,#<_abs_x> #<_x>)\nN40 M2", messages=["6.000000 1.000000"])
 case("named variables tell the modes", **RUN,
      program="N10 G55 G99\nN15 G41.1 D1\nN20 (print,#<_coord_system> #<_retract_r_plane> #<_ccomp> #<_units_per_rev>)\nN30 M2",
-     messages=["550.000000 1.000000 411.000000 0.000000"])
+     messages=["550.000000 1.000000 410.000000 0.000000"])
+for _code, _told in (("G40", 400), ("G41 D0", 410), ("G41.1 D2", 410), ("G42 D0", 420), ("G42.1 D2", 420)):
+    case(f"#<_ccomp> tells the side of {_code}, not its form", **RUN,
+         program=f"N10 {_code}\nN20 (print,#<_ccomp>)\nN30 M2", messages=[f"{_told}.000000"])
 case("#5599 at 0 or below silences (debug,), and not (print,) and (msg,)", **RUN,
      program="N10 (debug,a #5599)\nN20 #5599=0\nN30 (debug,b)\nN40 (print,c #5599)\nN50 (msg,d)\nN60 #5599=-1\nN70 (debug,e)\n"
      "N80 #5599=0.5\nN90 (debug,f)\nN100 M2",

@@ -31,7 +31,7 @@ constexpr std::array<BuiltIn, 41> kBuiltIns = {{
     {"_b", {work(4)}},
     {"_c", {work(5)}},
     {"_call_level", {Step{Ins::Level, 0}}},
-    {"_ccomp", {modal(7), number(10), times()}},
+    {"_ccomp", {modal(7), Step{Ins::Floor, 0}, number(10), times()}},  // of G41.1 that of G41
     {"_coord_system", {modal(14), number(10), times()}},
     {"_feed", {word('F')}},
     {"_ijk_absolute_mode", {modal(23), number(90.1), equal()}},

@@ -15,7 +15,7 @@ struct BuiltIn {
     double value = 0;  // a constant, a variable's number; of Common: 0 what was returned, 1 whether
   };
   std::string_view name;
-  std::array<Step, 3> steps;
+  std::array<Step, 4> steps;
 };
 
 /// Null where it is none that is answered here.

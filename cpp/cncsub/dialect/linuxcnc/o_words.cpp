@@ -136,7 +136,8 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
   Labelled own;
   if (is_in_mode(words.line) && !words.line.computed) {
     own.beside = unused_letters(words.line);
-    for (const char axis : std::string_view("XYZABC")) own.beside |= words.list.mask & bit(axis);
+    const std::string_view axes = words.line.has_g({431}) ? "" : "XYZABC";  // of G43.1 its lengths
+    for (const char axis : axes) own.beside |= words.list.mask & bit(axis);
   }
   own.kind = LabelledKind::Call98;
   own.label = Labelled::kNone;
