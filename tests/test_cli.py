@@ -249,7 +249,7 @@ def test_the_controls_are_listed() -> None:
 @pytest.mark.parametrize("name", list(cncsub.controls))
 def test_a_control_is_shown_with_rules_parameters_and_alarms(name: str) -> None:
     control = cncsub.controls[name]
-    out = Done("controls", name).out
+    out = Done("controls", name, "--all").out
     for rule in control.rules:
         assert all(f"{entry} [{source};" in out for entry, (source, _) in rule.sources.items())
     assert all(f"  {rule.name} = " in out for rule in control.rules)
@@ -260,6 +260,42 @@ def test_a_control_is_shown_with_rules_parameters_and_alarms(name: str) -> None:
     assert len(facts["rules"]) == len(control.rules)
     assert all(rule["source"] for rule in facts["rules"])
     assert all("evidence" in alarm for alarm in facts["alarms"])
+
+
+@pytest.mark.parametrize("name", list(cncsub.controls))
+def test_the_page_of_a_control_is_short_and_names_each_source_once(name: str) -> None:
+    control = cncsub.controls[name]
+    lines = Done("controls", name).out.splitlines()
+    assert len(lines) <= 130
+    assert max(map(len, lines)) <= 100
+    title = "Variables by option"  # which names rules too
+    above = lines[: lines.index(title)] if title in lines else lines
+    heads = [re.split("[ ,:]", line[2:])[0] for line in above if line[:2] == "  " != line[1:3]]
+    assert {rule.name for rule in control.rules if rule.value != rule.family} == (
+        {rule.name for rule in control.rules} & set(heads)
+    )
+    changed = {parameter.name for parameter in control.parameters.values() if parameter.value}
+    assert changed <= set(heads)
+    below = lines[lines.index("Sources, and what each is on this control") :]
+    page = " ".join(lines[: -len(below)])
+    keys = [line.split(" = ")[0].strip() for line in below if line[2:3].strip() and " = " in line]
+    assert len(set(keys)) == len(keys)
+    cited = set(re.findall(r"[^,]+", ",".join(re.findall(r"\s\[([^\[\]]+)\]", page))))
+    assert keys[-1] == "?"
+    assert {key.strip().rstrip("?") for key in cited} - {""} <= set(keys)
+
+
+def test_what_a_page_leaves_out_is_printed_by_a_word_and_by_all() -> None:
+    page = Done("controls", CONTROL).out
+    assert "max_repeats" not in page
+    assert "max_nesting = 10 (4): how many" in page
+    assert "6038-6059" in page
+    assert "max_repeats = " in Done("controls", CONTROL, "--all").out
+    assert "max_repeats = " in Done("controls", CONTROL, "max_repeats").out
+    rules = Done("controls", CONTROL, "--format", "json").json["rules"]
+    assert {"name": "max_nesting", "group": "calls", "value": 10, "family": 4} in [
+        {key: rule[key] for key in ("name", "group", "value", "family")} for rule in rules
+    ]
 
 
 def test_an_alarm_number_is_explained() -> None:

@@ -17,14 +17,9 @@ from cncsub.cli.options import Format, Output, control_named, write_json, write_
 from cncsub.controls import names_beginning
 from cncsub.escapes import shown
 from cncsub.interrupts import left_to_child
+from cncsub.reports.control_text import print_control, print_summary
 from cncsub.reports.facts import control_facts
-from cncsub.reports.printing import (
-    Console,
-    console_on,
-    print_control,
-    print_pairs,
-    print_wrapped,
-)
+from cncsub.reports.printing import Console, console_on, print_pairs, print_wrapped
 
 _LISTS = {  # and what one of them is called
     "rules": "rule",
@@ -54,6 +49,12 @@ def controls(
             autocompletion=names_beginning,
         ),
     ] = None,
+    everything: Annotated[
+        bool,
+        typer.Option(
+            "--all", help="Every rule, parameter and alarm, not only what differs from the family."
+        ),
+    ] = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
@@ -70,7 +71,8 @@ def controls(
         return
     control = control_named(name)
     if diff is None and not words and format is Format.TEXT:
-        _paged(output, lambda console: print_control(console, control))
+        told = print_control if everything else print_summary
+        _paged(output, lambda console: told(console, control))
         return
     facts = _chosen(control_facts(control), words or ())
     if diff is None:
@@ -81,8 +83,8 @@ def controls(
         return
     other = control_named(diff)
     differences = list(_differences(facts, _chosen(control_facts(other), words or ())))
-    told = {"controls": [control.name, other.name], "differences": differences}
-    _tell(told, format, output, lambda: _difference_lines(told))
+    apart = {"controls": [control.name, other.name], "differences": differences}
+    _tell(apart, format, output, lambda: _difference_lines(apart))
 
 
 class _Held(io.StringIO):

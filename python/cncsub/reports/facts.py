@@ -143,7 +143,9 @@ def control_facts(control: Control) -> dict[str, Any]:
         "rules": [
             {
                 "name": rule.name,
+                "group": rule.group,
                 "value": rule.value,
+                "family": rule.family,
                 "meaning": rule.meaning,
                 "choices": list(rule.choices or rule.entries),
                 "source": rule.source,

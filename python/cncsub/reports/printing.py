@@ -6,14 +6,11 @@ import itertools
 import os
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
-from cncsub._core import Control
 from cncsub.analysis.static_tree import letters
-from cncsub.controls import causes, sources_of
 from cncsub.escapes import shown
-from cncsub.reports.facts import effect_of
 from cncsub.run import Stop
 from cncsub.tables.call_tree import CallTree
 
@@ -223,95 +220,19 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
         console.print(Text.assemble((name.ljust(width), "cyan"), f"  {text}"))
 
 
-def print_control(console: Console, control: Control) -> None:
-    console.print(Text(f"{control.title} ({control.name})", style="bold"))
-    rules = ((f"{r.name} = {_value(r.value)}", r.meaning, r) for r in control.rules)
-    _print_facts(console, "Rules", rules)
-    for group, (source, evidence) in control.absent.items():
-        console.print(Text.assemble(("  no rules of ", ""), (group, "cyan")))
-        _print_source(console, f"[{source}; {evidence}]")
-    parameters = (
-        (
-            f"{p.name} = {p.value:g}",
-            "; ".join(filter(None, [p.meaning, effect_of(p)])),
-            p,
-        )
-        for p in control.parameters.values()
-    )
-    _print_facts(console, "Parameters", parameters)
-    options = (
-        (f"{o.rule}={o.name}{', fitted' if o.fitted else ''}", f"{o.meaning}: {o.numbers}", o)
-        for o in control.variable_options.values()
-    )
-    if control.variable_options:
-        _print_facts(console, "Variables by option", options)
-    alarms = (
-        (f"{_numbers(a)} {a.cause}", a.text or causes[a.cause].meaning, a)
-        for a in control.alarms.values()
-    )
-    _print_facts(console, "Alarms", alarms)
-    _print_sources(console, control)
-
-
-def _numbers(alarm: Any) -> str:
-    """The number of an alarm, or those of its directions: OT0500 +, OT0501 -."""
-    directed = [f"{number} {way}" for way, (number, _) in alarm.directed.items()]
-    return alarm.number or ", ".join(directed) or "(no number)"
-
-
-def _print_sources(console: Console, control: Control) -> None:
-    console.print(Text("\nSources, and what each is on this control", style="bold"))
-    for source in sources_of(control):
-        _print_fact(console, source.key, source.title)
-        address = f"; {source.address}" if source.address else ""
-        _print_source(console, f"[{source.on(control.name)}{address}]")
-
-
-def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:
-    console.print(Text(f"\n{title}", style="bold"))
-    for head, text, fact in facts:
-        _print_fact(console, head, text)
-        _print_source(console, f"[{fact.source}; {fact.evidence}]")
-        for entry, (source, evidence) in getattr(fact, "sources", {}).items():
-            there = "" if entry in str(fact.value).split() else "not "
-            _print_source(console, f"{there}{entry} [{source}; {evidence}]")
-
-
-def _print_fact(console: Console, head: str, text: str) -> None:
-    """The head in colour; wrapped on a terminal, with what follows below the text."""
-    first, *rest = _wrapped(console, f"  {head}: {text}", "    ")
-    named = f"  {head}"
-    if first.startswith(named):
-        console.print(Text.assemble((named, "cyan"), first[len(named) :]))
-    else:  # a head that is longer than a line
-        console.print(Text(first, style="cyan"))
-    for line in rest:
-        console.print(line)
-
-
-def _print_source(console: Console, text: str) -> None:
-    for line in _wrapped(console, f"      {text}", "      "):
-        console.print(Text(line, style="dim"))
-
-
 def print_wrapped(console: Console, line: str) -> None:
     """A line, wrapped on a terminal below where its text begins."""
     indent = line[: len(line) - len(line.lstrip())] + "  "
-    for part in _wrapped(console, line, indent):
+    for part in wrapped(console, line, indent):
         console.print(part)
 
 
-def _wrapped(console: Console, text: str, indent: str) -> list[str]:
+def wrapped(console: Console, text: str, indent: str) -> list[str]:
+    """The text in lines of a terminal, those after the first indented."""
     if console.width is None or len(text) <= console.width:
         return [text]
     options: Any = {"break_long_words": False, "break_on_hyphens": False}
     return textwrap.wrap(text, max(40, console.width), subsequent_indent=indent, **options)
-
-
-def _value(value: bool | int | str) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return str(value) or "none"
 
 
 def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
