@@ -80,6 +80,8 @@ def any_block(of: Writer) -> None:
     words += r.choice(([], [], [], [r.choice(r.choice(GROUPS).split())]))
     words += letters(of, LETTERS, 2)
     axes = of.axes("XYZA" if of.chance(0.1) else "XYZ", 1, 5) if of.chance(0.6) else ""
+    if "G10" in words:  # it takes P0.5 and not P0.4, and reads a table of tools anew by L0
+        words = [word for word in words if word not in ("P0.5", "L0")]
     if "M6" in words:  # a length beside it is in force where the machine is asked for its place
         words = [word for word in words if not word.startswith("G43")]
     if not axes and ("G28" in words or "G30" in words):  # see linuxcnc_paths.py: reference

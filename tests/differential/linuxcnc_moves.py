@@ -65,7 +65,7 @@ def first_hole(of: Writer, code: int, axes: str) -> list[str]:
     words = [f"G{code}", f"R{number(of, r.choice((2, 2, 5, 0.5)))}"]
     words.append(f"{depth}{number(of, -r.randint(1, 9))}")
     if code in (73, 83):
-        words.append(f"Q{number(of, r.choice((0.77, 3.3, 20)))}")
+        words.append(f"Q{number(of, r.choice((0.77, 3.31, 20)))}")
     if code in (82, 86, 89) or (code in (74, 84) and of.chance(0.3)):
         words.append(f"P{r.choice(('0.5', '0.25', '1'))}")
     return words

@@ -114,8 +114,10 @@ Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (double angle = 0; angle_word(m, block, angle)) return angled(m, block, meaning, angle);
   std::uint32_t named = 0;
   const Axes end = end_point(m, block, named);
-  if (named == 0) return std::nullopt;
+  const bool bare = named == 0;
+  if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  if (bare) return std::nullopt;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
   if (!may_have_corner(m, block)) return move(m, block, kind, end, named);
   Piece piece = make_piece(m, block, kind, end, named);

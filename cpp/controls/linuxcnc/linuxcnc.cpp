@@ -75,7 +75,7 @@ void motion(Control& c) {
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
        CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution,
-       CompensationWrongPlane, ArcAxis},
+       CompensationWrongPlane, ArcAxis, NoFeed},
       kRun, SourceDocument);
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};

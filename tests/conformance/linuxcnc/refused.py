@@ -87,6 +87,15 @@ case("a feed per turn needs a speed", **RUN,
 case("a probe does not go by a feed per turn", **RUN,
      program="N10 S100 M3 G95 F1\nN20 G38.3 X1\nN30 M2", runs="N10", alarm="skip-per-revolution", word="G38.3")
 
+for _line in ("G93 G1", "G94 G1", "G1 G99 G95"):
+    case(f"G1 without an axis needs a feed too: {_line}", pins="refuses:no-feed", **RUN,
+         program=f"N10 G1 X1 F10\nN20 {_line}\nN30 M2", runs="N10", alarm="no-feed", word="G1")
+case("where there was none at all as well", pins="refuses:no-feed", **RUN,
+     program="N10 G0 X1\nN20 G1\nN30 M2", runs="N10", alarm="no-feed", word="G1")
+case("where one is in force it is a block like others", **RUN, program="N10 G0 X1 F10\nN20 G1\nN30 X2\nN40 M2", moves="R X1\nF X2")
+for _line in ("G10 L2 X1", "G10 L2", "G10 L2 R5"):
+    case(f"{_line} names no system", **RUN, program=f"N10 {_line}\nN20 M2", runs="", alarm="g10-p", word="G10")
+
 # ---- under radius compensation ----
 
 for _code in ("G28", "G28 X1", "G30", "G53 G0 X9", "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3",

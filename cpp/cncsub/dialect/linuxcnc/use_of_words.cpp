@@ -93,6 +93,8 @@ std::optional<WrongWord> against_code(const LineWords& line) {
   }
   if (const bool none = !has_axes(line); none && (line.has_g({520}) || line.has_g({920})))
     return WrongWord{'g', Cause::MotionWordMissing, "All axes missing with g52 or g92"};
+  if (line.has_g({100}) && line.number('l', 0) == 2 && !line.has('p'))
+    return WrongWord{'g', Cause::G10P, "P value out of range (0-9) with G10 L2"};
   if (line.has_g({40}) && (!line.has('p') || line.number('p', 0) == -1))
     return WrongWord{'g', Cause::MotionWordMissing, "Dwell time missing with g4"};
   if (line.has_g({40}) && line.has_g({20, 30}))
