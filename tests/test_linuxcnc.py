@@ -73,7 +73,7 @@ def test_blocks_that_are_read_or_refused(
 ) -> None:
     report = compare(SEED, range(60), "rs274", tmp_path, 1, (kind,))
     assert report.different == [], capsys.readouterr().out
-    assert report.stopped >= 5
+    assert report.stopped > 0
 
 
 @pytest.mark.parametrize("kinds", [MOVES, tuple(linuxcnc_moves.KINDS)], ids=["all", "series"])
