@@ -277,7 +277,7 @@ def test_the_options_of_a_control_name_their_source() -> None:
 
 @pytest.mark.parametrize("name", list(cncsub.controls))
 def test_the_command_line_lists_the_options(name: str) -> None:
-    shown = CliRunner().invoke(app, ["controls", name]).output
+    shown = CliRunner().invoke(app, ["controls", name, "--all"]).output
     facts = json.loads(CliRunner().invoke(app, ["controls", name, "--format", "json"]).output)
     options = cncsub.controls[name].variable_options
     assert [option["name"] for option in facts["variable_options"]] == list(options)

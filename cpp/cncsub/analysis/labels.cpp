@@ -51,6 +51,7 @@ class LabelCheck {
   void run();
 
  private:
+  void look_ahead();
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // subprogram, label
 
   void head(Address at, const Labelled& own);
@@ -135,13 +136,18 @@ std::string LabelCheck::refused_label(Address at) const {
   return label;
 }
 
-void LabelCheck::run() {
+/// What is asked of all that stands behind a block too: refused labels, and the last of each kind.
+void LabelCheck::look_ahead() {
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     if (std::string label = refused_label(at); !label.empty()) refused_.insert(std::move(label));
     if (c_.code.blocks[at].op != Op::Labelled) continue;
     if (labelled(at).kind == LabelledKind::EndSub) last_ends_[labelled(at).label] = at;
     if (labelled(at).kind == LabelledKind::Do) last_do_ = at;
   }
+}
+
+void LabelCheck::run() {
+  look_ahead();
   std::uint32_t sub = Labelled::kNone;
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     if (c_.code.blocks[at].op != Op::Labelled) continue;

@@ -1,6 +1,6 @@
 // Inputs that are read, and outputs that are set, while blocks before them still run: what a
 // control reads ahead includes its macro statements. Offsets and positions are read when their
-// block runs. [Haas 96-8000: lookahead, G103, offsets]
+// block runs. [H96 p.91, look-ahead]
 #include <string>
 #include <vector>
 
@@ -69,18 +69,25 @@ std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow, bool free
   return found;
 }
 
+/// Programs that are entered without a limit, each once.
+struct Entered {
+  std::vector<std::int32_t> waiting;
+  std::vector<bool> seen;
+
+  void enter(std::int32_t program) {
+    if (seen[static_cast<std::size_t>(program)]) return;
+    seen[static_cast<std::size_t>(program)] = true;
+    waiting.push_back(program);
+  }
+};
+
 /// By program, the blocks without a limit: a program has the limit of the blocks that call it.
 std::vector<std::vector<bool>> all_unlimited(const Checker& c) {
   std::vector<std::vector<bool>> free(c.flows.size());
-  std::vector<std::int32_t> waiting;
-  std::vector<bool> entered(c.flows.size(), false);
-  const auto enter = [&](std::int32_t program) {
-    if (entered[static_cast<std::size_t>(program)]) return;
-    entered[static_cast<std::size_t>(program)] = true;
-    waiting.push_back(program);
-  };
+  Entered entered{{}, std::vector<bool>(c.flows.size(), false)};
+  std::vector<std::int32_t>& waiting = entered.waiting;
   for (const ProgramFlow& flow : c.flows)
-    if (!c.is_called_by_another(flow.program())) enter(flow.program());
+    if (!c.is_called_by_another(flow.program())) entered.enter(flow.program());
   for (std::size_t next = 0; next < c.flows.size() || !waiting.empty();) {
     const bool of_callers = !waiting.empty();
     const auto program = of_callers ? waiting.back() : static_cast<std::int32_t>(next++);
@@ -90,7 +97,7 @@ std::vector<std::vector<bool>> all_unlimited(const Checker& c) {
     const ProgramFlow& flow = c.flow(program);
     own = unlimited(c, flow, of_callers);
     for (const CallEdge& edge : flow.calls())
-      if (own[edge.from - flow.first()]) enter(edge.called);
+      if (own[edge.from - flow.first()]) entered.enter(edge.called);
     if (c.over(flow.size())) break;
   }
   return free;

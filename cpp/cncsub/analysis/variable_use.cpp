@@ -67,7 +67,7 @@ std::int32_t VariableUses::number_of(std::int32_t local) const {
 
 std::string VariableUses::name_of(std::int32_t number) const {
   if (number < kFirstNamed) {
-    const std::string own = sign_ + std::to_string(number);
+    std::string own = sign_ + std::to_string(number);
     for (const PlacedRange& placed : c_.code.variables) {
       const VariableRange& range = placed.range;
       const std::int32_t other = range.first + (number - range.from);
@@ -104,15 +104,18 @@ bool is_alone(const Block& block, std::string_view written) {
   return assigns && written.find_first_of("[+*/-") == std::string_view::npos;
 }
 
+/// A move, a fault, or words of which none is a variable.
+bool uses_none(const Code& code, const Block& block) {
+  if (block.op == Op::Linear || block.op == Op::Arc || block.op == Op::Fault) return true;
+  return block.op == Op::Words && (block.flags & Block::kCodeExpression) == 0 &&
+         ((block.flags & Block::kHasExtra) == 0 || code.cells[block.data].extra.expressions == 0);
+}
+
 }  // namespace
 
 void VariableUses::take(const ProgramFlow& flow, Address at) {
   const Block& block = c_.code.blocks[at];
-  const bool plain = block.op == Op::Linear || block.op == Op::Arc || block.op == Op::Fault;
-  const bool words =
-      block.op == Op::Words && (block.flags & Block::kCodeExpression) == 0 &&
-      ((block.flags & Block::kHasExtra) == 0 || c_.code.cells[block.data].extra.expressions == 0);
-  if (plain || words) return;
+  if (uses_none(c_.code, block)) return;
   const References of = references_of(c_.code, block, flow.program());
   if (of.reads.empty() && of.writes.empty()) return;
   VariableUse use;

@@ -170,15 +170,18 @@ Result change_shift_beside(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
+/// The axis words are those of another code: a motion code beside it moves by what is left.
+Result leave_axes(MotionContext& m, BlockWords& block) {
+  if (auto wrong = one_shot(m, block)) return wrong;
+  if (auto wrong = change_shift_beside(m, block)) return wrong;
+  return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
+}
+
 /// What the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
   if (once == Meaning::Ignored) return std::nullopt;
-  if (leaves_axes(m.facts, block)) {
-    if (auto wrong = one_shot(m, block)) return wrong;
-    if (auto wrong = change_shift_beside(m, block)) return wrong;
-    return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
-  }
+  if (leaves_axes(m.facts, block)) return leave_axes(m, block);
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);
   take_motion_code(m, block);  // it holds for the blocks behind, as the end of a cycle does

@@ -126,13 +126,19 @@ void variables(Control& c) {
     range.metric = range.kind == Kind::WorkOffset || range.kind == Kind::ToolLength ||
                    range.kind == Kind::Shift || range.kind == Kind::ReferencePoint ||
                    range.kind == Kind::ExtraWorkOffset;
-  // No program can name these: they are what the named variables of the interpreter tell.
-  add(14001, 14024, Kind::ActiveCode, Access::ReadOnly);
-  add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
-  add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
-  add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
-  add(15020, 15025, Kind::MachinePosition, Access::ReadOnly);
-  add(15040, 15048, Kind::WorkPosition, Access::ReadOnly);
+}
+
+/// No program can name these: they are what the named variables of the interpreter tell.
+void told_by_name(Control& c) {
+  const auto add = [&c](std::int32_t first, std::int32_t last, Kind kind, char address = 0) {
+    c.variables.push_back({first, last, kind, Access::ReadOnly, address, kRun, SourceDocument});
+  };
+  add(14001, 14024, Kind::ActiveCode);
+  add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, 'F');
+  add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, 'S');
+  add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, 'T');
+  add(15020, 15025, Kind::MachinePosition);
+  add(15040, 15048, Kind::WorkPosition);
 }
 
 /// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
@@ -219,6 +225,7 @@ Control linuxcnc() {
   tool_offsets(c);
   motion(c);
   variables(c);
+  told_by_name(c);
   alarms(c);
   return c;
 }

@@ -41,7 +41,7 @@ case("a G code that is computed is refused at its own word", **RUN,
      program="N10 X3 G[2*100]\nN20 M2", runs="", alarm="g-code-not-available", at="MAIN N10", word="G[2*100]")
 
 for _line in ("G[0+1] G[1+1] X1 I1", "G0 G[1+1] X1 I1", "G[1] G0 X1", "G17 G[9+9]"):
-    case(f"{_line} are codes of one group, computed or not", **RUN,
+    case(f"{_line} are codes of one group, computed or not", pins="repeated_address", **RUN,
          program=f"N10 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="address-given-twice")
 
 for _word in ("X1", "A1"):

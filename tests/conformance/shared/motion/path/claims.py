@@ -38,6 +38,21 @@ def moves(claim, controls, *blocks, source="general knowledge", evidence="inferr
     )
 
 
+# What another language refuses
+_OTHERS = [*MILLS, *GSK_988, TDI, "haas-ngc", "syntec-22ma"]
+for _claim, _pin, _controls, _blocks in (
+    ("G01 without an axis moves nothing, and needs no feed", "no-feed", [*_OTHERS, TE], ("G0 X5.", "G1")),
+    ("a centre of 0 across the plane is the arc's own plane", "arc-axis-not-in-plane", _OTHERS,
+     ("G1 F100.", "G17 G2 X20. I10. J0 K0")),
+    ("the plane of Y and Z has a radius compensation", "offset-in-wrong-plane", _OTHERS,
+     ("G19 G1 F100.", "G41 D1 Y50.", "Y90.", "G40 Y120.")),
+):
+    case(
+        _claim, control=_controls, source="general knowledge", evidence="inferred",
+        program=program(*_blocks), pins=f"refuses:{_pin}",
+        runs=" ".join(f"N{n}0" for n in range(1, len(_blocks) + 2)),
+    )
+
 # Blocks, groups, power-on
 moves(
     "G91 at the end of a block counts for the words before it", MILLS,
