@@ -280,8 +280,6 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/motion: L11 puts the tool at the point of G59.3",
         "linuxcnc/motion: an M3 of its line starts it after that",
         "linuxcnc/motion: nor a zero point and a length",
-        # Its manual lists 411 and 421 for #<_ccomp>, rs274 tells 410 and 420.
-        "linuxcnc/variables: named variables tell the modes",
         # Behaviour that its manual leaves undefined, and planes of axes that cncsub does not have.
         "linuxcnc/lines: the moves of G18.1 are not computed on LinuxCNC",
         "linuxcnc/lines: the moves of G19.1 are not computed on LinuxCNC",

@@ -135,7 +135,15 @@ int OtherWriter::code_of(const GCode& own, bool& idle) const {
   return -1;
 }
 
-std::string OtherWriter::modes() const {
+namespace {
+
+bool bare_line_needs_feed(const Machine& machine) {
+  return facts_of(machine).refuses(Cause::NoFeed);
+}
+
+}  // namespace
+
+std::string OtherWriter::modes() {
   std::string units, others;
   for (std::size_t group = 0; group < kGroups; ++group) {
     const GCode own = at_power_on_[group];
@@ -144,6 +152,11 @@ std::string OtherWriter::modes() const {
     bool idle = false;
     const int code = code_of(own, idle);
     if (code < 0) continue;
+    if (own.meaning == Meaning::Line && bare_line_needs_feed(to_) &&
+        from_.motion().state().feed == 0) {
+      line_is_owed_ = true;
+      continue;
+    }
     std::string& to = group == at(Group::Units) ? units : others;
     to += (to.empty() ? "" : " ") + code_name(code);
   }
@@ -167,6 +180,27 @@ bool OtherWriter::put_codes(std::string& to, std::span<const int> codes) {
   if (alone && !units.empty()) units.back() = '\n';
   to += units + others;
   return true;
+}
+
+/// A control that refuses G01 without an axis while no feed is in force gets it in the block that
+/// moves by it. Whether the block is one that leaves its G01 for later; one that moves by a G01
+/// that was left gets the code here.
+bool OtherWriter::owes_line(std::string& to, const NcWords& words) {
+  constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z') | bit('A') | bit('B') | bit('C') |
+                                  bit('U') | bit('V') | bit('W');
+  if (!bare_line_needs_feed(to_)) return false;
+  const bool moves = (words.mask & kAxes) != 0;
+  const std::uint32_t groups = words.codes->groups;
+  if ((groups & (bit(Group::Motion) | bit(Group::Cycle))) != 0) {
+    line_is_owed_ = !moves && from_.motion().state().feed == 0 &&
+                    words.codes->meaning(Group::Motion) == Meaning::Line &&
+                    (groups & bit(Group::Cycle)) == 0;
+    return line_is_owed_;
+  }
+  if (!line_is_owed_ || !moves || (groups & bit(Group::OneShot)) != 0) return false;
+  line_is_owed_ = false;
+  to += code_name(facts_of(to_).codes.of(Meaning::Line).code) + " ";
+  return false;
 }
 
 bool OtherWriter::put_m(std::string& to, const NcWords& words, bool ends) {
@@ -316,7 +350,15 @@ bool OtherWriter::write(std::string& to, const Block& block, const NcWords& word
   const std::size_t before = to.size();
   std::array<int, 1> of_move{path_code(block)};
   const bool plain = of_move[0] >= 0;
-  if (!put_codes(to, plain ? std::span<const int>(of_move) : words.codes->g())) return false;
+  const std::span<const int> codes = plain ? std::span<const int>(of_move) : words.codes->g();
+  if (!owes_line(to, words)) {
+    if (!put_codes(to, codes)) return false;
+  } else {
+    for (const int& code : codes)
+      if (facts_of(from_).codes.find(code).meaning != Meaning::Line &&
+          !put_codes(to, std::span(&code, 1)))
+        return false;
+  }
   if (!put_values(to, words) || !put_m(to, words, block.op == Op::EndProgram)) return false;
   if (to.size() > before && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
   return true;

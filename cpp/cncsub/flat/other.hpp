@@ -23,7 +23,7 @@ class OtherWriter {
   /// What heads the program of a name: with its line feed, or nothing.
   std::string head(const std::string& name) const;
   /// Blocks that switch on what is in force at power-on here, and not there.
-  std::string modes() const;
+  std::string modes();
   /// Writes the words of a block that has been executed. False where they cannot be written: then
   /// `refused` says why.
   bool write(std::string& to, const Block& block, const NcWords& words);
@@ -36,6 +36,7 @@ class OtherWriter {
   bool refuse(std::string reason);
   int code_of(const GCode& own, bool& idle) const;
   bool put_codes(std::string& to, std::span<const int> codes);
+  bool owes_line(std::string& to, const NcWords& words);
   bool put_values(std::string& to, const NcWords& words);
   bool put_m(std::string& to, const NcWords& words, bool ends);
   /// The address of a word here, for people.
@@ -51,6 +52,7 @@ class OtherWriter {
   const Machine &from_, &to_;
   WordWriter words_;
   std::array<GCode, kGroups> at_power_on_;  // what was in force before the first block
+  bool line_is_owed_ = false;  // G01 is in force here, and not yet written there
   std::string refused_;
 };
 
