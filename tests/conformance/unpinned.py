@@ -176,7 +176,11 @@ _TABLE = _joined(
     _all("max_pockets rough_type pocket_pass after_contour", (TE,), NOT_KNOWN),
     _all("bore_return drill_retract", (TE,), NOT_KNOWN),
     _all("refuses:no-feed", (TA,), "a feed is in force from power-on"),
-    _all("refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane", (TE,), "it has no planes"),
+    _all(
+        "refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane refuses:radius-and-centre",
+        (TE,),
+        "it has no planes",
+    ),
     _all("reset_clears:codes reset_clears:local-system refuses:spindle-stopped", (TE,), NOT_KNOWN),
     _all("refuses:spindle-stopped", (HNC,), "no thread of it is computed"),
     _all("power_on:G95", MILLS, "a mill wakes up with feed per minute"),
@@ -262,7 +266,7 @@ _TABLE = _joined(
         "refuses roles power_on reset_clears data_forms",
         "power_on:G91 power_on:G18 power_on:G19 power_on:G20 power_on:G99 reset_clears:locals"
         " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code refuses:no-feed"
-        " refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane"
+        " refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane refuses:radius-and-centre"
         " data_forms:in-force data_forms:here data_forms:tools"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
         NO_SUCH_ENTRY,

@@ -28,6 +28,7 @@ constexpr FaultWords kFaultWords[] = {
     {Cause::NoSpeed, "S oneshot motion cycle axis"},
     {Cause::ThreadLead, "F I oneshot motion cycle axis"},
     {Cause::RadiusTolerance, "axis I J K motion"},
+    {Cause::RadiusAndCentre, "R"},
     {Cause::NoRadius, "I J K motion axis"},
     {Cause::RadiusTooSmall, "R CR"},
     {Cause::NegativeRadius, "R CR"},

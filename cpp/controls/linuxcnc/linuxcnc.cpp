@@ -75,7 +75,7 @@ void motion(Control& c) {
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
        CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution,
-       CompensationWrongPlane, ArcAxis, NoFeed},
+       CompensationWrongPlane, ArcAxis, NoFeed, RadiusAndCentre},
       kRun, SourceDocument);
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};
@@ -193,6 +193,7 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {LogarithmOfNonPositive, "Zero or negative argument to ln"},
     {NestingTooDeep, "Too many subroutine levels"},
     {NoFeed, "Cannot do g1 with zero feed rate"},
+    {RadiusAndCentre, "Mixed radius ijk format for arc"},
     {NoRadius, "R i j k words all missing for arc"},
     {Overflow, "Calculation resulted in 'infinity'"},
     {PowerOfNegative, "Attempt to raise negative to non integer power"},

@@ -25,6 +25,9 @@ case("an arc takes a rotary axis along", pins="helix", **RUN,
      program="N10 G2 X2 I1 A90 F100\nN20 M2", final_work="X2 A90")
 case("an arc whose centre is its start has no radius", **RUN,
      program="N10 G2 X0 I0.001 F100\nN20 M2", runs="", alarm="no-radius", word="I0.001")
+for _line in ("G3 X4 I1 R0", "G3 X4 K1 R5", "I0.5 R5", "M5 J0.5 R0"):
+    case(f"{_line} has a radius and a centre", pins="refuses:radius-and-centre", **RUN,
+         program=f"N10 G3 X2 I1 F100\nN20 {_line}\nN30 M2", runs="N10", alarm="radius-and-centre", word=_line.split()[-1])
 case("R to where the tool stands is no arc", **RUN,
      program="N10 G2 X0 R5 F100\nN20 M2", runs="", alarm="no-arc-travel", word="R5")
 case("@ and ^ are the radius and the angle of a point", **RUN,

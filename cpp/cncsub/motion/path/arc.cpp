@@ -231,12 +231,21 @@ Result bare_arc(MotionView m, const BlockWords& block) {
   return m.facts.refuses(Cause::NoRadius) ? check_axes(m, block, 0, false) : std::nullopt;
 }
 
+/// R beside the words of a centre, whatever they say.
+Result check_form(MotionView m, const BlockWords& block) {
+  const bool centre = (block.words.mask & (bit('I') | bit('J') | bit('K'))) != 0;
+  if (!centre || !block.words.has('R') || !m.facts.refuses(Cause::RadiusAndCentre))
+    return std::nullopt;
+  return fault(Cause::RadiusAndCentre, block);
+}
+
 bool has_radius(const BlockWords& block) { return block.words.has('R') && block.words['R'] != 0; }
 
 }  // namespace
 
 Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome) {
   const bool radius = has_radius(block);
+  if (auto wrong = check_form(m, block)) return wrong;
   if (auto wrong = check_axes(m, block, piece.named, radius)) return wrong;
   return find_centre(m, block, radius, has_centre(block, plane_axes(m.state.plane)), piece,
                      outcome);
@@ -249,6 +258,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
+  if (auto wrong = check_form(m, block)) return wrong;
   if (named == 0 && !centre && !radius) return bare_arc(m, block);
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;
