@@ -59,6 +59,7 @@ struct Joined {
   std::vector<int>& lists;  // its lists of codes as they are numbered where it is joined to
   bool goes_on = false;     // its first program is the rest of the one that is written there
   std::uint32_t line = 0;   // how many lines of the file stand before it
+  double to_come = 0;  // how much is still to be read, as a multiple of what is joined with this
 };
 
 /// Whether what another builder wrote can be put behind the blocks of this one.

@@ -20,9 +20,15 @@ std::uint32_t size_of(const Table& table) {
 
 /// Puts one table behind another: where it begins there.
 template <class Table>
-std::uint32_t append(Table& to, Table& from) {
+std::uint32_t append(Table& to, Table& from, double to_come = 0) {
+  constexpr double kMostGrowth = 8, kMargin = 1.05;
   const std::uint32_t base = size_of(to);
-  const bool outgrown = to.size() + from.size() > to.capacity();
+  const std::size_t both = to.size() + from.size();
+  const bool outgrown = both > to.capacity();
+  // A table that grows is there twice: it grows once to what all files need if they are alike.
+  const double growth = std::min(kMargin * (1 + to_come), kMostGrowth);
+  if (outgrown && to_come > 0)
+    to.reserve(static_cast<std::size_t>(static_cast<double>(both) * growth));
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   from.clear();
   if (outgrown) system::give_back_large_memory();  // it would be the most that reading keeps
@@ -57,11 +63,11 @@ class Joining {
  private:
   void append_tables() {
     Code& from = of_.code;
-    blocks_ = append(code_.blocks, from.blocks);
+    blocks_ = append(code_.blocks, from.blocks, of_.to_come);
     variants_ = append(code_.variants, from.variants);
     cells_ = append(code_.cells, from.cells);
     expressions_ = append(code_.expressions, from.expressions);
-    calls_ = append(code_.calls, from.calls);
+    calls_ = append(code_.calls, from.calls, of_.to_come);
     jumps_ = append(code_.jumps, from.jumps);
     arguments_ = append(code_.arguments, from.arguments);
     statements_ = append(code_.statements, from.statements);

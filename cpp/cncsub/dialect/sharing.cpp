@@ -273,6 +273,7 @@ class Pool {
     const Job& job = jobs_[number];
     if (!apart.lines) return false;
     Joined of{apart.to, apart.code, apart.lists};
+    of.to_come = static_cast<double>(jobs_.size() - number - 1) / static_cast<double>(number + 1);
     if (job.text == nullptr) {
       if (!can_join(reading_.to, of)) return false;
       cncsub::join(reading_.to, of);
