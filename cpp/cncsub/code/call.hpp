@@ -117,7 +117,12 @@ struct CallRecord {
   CallKind kind = CallKind::Subprogram;
   CodeCallKind code_kind = CodeCallKind::Subprogram;
   bool macro = false;
-  bool constant = false;             // `target` holds for every execution
+  bool constant = false;  // `target` holds for every execution
+  enum class Locals : std::uint8_t {
+    ByKind,     // a macro has its own, a subprogram its caller's
+    Own,        // the arguments and nothing else
+    OwnByName,  // those with a number are the caller's
+  } locals = Locals::ByKind;
   std::int32_t code = 0;             // the calling code: 60 of M60
   std::int32_t variable = 0;         // takes the code's value
   std::int32_t program_number = -1;  // a call by code: the program it is registered for
@@ -125,11 +130,6 @@ struct CallRecord {
   SeldomValue seldom;
   std::uint32_t first_argument = 0, arguments = 0;
   std::uint32_t at = 0, width = 1;  // the calling word
-  enum class Locals : std::uint8_t {
-    ByKind,     // a macro has its own, a subprogram its caller's
-    Own,        // the arguments and nothing else
-    OwnByName,  // those with a number are the caller's
-  } locals = Locals::ByKind;
   Target target;
 
   const Operand& start() const { return seldom.get().start; }
