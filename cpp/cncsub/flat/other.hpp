@@ -52,7 +52,7 @@ class OtherWriter {
   const Machine &from_, &to_;
   WordWriter words_;
   std::array<GCode, kGroups> at_power_on_;  // what was in force before the first block
-  bool line_is_owed_ = false;  // G01 is in force here, and not yet written there
+  bool line_is_owed_ = false;               // G01 is in force here, and not yet written there
   std::string refused_;
 };
 
