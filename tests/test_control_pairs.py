@@ -165,6 +165,26 @@ def test_a_cycle_written_for_another_control_keeps_its_dwell_and_its_holes() -> 
         assert len(made.moves) == len(library.run().moves), (one, other)
 
 
+def test_a_line_before_any_feed_is_written_where_it_moves() -> None:
+    """LinuxCNC refuses G01 without an axis while no feed is in force, here it is in force at power-on."""
+    for blocks in (
+        "G0 X1.\nG1\nF100\nX5.",
+        "F100\nX5.",
+        "G1 F100\nX5.",
+        "G1 X5. F100",
+        "G4 P500\nF100\nX5.",
+        "G81 X1. Z-5. R-1. F100\nX3.\nG80\nX9.",
+        "G1\nG81 X1. Z-5. R-1. F100\nG80\nG1 X9.",
+        "G1\nG0 X1.\nX2.",
+        "G21 G1\nF100\nX5.",
+    ):
+        library = cncsub.loads(f"O1\n{blocks}\nM30\n", control="mitsubishi-m700")
+        flat = cncsub.flatten(library, control="linuxcnc")
+        made = cncsub.loads(flat.text, control="linuxcnc").run()
+        assert made.stop == cncsub.Stop.END, flat.text
+        assert len(made.moves) == len(library.run().moves), flat.text
+
+
 def test_a_count_that_is_computed_keeps_its_expression() -> None:
     text = _REPEATED.format(letter="K").replace("K3", "K#100")
     made = cncsub.translate(

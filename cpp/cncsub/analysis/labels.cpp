@@ -51,9 +51,9 @@ class LabelCheck {
   void run();
 
  private:
-  void look_ahead();
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // subprogram, label
 
+  void look_ahead();
   void head(Address at, const Labelled& own);
   void end_sub(Address at, const Labelled& own);
   void never_ended();

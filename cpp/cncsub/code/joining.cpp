@@ -25,10 +25,11 @@ std::uint32_t append(Table& to, Table& from, double to_come = 0) {
   const std::uint32_t base = size_of(to);
   const std::size_t both = to.size() + from.size();
   const bool outgrown = both > to.capacity();
-  // A table that grows is there twice: it grows once to what all files need if they are alike.
-  const double growth = std::min(kMargin * (1 + to_come), kMostGrowth);
-  if (outgrown && to_come > 0)
+  if (outgrown && to_come > 0) {
+    // A table that grows is there twice: it grows once to what all files need if they are alike.
+    const double growth = std::min(kMargin * (1 + to_come), kMostGrowth);
     to.reserve(static_cast<std::size_t>(static_cast<double>(both) * growth));
+  }
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
   from.clear();
   if (outgrown) system::give_back_large_memory();  // it would be the most that reading keeps

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/words.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -164,10 +165,11 @@ std::string OtherWriter::modes() {
   return others.empty() ? units : units + others + '\n';
 }
 
-bool OtherWriter::put_codes(std::string& to, std::span<const int> codes) {
+bool OtherWriter::put_codes(std::string& to, std::span<const int> codes, bool leaves_line) {
   std::string units, others;
   for (const int own : codes) {
     const GCode meant = facts_of(from_).codes.find(own);
+    if (leaves_line && meant.meaning == Meaning::Line) continue;
     bool idle = false;
     const int code = code_of(meant, idle);
     if (code < 0 && !idle)
@@ -182,25 +184,18 @@ bool OtherWriter::put_codes(std::string& to, std::span<const int> codes) {
   return true;
 }
 
-/// A control that refuses G01 without an axis while no feed is in force gets it in the block that
-/// moves by it. Whether the block is one that leaves its G01 for later; one that moves by a G01
-/// that was left gets the code here.
-bool OtherWriter::owes_line(std::string& to, const NcWords& words) {
-  constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z') | bit('A') | bit('B') | bit('C') |
-                                  bit('U') | bit('V') | bit('W');
-  if (!bare_line_needs_feed(to_)) return false;
-  const bool moves = (words.mask & kAxes) != 0;
-  const std::uint32_t groups = words.codes->groups;
-  if ((groups & (bit(Group::Motion) | bit(Group::Cycle))) != 0) {
-    line_is_owed_ = !moves && from_.motion().state().feed == 0 &&
-                    words.codes->meaning(Group::Motion) == Meaning::Line &&
-                    (groups & bit(Group::Cycle)) == 0;
-    return line_is_owed_;
-  }
-  if (!line_is_owed_ || !moves || (groups & bit(Group::OneShot)) != 0) return false;
-  line_is_owed_ = false;
-  to += code_name(facts_of(to_).codes.of(Meaning::Line).code) + " ";
-  return false;
+/// Whether a block says G01 without an axis while no feed is in force, and the control refuses
+/// that: it gets the code in the block that moves by it.
+bool OtherWriter::leaves_line(const NcWords& words) const {
+  return bare_line_needs_feed(to_) && words.codes->meaning(Group::Motion) == Meaning::Line &&
+         (words.mask & kAxisWords) == 0 && from_.motion().state().feed == 0;
+}
+
+/// Whether a block moves by the motion code in force and says none.
+bool OtherWriter::moves_by_line(const NcWords& words) const {
+  constexpr std::uint32_t kOthers = bit(Group::Motion) | bit(Group::Cycle) | bit(Group::OneShot);
+  return (words.mask & kAxisWords) != 0 && (words.codes->groups & kOthers) == 0 &&
+         !in_cycle(from_.motion().state());
 }
 
 bool OtherWriter::put_m(std::string& to, const NcWords& words, bool ends) {
@@ -351,14 +346,10 @@ bool OtherWriter::write(std::string& to, const Block& block, const NcWords& word
   std::array<int, 1> of_move{path_code(block)};
   const bool plain = of_move[0] >= 0;
   const std::span<const int> codes = plain ? std::span<const int>(of_move) : words.codes->g();
-  if (!owes_line(to, words)) {
-    if (!put_codes(to, codes)) return false;
-  } else {
-    for (const int& code : codes)
-      if (facts_of(from_).codes.find(code).meaning != Meaning::Line &&
-          !put_codes(to, std::span(&code, 1)))
-        return false;
-  }
+  const bool leaves = leaves_line(words), moves = !plain && moves_by_line(words);
+  if (line_is_owed_ && moves) to += code_name(facts_of(to_).codes.of(Meaning::Line).code) + " ";
+  if (leaves || moves || plain || words.codes->has(Group::Motion)) line_is_owed_ = leaves;
+  if (!put_codes(to, codes, leaves)) return false;
   if (!put_values(to, words) || !put_m(to, words, block.op == Op::EndProgram)) return false;
   if (to.size() > before && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
   return true;

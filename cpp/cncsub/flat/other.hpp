@@ -35,8 +35,9 @@ class OtherWriter {
  private:
   bool refuse(std::string reason);
   int code_of(const GCode& own, bool& idle) const;
-  bool put_codes(std::string& to, std::span<const int> codes);
-  bool owes_line(std::string& to, const NcWords& words);
+  bool put_codes(std::string& to, std::span<const int> codes, bool leaves_line);
+  bool leaves_line(const NcWords& words) const;
+  bool moves_by_line(const NcWords& words) const;
   bool put_values(std::string& to, const NcWords& words);
   bool put_m(std::string& to, const NcWords& words, bool ends);
   /// The address of a word here, for people.

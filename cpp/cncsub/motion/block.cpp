@@ -96,9 +96,6 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
   end_cycles(m.facts, m.state);
 }
 
-constexpr std::uint32_t kAxisWords =
-    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
-
 /// Whether a block has words that a motion is made of, or the code of one.
 bool has_motion(const BlockWords& block) {
   return block.has(Group::Motion) || block.has(Group::Cycle) ||

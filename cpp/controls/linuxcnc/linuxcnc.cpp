@@ -92,36 +92,37 @@ void motion(Control& c) {
 
 using Kind = VariableKind;
 
+void add(Control& c, std::int32_t first, std::int32_t last, Kind kind, Access access,
+         char address = 0, std::int32_t from = 0) {
+  c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
+}
+
 void variables(Control& c) {
-  const auto add = [&c](std::int32_t first, std::int32_t last, Kind kind, Access access,
-                        char address = 0, std::int32_t from = 0) {
-    c.variables.push_back({first, last, kind, access, address, kRun, SourceDocument, from});
-  };
   c.variables.push_back({1, 30, Kind::Local, Access::ReadWrite, 0, "LC o-code", Manual});
-  add(31, 5060, Kind::Kept, Access::ReadWrite);
-  add(5061, 5069, Kind::SkipPosition, Access::ReadWrite);
-  add(5070, 5070, Kind::SkipTouched, Access::ReadWrite);
-  add(5071, 5160, Kind::Kept, Access::ReadWrite);
-  add(5161, 5169, Kind::ReferencePoint, Access::ReadWrite);
-  add(5170, 5180, Kind::Kept, Access::ReadWrite);
-  add(5181, 5189, Kind::ReferencePoint, Access::ReadWrite, 0, 20);
-  add(5190, 5209, Kind::Kept, Access::ReadWrite);
-  add(5210, 5219, Kind::Shift, Access::ReadWrite);
-  add(5220, 5220, Kind::WorkSystem, Access::ReadWrite);
+  add(c, 31, 5060, Kind::Kept, Access::ReadWrite);
+  add(c, 5061, 5069, Kind::SkipPosition, Access::ReadWrite);
+  add(c, 5070, 5070, Kind::SkipTouched, Access::ReadWrite);
+  add(c, 5071, 5160, Kind::Kept, Access::ReadWrite);
+  add(c, 5161, 5169, Kind::ReferencePoint, Access::ReadWrite);
+  add(c, 5170, 5180, Kind::Kept, Access::ReadWrite);
+  add(c, 5181, 5189, Kind::ReferencePoint, Access::ReadWrite, 0, 20);
+  add(c, 5190, 5209, Kind::Kept, Access::ReadWrite);
+  add(c, 5210, 5219, Kind::Shift, Access::ReadWrite);
+  add(c, 5220, 5220, Kind::WorkSystem, Access::ReadWrite);
   for (std::int32_t system = 0; system < 9; ++system) {  // nine axes and the turn, ten of no use
     const std::int32_t first = 5221 + 20 * system;
     const bool extra = system > 5;
-    add(first, first + 9, extra ? Kind::ExtraWorkOffset : Kind::WorkOffset, Access::ReadWrite, 0,
+    add(c, first, first + 9, extra ? Kind::ExtraWorkOffset : Kind::WorkOffset, Access::ReadWrite, 0,
         20 * (extra ? system - 6 : system + 1));
-    add(first + 10, std::min(first + 19, 5399), Kind::Kept, Access::ReadWrite);
+    add(c, first + 10, std::min(first + 19, 5399), Kind::Kept, Access::ReadWrite);
   }
-  add(5400, 5409, Kind::ToolLength, Access::ReadOnly, 0, -1);  // the first is the tool itself
-  add(5410, 5419, Kind::Kept, Access::ReadOnly);
-  add(5420, 5428, Kind::WorkPosition, Access::ReadOnly);
+  add(c, 5400, 5409, Kind::ToolLength, Access::ReadOnly, 0, -1);  // the first is the tool itself
+  add(c, 5410, 5419, Kind::Kept, Access::ReadOnly);
+  add(c, 5420, 5428, Kind::WorkPosition, Access::ReadOnly);
   c.variables.back().not_compensated = true;
-  add(5429, 5598, Kind::Kept, Access::ReadWrite);
-  add(5599, 5599, Kind::MessageSwitch, Access::ReadWrite);
-  add(5600, 5601, Kind::Kept, Access::ReadWrite);
+  add(c, 5429, 5598, Kind::Kept, Access::ReadWrite);
+  add(c, 5599, 5599, Kind::MessageSwitch, Access::ReadWrite);
+  add(c, 5600, 5601, Kind::Kept, Access::ReadWrite);
   for (VariableRange& range : c.variables)
     range.metric = range.kind == Kind::WorkOffset || range.kind == Kind::ToolLength ||
                    range.kind == Kind::Shift || range.kind == Kind::ReferencePoint ||
@@ -130,15 +131,12 @@ void variables(Control& c) {
 
 /// No program can name these: they are what the named variables of the interpreter tell.
 void told_by_name(Control& c) {
-  const auto add = [&c](std::int32_t first, std::int32_t last, Kind kind, char address = 0) {
-    c.variables.push_back({first, last, kind, Access::ReadOnly, address, kRun, SourceDocument});
-  };
-  add(14001, 14024, Kind::ActiveCode);
-  add(14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, 'F');
-  add(14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, 'S');
-  add(14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, 'T');
-  add(15020, 15025, Kind::MachinePosition);
-  add(15040, 15048, Kind::WorkPosition);
+  add(c, 14001, 14024, Kind::ActiveCode, Access::ReadOnly);
+  add(c, 14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
+  add(c, 14100 + 'S' - 'A', 14100 + 'S' - 'A', Kind::ActiveWord, Access::ReadOnly, 'S');
+  add(c, 14100 + 'T' - 'A', 14100 + 'T' - 'A', Kind::ActiveWord, Access::ReadOnly, 'T');
+  add(c, 15020, 15025, Kind::MachinePosition, Access::ReadOnly);
+  add(c, 15040, 15048, Kind::WorkPosition, Access::ReadOnly);
 }
 
 /// Its errors have words and no numbers. Where a message tells what is wrong with a word its own

@@ -128,7 +128,7 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         yield f"{name} is on the external device, where M198 calls it"
     # What was typed lies in no folder.
     files = [alarm.file] if alarm.file in library.files else library.files[:1]
-    for file in files:
+    for file in files if not outside else ():
         real = os.path.realpath(file)
         if os.path.dirname(real) != os.path.realpath(Path(file).parent):  # noqa: PTH120
             yield f"{file} is a link: what lies beside {real} is not read; name that file instead"

@@ -69,6 +69,8 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
                   std::uint32_t& named);
 /// @ and ^, the radius and the angle of a point in G17: what does not go with them, and the point.
 constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
+constexpr std::uint32_t kAxisWords =
+    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
 Result check_polar_words(MotionView m, const BlockWords& block);
 void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
                  std::uint32_t& named);

@@ -233,8 +233,8 @@ Result bare_arc(MotionView m, const BlockWords& block) {
 
 /// R beside the words of a centre, whatever they say.
 Result check_form(MotionView m, const BlockWords& block) {
-  const bool centre = (block.words.mask & (bit('I') | bit('J') | bit('K'))) != 0;
-  if (!centre || !block.words.has('R') || !m.facts.refuses(Cause::RadiusAndCentre))
+  if ((block.words.mask & kCentreWords) == 0 || !block.words.has('R') ||
+      !m.facts.refuses(Cause::RadiusAndCentre))
     return std::nullopt;
   return fault(Cause::RadiusAndCentre, block);
 }

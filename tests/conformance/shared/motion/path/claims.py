@@ -42,9 +42,9 @@ def moves(claim, controls, *blocks, source="general knowledge", evidence="inferr
 _OTHERS = [*MILLS, *GSK_988, TDI, "haas-ngc", "syntec-22ma"]
 for _claim, _pin, _controls, _blocks in (
     ("G01 without an axis moves nothing, and needs no feed", "no-feed", [*_OTHERS, TE], ("G0 X5.", "G1")),
-    ("a centre of 0 across the plane is the arc's own plane", "arc-axis-not-in-plane", _OTHERS,
+    ("a centre of 0 across the plane counts for nothing", "arc-axis-not-in-plane", _OTHERS,
      ("G1 F100.", "G17 G2 X20. I10. J0 K0")),
-    ("of a radius and a centre one counts", "radius-and-centre", _OTHERS,
+    ("R may stand beside a centre", "radius-and-centre", _OTHERS,
      ("G1 F100.", "G17 G2 X20. I10. R10.")),
     ("the plane of Y and Z has a radius compensation", "offset-in-wrong-plane", _OTHERS,
      ("G19 G1 F100.", "G41 D1 Y50.", "Y90.", "G40 Y120.")),
