@@ -112,21 +112,6 @@ print([(event, str(arguments[0])) for event, arguments in seen
     assert {event for event, _ in events} <= {"open", "os.listdir", "os.scandir"}
 
 
-def test_a_link_that_is_named_opens_no_other_folder(tmp_path: Path) -> None:
-    """Its file is read, as it was named; what lies beside that file was not."""
-    (tmp_path / "job").mkdir()
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out" / "real.nc").write_text("O1\nM98 P2\nM30\n")
-    (tmp_path / "out" / "O2.nc").write_text("O2\nM99\n")
-    link = tmp_path / "job" / "main.nc"
-    link.symlink_to("../out/real.nc")
-    ran = CliRunner().invoke(app, ["run", str(link), "-c", CONTROL])
-    assert "O2 is not in the memory" in ran.output
-    assert "is a link: what lies beside" in ran.output
-    named = CliRunner().invoke(app, ["run", str(tmp_path / "out" / "real.nc"), "-c", CONTROL])
-    assert "the program ended" in named.output
-
-
 def test_a_run_writes_no_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     text = "O1\nPOPEN\nDPRNT[PRNT.TXT]\nBPRNT[A#1[3]]\nPCLOS\nG10 L2 P1 X1.\nM30\n"

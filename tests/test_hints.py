@@ -279,10 +279,9 @@ def test_options_without_effect_are_told_by_every_command_that_runs(tmp_path: Pa
         assert "no block has M01" in CliRunner().invoke(app, words).stderr, words
 
 
-def test_a_link_has_the_files_beside_itself(tmp_path: Path) -> None:
-    """And not those beside the file it leads to, in a folder that nobody named."""
+def test_a_link_has_the_files_beside_what_it_leads_to(tmp_path: Path) -> None:
     (tmp_path / "job").mkdir()
-    (tmp_path / "job" / "O1.nc").write_text("O1\nM98 P8\nM98 P7\nM30\n")
+    (tmp_path / "job" / "O1.nc").write_text("O1\nM98 P7\nM98 P8\nM30\n")
     (tmp_path / "job" / "O7.nc").write_text("O7\nM99\n")
     (tmp_path / "O8.nc").write_text("O8\nM99\n")
     link = tmp_path / "link.nc"
@@ -291,10 +290,9 @@ def test_a_link_has_the_files_beside_itself(tmp_path: Path) -> None:
     except OSError:
         pytest.skip("this system makes no links")
     done = CliRunner().invoke(app, ["run", str(link), "-c", CONTROL])
-    assert done.exit_code == 1
+    assert done.exit_code == 0
+    assert "O7.nc: read too" in done.stderr
     assert "O8.nc: read too" in done.stderr
-    assert "O7.nc: read too" not in done.stderr
-    assert "O7 is not in the memory" in done.output
 
 
 FOREIGN = {

@@ -25,16 +25,19 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
     files have leads to none of them.
 
     `load` takes the file and those beside it. They are files of a folder that was not named: what
-    is left out of a folder, such as a link that leads out of it, is left out here, and what lies
-    beside the file that a link leads to.
+    is left out of a folder, such as a link that leads out of it, is left out here.
     """
     beside: dict[str, None] = {}
     library = load([path], [])
     for _ in range(MOST_ROUNDS):
         found: dict[str, None] = {}
         for name in missing_programs(library):
-            found_here = files_named(Path(path).parent, name, library)
-            files = [file for file, fault in found_here if fault is None]
+            files = [
+                file
+                for folder in folders_of(path)
+                for file, fault in files_named(folder, name, library)
+                if fault is None
+            ]
             if len(files) == 1 and files[0] not in beside:
                 found[files[0]] = None
         if not found:
@@ -42,6 +45,12 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
         beside |= found
         library = load([path], list(beside))
     return library
+
+
+def folders_of(path: str) -> list[Path]:
+    """The folder of a file, and of a link that of the file it leads to."""
+    folder, real = Path(path).parent, Path(os.path.realpath(path)).parent
+    return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
 
 
 def _entries(folder: Path) -> list[os.DirEntry[str]]:

@@ -7,7 +7,6 @@ import re
 import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 from cncsub._core import Alarm, Control
@@ -21,7 +20,7 @@ from cncsub.program import Program
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
 from cncsub.setup import Setup
-from cncsub.sibling_files import files_named, folders_in
+from cncsub.sibling_files import files_named, folders_in, folders_of
 
 MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
 MOST_SECONDS = 1.0
@@ -128,11 +127,7 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         yield f"{name} is on the external device, where M198 calls it"
     # What was typed lies in no folder.
     files = [alarm.file] if alarm.file in library.files else library.files[:1]
-    for file in files if not outside else ():
-        real = os.path.realpath(file)
-        if os.path.dirname(real) != os.path.realpath(Path(file).parent):  # noqa: PTH120
-            yield f"{file} is a link: what lies beside {real} is not read; name that file instead"
-    folders = {Path(file).parent: None for file in files}
+    folders = {folder: None for file in files for folder in folders_of(file)}
     folders |= {inner: None for folder in list(folders) for inner in folders_in(folder)}
     device = {os.path.realpath(program.file) for program in library.external.values()}
     for file, fault in (
