@@ -27,10 +27,7 @@ namespace {
 
 /// The programs that call each other, as far as calls are known.
 Arrows calls_of(const std::vector<ProgramFlow>& flows) {
-  std::size_t calls = 0;
-  for (const ProgramFlow& flow : flows) calls += flow.calls().size();
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-  all.reserve(calls);
   for (const ProgramFlow& flow : flows)
     for (const CallEdge& edge : flow.calls())
       all.emplace_back(static_cast<std::uint32_t>(edge.caller),
