@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -136,6 +140,24 @@ def test_programs_that_all_call_each_other_are_one_circle() -> None:
     assert circle.count == 60 * 61 // 2
     assert len(circle.places) == 1000
     assert len(circle.path) < 100
+
+
+@pytest.mark.skipif(
+    "asan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer keeps what was given back"
+)
+def test_a_million_calls_are_read_and_checked_in_300_megabytes(tmp_path: Path) -> None:
+    calls = "".join(f"M98 P{i}\n" for i in range(1, 1001))
+    for i in range(1, 1001):
+        (tmp_path / f"O{i:04}.nc").write_text(f"O{i}\n{calls}M99\n")
+    code = (
+        "import resource, sys, cncsub\n"
+        f"cncsub.load(sys.argv[1], control={MILL!r}).check()\n"
+        "print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(tmp_path)], capture_output=True, text=True, check=True
+    )
+    assert int(done.stdout) < 300 * 1024
 
 
 def test_the_names_of_a_long_circle_are_told_in_part() -> None:

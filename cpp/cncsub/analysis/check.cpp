@@ -53,6 +53,17 @@ bool is_of_memory(Check check) {
 
 }  // namespace
 
+Callers::Callers(const std::vector<ProgramFlow>& flows) : first_(flows.size() + 1, 0) {
+  for (const ProgramFlow& flow : flows)
+    for (const CallEdge& edge : flow.calls()) ++first_[static_cast<std::size_t>(edge.called) + 1];
+  for (std::size_t i = 0; i < flows.size(); ++i) first_[i + 1] += first_[i];
+  edges_.resize(first_.back());
+  std::vector<std::uint32_t> place(first_.begin(), first_.end() - 1);
+  for (const ProgramFlow& flow : flows)
+    for (const CallEdge& edge : flow.calls())
+      edges_[place[static_cast<std::size_t>(edge.called)]++] = &edge;
+}
+
 Checker::Checker(const Code& code, std::int32_t main, const std::string& machine,
                  InterruptCheck& interrupt)
     : code(code),
@@ -60,17 +71,15 @@ Checker::Checker(const Code& code, std::int32_t main, const std::string& machine
       machine(machine_of(*code.control, machine)),
       g_codes(*code.control, this->machine),
       flows(flow_of(code, interrupt)),
-      callers(code.programs.size()),
       groups(calls_of(flows)),
       named(code.programs.size()),
       interrupt_(interrupt),
+      callers_(flows),
       called_by_another_(code.programs.size()) {
   for (const ProgramFlow& flow : flows)
-    for (const CallEdge& edge : flow.calls()) {
-      const auto called = static_cast<std::size_t>(edge.called);
-      callers[called].push_back(edge);
-      if (edge.caller != edge.called) called_by_another_[called] = true;
-    }
+    for (const CallEdge& edge : flow.calls())
+      if (edge.caller != edge.called)
+        called_by_another_[static_cast<std::size_t>(edge.called)] = true;
   for (const SourceFile& file : code.files) ignored_.emplace_back(file.text.view());
 }
 

@@ -1,6 +1,7 @@
 // The parts of a check: each looks at all programs and adds what it finds.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -15,6 +16,20 @@
 
 namespace cncsub {
 
+/// The calls of each program, in the order of the blocks that call: as many as there are calls, so
+/// that each is only pointed to.
+class Callers {
+ public:
+  explicit Callers(const std::vector<ProgramFlow>& flows);
+  std::span<const CallEdge* const> of(std::size_t program) const {
+    return {edges_.data() + first_[program], edges_.data() + first_[program + 1]};
+  }
+
+ private:
+  std::vector<std::uint32_t> first_;
+  std::vector<const CallEdge*> edges_;
+};
+
 /// What the parts look at, and where their findings go.
 class Checker {
  public:
@@ -26,9 +41,8 @@ class Checker {
   MachineType machine;
   GCodes g_codes;
   std::vector<ProgramFlow> flows;
-  std::vector<std::vector<CallEdge>> callers;  // by the called program
-  Groups groups;                               // of programs that call each other
-  std::vector<bool> named;                     // programs that a call names which leads nowhere
+  Groups groups;            // of programs that call each other
+  std::vector<bool> named;  // programs that a call names which leads nowhere
   /// A program in which blocks may be meant that nothing reaches, for what a block of it or of
   /// another one says that is refused or dropped.
   struct Unsure {
@@ -47,9 +61,11 @@ class Checker {
   bool inside(const ProgramFlow& flow) const {
     return program(flow.program()).inside != kNoProgram;
   }
-  bool is_called(std::int32_t index) const {
-    return !callers[static_cast<std::size_t>(index)].empty();
+  /// The calls that lead to a program.
+  std::span<const CallEdge* const> callers_of(std::int32_t index) const {
+    return callers_.of(static_cast<std::size_t>(index));
   }
+  bool is_called(std::int32_t index) const { return !callers_of(index).empty(); }
   /// Whether a program other than itself calls it.
   bool is_called_by_another(std::int32_t index) const {
     return called_by_another_[static_cast<std::size_t>(index)];
@@ -79,6 +95,7 @@ class Checker {
   std::string scope_of(Check check, Address block) const;
 
   InterruptCheck& interrupt_;
+  Callers callers_;
   std::vector<bool> called_by_another_;
   std::vector<Finding> findings_;
   std::unordered_map<std::string, std::size_t> causes_;  // of the findings, by rule and scope

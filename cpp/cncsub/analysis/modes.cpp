@@ -122,9 +122,9 @@ void ModeCheck::leave(std::int32_t program, Modes modes) {
   if ((left | modes) == left) return;
   left |= modes;
   const std::uint32_t group = c_.groups.of[static_cast<std::size_t>(program)];
-  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)])
-    if (c_.groups.of[static_cast<std::size_t>(edge.caller)] == group)
-      waiting_.emplace_back(edge.caller, edge.from);
+  for (const CallEdge* edge : c_.callers_of(program))
+    if (c_.groups.of[static_cast<std::size_t>(edge->caller)] == group)
+      waiting_.emplace_back(edge->caller, edge->from);
 }
 
 /// Works until nothing more may be in force anywhere in the programs of a group.

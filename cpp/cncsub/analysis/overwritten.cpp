@@ -141,9 +141,9 @@ Set OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
 /// The locals that some call gives as an argument: they are the program's own from the start.
 Set OverwrittenCheck::arguments(std::int32_t program) const {
   Set found(numbering_.words());
-  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(program)]) {
-    const CallRecord& record = c_.code.calls[edge.record];
-    for (std::uint32_t i = 0; edge.macro && i < record.arguments; ++i)
+  for (const CallEdge* edge : c_.callers_of(program)) {
+    const CallRecord& record = c_.code.calls[edge->record];
+    for (std::uint32_t i = 0; edge->macro && i < record.arguments; ++i)
       numbering_.mark(found, c_.code.arguments[record.first_argument + i].variable);
   }
   for (std::size_t i = 0; i < found.size(); ++i) found[i] &= locals_[i];
@@ -226,8 +226,8 @@ void OverwrittenCheck::take_until_settled(std::vector<std::uint32_t> waiting) {
     waits.erase(program);
     c_.over(c_.flows[program].calls().size());
     if (!take_called(program)) continue;
-    for (const CallEdge& edge : c_.callers[program]) {
-      const auto caller = static_cast<std::uint32_t>(edge.caller);
+    for (const CallEdge* edge : c_.callers_of(static_cast<std::int32_t>(program))) {
+      const auto caller = static_cast<std::uint32_t>(edge->caller);
       if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
         waiting.push_back(caller);
     }

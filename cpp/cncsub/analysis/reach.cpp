@@ -188,7 +188,7 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow, const std::vector<b
   if (!c.is_called(flow.program()) || flow.program() == c.main || !flow.ever_ends()) return;
   const Address at = only_end(flow, reached);
   if (at == kNowhere) return;
-  const CallEdge& call = c.callers[static_cast<std::size_t>(flow.program())].front();
+  const CallEdge& call = *c.callers_of(flow.program()).front();
   const Block& block = c.code.blocks[at];
   Finding& found =
       c.found(Check::EndsInCall, at, {block.text, block.length},

@@ -201,27 +201,27 @@ void TargetCheck::restart(const ProgramFlow::ReturnTo& to) {
 
 /// M99 P leads into each program that calls.
 void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
-  const auto& callers = c_.callers[static_cast<std::size_t>(flow_.program())];
+  const auto callers = c_.callers_of(flow_.program());
   if (callers.empty()) return restart(to);
   std::int32_t before = kNoProgram;  // calls of one caller stand one after the other
   const CallEdge* lacks = nullptr;   // the first whose program lacks the block
   const CallEdge* enters = nullptr;  // the first that is led into a loop
   std::size_t lacking = 0;
-  for (const CallEdge& edge : callers) {
+  for (const CallEdge* edge : callers) {
     if (++looked_up_ > kMostReturns || c_.over()) break;
-    if (edge.caller == before) continue;
-    before = edge.caller;
-    const Address found = c_.code.return_target(c_.program(edge.caller), to.n, edge.from);
+    if (edge->caller == before) continue;
+    before = edge->caller;
+    const Address found = c_.code.return_target(c_.program(edge->caller), to.n, edge->from);
     if (found == kNowhere) {
-      if (lacks == nullptr) lacks = &edge;
+      if (lacks == nullptr) lacks = edge;
       ++lacking;
       continue;
     }
-    ambiguous(to.from, c_.program(edge.caller), to.n, to.place);
-    const Address end = all_.of(edge.caller).entered(edge.from, found);
+    ambiguous(to.from, c_.program(edge->caller), to.n, to.place);
+    const Address end = all_.of(edge->caller).entered(edge->from, found);
     if (end == kNowhere || enters != nullptr) continue;
-    enters = &edge;
-    into_loop(to.from, to.place, end).path = {edge.from};
+    enters = edge;
+    into_loop(to.from, to.place, end).path = {edge->from};
   }
   if (lacks == nullptr) return;
   Finding& told = no_return_block(to, c_.program(lacks->caller));

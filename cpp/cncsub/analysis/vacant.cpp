@@ -76,7 +76,7 @@ Bits VacantCheck::vacant_in(const CallEdge& edge) const {
 }
 
 VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
-  const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
+  const auto callers = c_.callers_of(flow.program());
   Vacant entry{uses_.named(), uses_.named(), true};
   if (callers.empty()) {
     // Nobody knows who calls a subprogram that is not called here.
@@ -85,8 +85,8 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   }
   if (computed_calls_ || flow.program() == c_.main) return entry;
   Bits always = locals_, sometimes = 0;
-  for (const CallEdge& edge : callers) {
-    const Bits vacant = vacant_in(edge) | uses_.named();
+  for (const CallEdge* edge : callers) {
+    const Bits vacant = vacant_in(*edge) | uses_.named();
     always &= vacant;
     sometimes |= vacant;
   }
@@ -174,7 +174,7 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, 
                               : check == Check::Vacant        ? name + " has no value here"
                                                               : name + " may have no value here");
     if (check != Check::ArgumentMissing) continue;
-    found.path = {c_.callers[static_cast<std::size_t>(flow.program())].front().from};
+    found.path = {c_.callers_of(flow.program()).front()->from};
   }
 }
 
@@ -184,17 +184,17 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, 
 bool VacantCheck::omits_on_purpose(const ProgramFlow& flow) const {
   const LocalUse& of = uses_.of_program(flow.program());
   Bits all = 0;
-  for (const CallEdge& edge : c_.callers[static_cast<std::size_t>(flow.program())])
-    if (edge.macro) all |= given(edge);
+  for (const CallEdge* edge : c_.callers_of(flow.program()))
+    if (edge->macro) all |= given(*edge);
   return all != 0 && (all & ~of.reads) == 0;
 }
 
 void VacantCheck::tell_vacant(const ProgramFlow& flow) {
   Bits told = uses_.of_program(flow.program()).tested;
   const std::vector<Vacant> before = vacant(flow);
-  const auto& callers = c_.callers[static_cast<std::size_t>(flow.program())];
+  const auto callers = c_.callers_of(flow.program());
   const bool macro =
-      std::any_of(callers.begin(), callers.end(), [](const CallEdge& edge) { return edge.macro; });
+      std::any_of(callers.begin(), callers.end(), [](const CallEdge* edge) { return edge->macro; });
   const bool on_purpose = omits_on_purpose(flow);
   for (Address at = flow.first(); at < flow.last(); ++at) {
     const VariableUse* own = uses_.of(at);

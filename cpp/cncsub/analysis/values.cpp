@@ -114,8 +114,7 @@ std::vector<bool> writing_points(const Checker& c) {
     if (found[static_cast<std::size_t>(program)]) continue;
     found[static_cast<std::size_t>(program)] = true;
     for (const CallEdge& edge : c.flow(program).calls()) waiting.push_back(edge.called);
-    for (const CallEdge& edge : c.callers[static_cast<std::size_t>(program)])
-      waiting.push_back(edge.caller);
+    for (const CallEdge* edge : c.callers_of(program)) waiting.push_back(edge->caller);
   }
   return found;
 }

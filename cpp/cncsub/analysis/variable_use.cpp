@@ -156,8 +156,8 @@ void VariableUses::share() {
       waiting.pop_back();
       waits.erase(program);
       if (!take_called(program)) continue;
-      for (const CallEdge& edge : c_.callers[program]) {
-        const auto caller = static_cast<std::uint32_t>(edge.caller);
+      for (const CallEdge* edge : c_.callers_of(static_cast<std::int32_t>(program))) {
+        const auto caller = static_cast<std::uint32_t>(edge->caller);
         if (c_.groups.of[caller] == c_.groups.of[program] && waits.insert(caller).second)
           waiting.push_back(caller);
       }

@@ -153,18 +153,20 @@ static_assert(static_cast<int>(Ins::Constant) == 0, "so that the head of one has
 
 /// A value in a block: absent, written as a number, or an expression.
 struct Operand {
-  enum class Kind : std::uint8_t { Absent, Constant, Expression } kind = Kind::Absent;
-  bool bracketed = false;    // P[#100]
-  bool whole = false;        // a number without a decimal point
-  bool fine = false;         // a number with more than three decimals
-  std::uint8_t digits = 0;   // without leading zeros
-  std::uint8_t written = 0;  // with them
-  std::uint32_t expression = 0;
+  enum class Kind : std::uint8_t { Absent, Constant, Expression };
   double value = 0;
+  std::uint32_t expression = 0;
   std::uint32_t at = 0;
   std::uint32_t width = 1;
+  Kind kind : 2 = Kind::Absent;
+  bool bracketed : 1 = false;  // P[#100]
+  bool whole : 1 = false;      // a number without a decimal point
+  bool fine : 1 = false;       // a number with more than three decimals
+  std::uint8_t digits = 0;     // without leading zeros
+  std::uint8_t written = 0;    // with them
 
   bool present() const { return kind != Kind::Absent; }
 };
+static_assert(sizeof(Operand) == 24);  // each call and argument has some
 
 }  // namespace cncsub
