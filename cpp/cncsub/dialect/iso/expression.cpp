@@ -1,10 +1,8 @@
-// Expressions of the ISO family: what a word, a statement and a bracket hold, variables and
-// numbers.
-//
-// They are read in one loop: what is opened, a sign or an operator waits on a stack for its value.
+// What a word, a statement and a bracket hold, and the operators between its values.
 #include "cncsub/dialect/iso/expression.hpp"
 
 #include <array>
+#include <string>
 
 namespace cncsub {
 
@@ -20,7 +18,7 @@ std::ptrdiff_t length_of(Scanner s) {
 
 /// Whether an operator of arithmetic or of logic stands here, and no slash before a word.
 bool computes(const ExpressionRules& rules, const Scanner& s) {
-  const OperatorName* const of = find_operator(rules, s);
+  const IsoOperator* const of = find_operator(rules, s);
   if (of == nullptr || of->op != Ins::Divide) return of != nullptr && !of->compares();
   Scanner behind = s;
   behind.take('/');
@@ -28,77 +26,219 @@ bool computes(const ExpressionRules& rules, const Scanner& s) {
   return c == '#' || c == '[' || begins_number(c);
 }
 
-}  // namespace
+/// The signs of arithmetic by their character.
+constexpr auto kSigns = [] {
+  std::array<const IsoOperator*, 256> signs{};
+  for (const IsoOperator& of : kArithmetic) signs[static_cast<unsigned char>(of.spelling[0])] = &of;
+  return signs;
+}();
 
-bool ExpressionReader::goes_on(const Scanner& s) const {
-  return e_.rules.word_arithmetic && computes(e_.rules, s);
+/// Operators of letters, by some bits of the first two.
+constexpr std::size_t slot_of(char a, char b) {
+  return (static_cast<std::size_t>(a) % 32) * 32 + static_cast<std::size_t>(b) % 32;
+}
+constexpr auto kByLetters = [] {
+  std::array<const IsoOperator*, std::size_t{32} * 32> by_letters{};
+  for (const IsoOperator& of : kNamedOperators)
+    by_letters[slot_of(of.spelling[0], of.spelling[1])] = &of;
+  return by_letters;
+}();
+/// The operator whose capitals begin at `at`, where three characters stand; null where none does.
+const IsoOperator* named_operator(const char* at) {
+  const IsoOperator* const of = kByLetters[slot_of(at[0], at[1])];
+  if (of == nullptr || of->spelling[0] != at[0] || of->spelling[1] != at[1]) return nullptr;
+  return of->spelling.size() == 2 || of->spelling[2] == at[2] ? of : nullptr;
 }
 
-std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char address) {
-  e_.out.begin(address);
-  s.blanks();
-  const Scanner first = s;
-  const std::uint32_t at = s.offset();
-  const bool negative = s.take('-');
-  if (!negative) s.take('+');
-  const bool variable = s.peek() == '#';
-  const StatementKind kind = variable ? StatementKind::Variables : StatementKind::Brackets;
-  if (e_.rules.code.lacking.test(static_cast<std::size_t>(kind))) {
-    Fault wrong = e_.rules.code.lacking_fault(kind, at);
-    return e_.out.refuse(wrong.cause, at, std::move(wrong.detail));
+}  // namespace
+
+void ExpressionReader::pass_gap() {
+  if (s_.at == s_.end) return;
+  if (*s_.at == ' ' && !begins_gap(s_.at[1])) {
+    ++s_.at;
+    return;
   }
-  Value value = taken(s, variable ? plain_.variable(s) : plain_.bracket(s));
-  if (!value) {
-    e_.begin(s, address);
-    value = variable ? operand_alone() : bracket();
+  comments_ = true;
+  s_.pass_gap();
+}
+
+// ---- brackets ----
+
+bool ExpressionReader::opens() {
+  const bool here = peek() == '[';
+  const std::uint32_t at = offset();
+  if (!here) {
+    out_.refuse(Cause::BracketNotOpened, at, "an opening bracket is missing here");
+    return false;
   }
+  ++s_.at;
+  ++brackets_;
+  if (brackets_ <= rules_.most_brackets) return true;
+  out_.refuse(Cause::BracketsTooDeep, at,
+              "more than " + std::to_string(rules_.most_brackets) + " brackets inside each other");
+  return false;
+}
+
+bool ExpressionReader::closes() {
+  const char c = peek();
+  if (c == ']') {
+    ++s_.at;
+    --brackets_;
+    return true;
+  }
+  if (c == '\0')
+    out_.refuse(Cause::BracketNotClosed, offset(), "a closing bracket is missing");
+  else
+    out_.refuse(Cause::ExpressionFormat, offset(),
+                "an operator or a closing bracket is missing here");
+  return false;
+}
+
+/// What stands in brackets.
+Value ExpressionReader::bracket() {
+  if (!opens()) return {};
+  const Value value = values();
+  return value && closes() ? value : Value{};
+}
+
+// ---- operators ----
+
+const IsoOperator* ExpressionReader::next_operator() {
+  gap();
+  const char* const at = s_.at;
+  if (at >= s_.end || *at == ']') return nullptr;
+  if (const IsoOperator* const sign = kSigns[static_cast<unsigned char>(*at)]) {
+    behind_operator_ = at + 1;
+    return sign;
+  }
+  const IsoOperator* of = s_.end - at > 2 ? named_operator(at) : nullptr;
+  if (of != nullptr) {
+    behind_operator_ = at + of->spelling.size();
+    return of->op == Ins::Modulo && !rules_.modulo ? nullptr : of;
+  }
+  of = find_operator(rules_, s_);
+  if (of == nullptr) return nullptr;
+  Scanner behind = s_;
+  behind.take_word(of->spelling);
+  behind_operator_ = behind.at;
+  comments_ = true;  // between its letters
+  return of;
+}
+
+/// Where logic of numbers binds first, what stands behind tells whether it is of numbers on the
+/// right side of a comparison: `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
+template <class Left>
+int ExpressionReader::level_of(const IsoOperator& of, Value& value, Left& left) {
+  if (rules_.alike) return of.alike;
+  if (!rules_.numbers_first || !of.is_logic()) return of.level;
+  value = left.join(value, of.alike + 1);
+  if (!value.is_number()) return of.level;
+  const bool compared = left.any([](const IsoOperator& waiting) { return waiting.compares(); });
+  return compared && is_before_condition(s_, of) ? of.level : of.alike + 1;
+}
+
+Value ExpressionReader::values() { return read_operators(*this); }
+
+// ---- what is read ----
+
+std::optional<std::uint32_t> ExpressionReader::finished(Value value, std::uint32_t at,
+                                                        bool negative) {
   if (!value) return std::nullopt;
-  if (goes_on(s)) {
-    s = first;
-    return arithmetic_of_word(s, address);
-  }
-  if (!e_.out.is_number(value))
-    return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
+  if (!out_.is_number(value))
+    return out_.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   if (negative)
-    e_.out.emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
-  return e_.out.finish(at, s.offset() - at);
+    out_.emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
+  return out_.finish(at, offset() - at);
+}
+
+std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
+  begin(s);
+  gap();
+  const std::uint32_t at = offset();
+  const auto read = finished(values(), at);
+  s.at = s_.at;
+  return read;
+}
+
+bool ExpressionReader::goes_on(const Scanner& s) const {
+  return rules_.word_arithmetic && computes(rules_, s);
 }
 
 std::optional<std::uint32_t> ExpressionReader::arithmetic_of_word(Scanner& s, char address) {
-  s.blanks();
-  const std::uint32_t at = s.offset();
-  e_.begin(s, address);
-  Value value = expression();
-  if (!value) return std::nullopt;
-  if (!e_.out.is_number(value))
-    return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  return e_.out.finish(at, s.offset() - at);
+  begin(s, address);
+  gap();
+  const std::uint32_t at = offset();
+  const auto read = finished(values(), at);
+  s.at = s_.at;
+  return read;
+}
+
+std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char address) {
+  begin(s, address);
+  gap();
+  const Scanner first = s_;
+  const bool negative = take('-');
+  if (!negative) take('+');
+  const Value value = value_of_word(first.offset());
+  s.at = s_.at;
+  if (!value || !goes_on(s)) return finished(value, first.offset(), negative);
+  s.at = first.at;
+  return arithmetic_of_word(s, address);
+}
+
+/// A variable, or what stands in brackets, without the sign before it.
+Value ExpressionReader::value_of_word(std::uint32_t at) {
+  const bool is_variable = peek() == '#';
+  const StatementKind kind = is_variable ? StatementKind::Variables : StatementKind::Brackets;
+  if (!rules_.code.lacking.test(static_cast<std::size_t>(kind)))
+    return is_variable ? variable() : bracket();
+  Fault wrong = rules_.code.lacking_fault(kind, at);
+  return out_.refuse(wrong.cause, at, std::move(wrong.detail));
 }
 
 std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
-  e_.out.begin(0);
-  s.blanks();
-  const std::uint32_t at = s.offset();
-  if (!e_.rules.bare && s.peek() != '[')
-    return e_.out.refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
-  Value value = taken(s, e_.rules.bare ? plain_.read(s) : plain_.bracket(s));
-  if (!value) {
-    e_.begin(s);
-    value = e_.rules.bare ? expression() : bracket();
-  }
+  begin(s);
+  const auto read = read_condition();
+  s.at = s_.at;
+  return read;
+}
+
+std::optional<std::uint32_t> ExpressionReader::read_condition() {
+  const bool opened = peek() == '[';
+  const std::uint32_t at = offset();
+  if (!rules_.bare && !opened)
+    return out_.refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
+  Value value = rules_.bare ? values() : bracket();
   if (!value) return std::nullopt;
-  const int most = e_.rules.control.macros.max_condition_length.value;
-  if (most > 0 && length_of({s.file + at, s.at, s.file}) > most)
-    return e_.out.refuse(Cause::ExpressionFormat, at,
-                         "a condition has at most " + std::to_string(most) + " characters");
-  const bool any = e_.rules.bare || e_.rules.values;
+  const int most = rules_.control.macros.max_condition_length.value;
+  if (most > 0 && length_of({s_.file + at, s_.at, s_.file}) > most)
+    return out_.refuse(Cause::ExpressionFormat, at,
+                       "a condition has at most " + std::to_string(most) + " characters");
+  const bool any = rules_.bare || rules_.values;
   if (any && value.is_number()) {  // WHILE TRUE
-    e_.out.arithmetic(value, s.offset());
+    out_.arithmetic(value, offset());
     value = Value::condition();
   }
   if (!value.is_condition())
-    return e_.out.refuse(Cause::ExpressionFormat, at, "a condition compares two values");
-  return e_.out.finish(at, s.offset() - at);
+    return out_.refuse(Cause::ExpressionFormat, at, "a condition compares two values");
+  return out_.finish(at, offset() - at);
+}
+
+/// The variable of an assignment, where more than digits stand behind its #.
+std::optional<ExpressionReader::Variable> ExpressionReader::read_target(const Scanner& s,
+                                                                        std::uint32_t hash) {
+  begin(s);
+  const bool inside = peek() == '[';
+  const std::uint32_t at = inside ? offset() : hash;
+  if (inside) {
+    Value inner = bracket();
+    if (!inner || !out_.arithmetic(inner, offset())) return std::nullopt;
+    return Variable{kComputed, out_.finish(at, offset() - at)};
+  }
+  const auto number = variable_number(at);
+  if (!number) return std::nullopt;
+  if (*number != kComputed) return Variable{*number, 0};
+  return Variable{kComputed, out_.finish(at, 1)};
 }
 
 }  // namespace cncsub

@@ -3,9 +3,12 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
-#include "cncsub/dialect/iso/open_expression.hpp"
-#include "cncsub/dialect/iso/plain_expression.hpp"
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/operators.hpp"
+#include "cncsub/dialect/iso/value_writer.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -13,9 +16,13 @@ namespace cncsub {
 /// all of a tape, an expression after the other; what is read is passed over by the scanner.
 class ExpressionReader {
  public:
-  ExpressionReader(Builder& to, const ExpressionRules& rules) : e_(to, rules), plain_(e_.out) {}
+  using Value = cncsub::Value;
+  using Operator = IsoOperator;
 
-  const ExpressionRules& rules() const { return e_.rules; }
+  ExpressionReader(Builder& to, const ExpressionRules& rules)
+      : rules_(rules), names_(to.names()), out_(to, rules), written_(out_.instructions()) {}
+
+  const ExpressionRules& rules() const { return rules_; }
   /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
   /// the expression goes.
   std::optional<std::uint32_t> number(Scanner& s);
@@ -35,50 +42,110 @@ class ExpressionReader {
     std::uint32_t expression = 0;
   };
   std::optional<Variable> variable(Scanner& s, std::uint32_t hash) {
-    e_.s = &s;
+    s_ = s;
     std::uint32_t number = 0;
-    const char* const end = e_.plain_number(s.at, number);
-    if (end == nullptr) return other_target(s, hash);
-    s.at = end;
-    return Variable{number, 0};
+    const bool plain = digits_of_variable(number) && !is_indirect(number);
+    const std::optional<Variable> read = plain ? Variable{number, 0} : read_target(s, hash);
+    s.at = s_.at;
+    return read;
   }
 
   /// Whether comments may stand in or behind the number that was read last.
   bool comments() const { return comments_; }
   /// What is wrong with the expression that was read last.
-  const Fault& fault() const { return e_.out.fault(); }
+  const Fault& fault() const { return out_.fault(); }
+
+  // The parts of an expression, for read_operators.
+  Value operand();
+  const IsoOperator* next_operator();
+  template <class Left>
+  int level_of(const IsoOperator& of, Value& value, Left& left);
+  std::uint32_t offset() const { return s_.offset(); }
+  void pass(const IsoOperator&) { s_.at = behind_operator_; }
+  Value apply(const IsoOperator& of, std::uint32_t at, Value left, Value right) {
+    return cncsub::apply(out_, of, at, left, right, offset());
+  }
 
  private:
-  /// The value of what is that plain, which is passed over.
-  static Value taken(Scanner& s, const PlainValue& plain) {
-    if (plain.value) s.at = plain.at;
-    return plain.value;
-  }
-  Value expression() { return values(e_.last, false); }
-  Value operand_alone() { return values(e_.last, true); }
-  Value bracket();
-  Value values(const Waiting* base, bool alone);
-  std::optional<Variable> other_target(Scanner& s, std::uint32_t hash);
+  static constexpr std::int64_t kComputed = -1;
 
-  OpenExpression e_;
-  PlainExpression plain_;
+  void begin(const Scanner& s, char address = 0) {
+    s_ = s;
+    out_.begin(address);
+    brackets_ = nots_ = 0;
+    comments_ = false;
+  }
+  Value value_of_word(std::uint32_t at);
+  std::optional<std::uint32_t> read_condition();
+  std::optional<Variable> read_target(const Scanner& s, std::uint32_t hash);
+  std::optional<std::uint32_t> finished(Value value, std::uint32_t at, bool negative = false);
+
+  Value values();
+  Value bracket();
+  bool opens();
+  bool closes();
+  bool is_indirect(std::int64_t number) const {
+    return rules_.indirect && number >= 9000 && number <= 9999;
+  }
+  bool number_goes_on(const char* at) const;
+  bool digits_of_variable(std::uint32_t& number);
+  Value constant();
+  Value other_constant();
+  Value with_sign();
+  Value negation(std::uint32_t at);
+  Value word();
+  Value arguments(const FunctionName& of, std::uint32_t at);
+  Value arc_tangent(std::uint32_t at, bool two);
+  Value programmed(std::uint32_t at);
+  Refused no_operand();
+  Value variable();
+  Value other_variable(std::uint32_t at);
+  std::optional<std::int64_t> variable_number(std::uint32_t at);
+  std::optional<std::int64_t> written_number();
+
+  void gap() {
+    if (begins_gap(*s_.at)) [[unlikely]]
+      pass_gap();
+  }
+  void pass_gap();
+  char peek() {
+    gap();
+    return s_.at == s_.end ? '\0' : upper(*s_.at);
+  }
+  bool take(char c) { return peek() == c && (++s_.at, true); }
+  void put(Ins op, std::uint32_t at) { written_.put(ExpressionCell::of(op, out_.address(), at)); }
+
+  const ExpressionRules& rules_;
+  Names& names_;
+  ValueWriter out_;
+  OpenInstructions& written_;
+  Scanner s_;
+  const char* behind_operator_ = nullptr;  // behind the one that was found last
+  int brackets_ = 0;                       // that are open
+  int nots_ = 0;                           // that wait
   bool comments_ = true;
 };
 
-inline std::optional<std::uint32_t> ExpressionReader::number(Scanner& s) {
-  e_.out.begin(0);
-  s.blanks();
-  const std::uint32_t at = s.offset();
-  Value value = taken(s, plain_.read(s));
-  comments_ = !value || plain_.comments();
-  if (!value) {
-    e_.begin(s);
-    value = expression();
-  }
-  if (!value) return std::nullopt;
-  if (!e_.out.is_number(value))
-    return e_.out.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  return e_.out.finish(at, s.offset() - at);
+/// Whether a number that was read as far as `at` goes on, behind a gap or with another point.
+inline bool ExpressionReader::number_goes_on(const char* at) const {
+  if (at >= s_.end) return at > s_.end;
+  if (!begins_gap(*at)) [[likely]]
+    return *at == '.';
+  Scanner ahead{at, s_.end, s_.file};
+  const char next = ahead.peek();
+  return is_digit(next) || next == '.';
+}
+
+/// Reads the number behind a #, where it is digits and nothing else.
+inline bool ExpressionReader::digits_of_variable(std::uint32_t& number) {
+  const char* at = s_.at;
+  for (std::uint32_t digit = 0; (digit = static_cast<std::uint32_t>(*at - '0')) <= 9; ++at)
+    number = number * 10 + digit;
+  if (at == s_.at || at - s_.at > ExpressionRules::kMostVariableDigits || number_goes_on(at))
+      [[unlikely]]
+    return false;
+  s_.at = at;
+  return true;
 }
 
 }  // namespace cncsub

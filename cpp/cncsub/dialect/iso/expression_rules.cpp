@@ -43,7 +43,6 @@ constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
 ExpressionRules::ExpressionRules(const Code& of)
     : code(of),
       control(*of.control),
-      plain(!of.general_only),
       alike(control.macros.logic_order.value == LogicOrder::LikeArithmetic),
       numbers_first(control.macros.logic_order.value == LogicOrder::LastOfConditions),
       joined(control.macros.conditions.value.has(Condition::Joined)),
@@ -58,8 +57,7 @@ ExpressionRules::ExpressionRules(const Code& of)
       word_arithmetic(control.macros.word_arithmetic.value),
       modulo(has(Function::Mod)),
       most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
-      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),
-      most_variable_digits(indirect || !plain ? 0 : kMostVariableDigits) {
+      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)) {
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
     if (name.size() > kLongest || !has(of_name.function)) continue;

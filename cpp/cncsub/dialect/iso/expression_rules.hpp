@@ -21,7 +21,6 @@ struct ExpressionRules {
 
   const Code& code;
   const Control& control;
-  bool plain;          // PlainExpression may read
   bool alike;          // logic binds like arithmetic
   bool numbers_first;  // logic binds like arithmetic where it joins numbers, and last otherwise
   bool joined;         // [...] AND [...]
@@ -35,8 +34,7 @@ struct ExpressionRules {
   bool word_arithmetic;  // X#1+10
   bool modulo;
   int most_brackets;
-  std::ptrdiff_t most_digits;           // that a constant may have without a look at what they are
-  std::ptrdiff_t most_variable_digits;  // the same of the number of a variable
+  std::ptrdiff_t most_digits;  // that a constant may have without a look at what they are
   static constexpr std::ptrdiff_t kMostVariableDigits = 9;
 
   /// Whether a function, or an operator that some controls have not, is there.

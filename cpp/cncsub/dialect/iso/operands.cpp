@@ -1,63 +1,260 @@
-// Operands, and what opens before one.
+// The values between operators: numbers, variables, functions, what stands in brackets, signs.
 #include <string>
 
-#include "cncsub/dialect/iso/open_expression.hpp"
+#include "cncsub/dialect/iso/expression.hpp"
 
 namespace cncsub {
 
 namespace {
 
-Value constant(OpenExpression& e) {
-  const std::uint32_t at = e.s->offset();
-  const Number number = scan_number(*e.s);
-  if (number.points > 1)
-    return e.out.refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
-  if (!number.any) return e.out.refuse(Cause::ExpressionFormat, at, "a point is no number");
-  const int most = e.rules.control.macros.max_constant_digits.value;
-  if (number.digits > static_cast<std::uint32_t>(most))
-    return e.out.refuse(Cause::TooManyDigits, at,
-                        "a number has at most " + std::to_string(most) + " digits");
-  return e.out.constant(number.value, at);
-}
+constexpr int kMostNots = 64;  // that wait at once
 
-Value sign(OpenExpression& e) {
-  const std::uint32_t at = e.s->offset();
-  const bool negative = *e.s->at++ == '-';
-  const char next = e.s->peek();
-  if (next == '-' || next == '+')
-    return e.out.refuse(Cause::ExpressionFormat, e.s->offset(), "two signs in a row");
-  return e.wait(negative ? Waiting::Kind::Minus : Waiting::Kind::Plus, at);
-}
+struct ConstantName {
+  Function word;
+  double value;
+};
+constexpr ConstantName kConstants[] = {
+    {Function::Pi, 3.14159265358979323846}, {Function::True, 1}, {Function::False, 0}};
 
-Refused no_operand(OpenExpression& e) {
-  const bool inside = e.brackets > 0;
-  const std::uint32_t at = e.s->offset();
-  switch (e.s->peek()) {
-    case ']':
-      return e.out.refuse(inside ? Cause::ExpressionFormat : Cause::BracketNotOpened, at,
-                          "a value is missing before the bracket");
-    case '\0':
-      return e.out.refuse(inside ? Cause::BracketNotClosed : Cause::ExpressionFormat, at,
-                          "a value is missing at the end");
-    default:
-      return e.out.refuse(Cause::ExpressionFormat, at, "a value is missing here");
-  }
-}
+constexpr const char* kNoVariable = "behind # stands a number, or an expression in brackets";
+
+bool starts_name(char c) { return is_letter(c) || c == '_'; }
 
 }  // namespace
 
-Value operand(OpenExpression& e) {
-  if (e.s->at != e.s->end && begins_gap(*e.s->at)) {
-    e.s->pass_gap();
-    return e.s->at == e.s->end ? no_operand(e) : Value::awaited();
+Value ExpressionReader::operand() {
+  gap();
+  const char c = s_.at < s_.end ? *s_.at : '\0';
+  Value value;
+  if (c == '#')
+    value = variable();
+  else if (is_digit(c) || c == '.')
+    value = constant();
+  else if (c == '[')
+    value = bracket();
+  else if (c == '-' || c == '+')
+    value = with_sign();
+  else if (is_letter(c))
+    value = word();
+  else
+    return no_operand();
+  if (written_.top() > written_.limit()) [[unlikely]]
+    written_.make_room();
+  return value;
+}
+
+Refused ExpressionReader::no_operand() {
+  const bool inside = brackets_ > 0;
+  switch (peek()) {
+    case ']':
+      return out_.refuse(inside ? Cause::ExpressionFormat : Cause::BracketNotOpened, offset(),
+                         "a value is missing before the bracket");
+    case '\0':
+      return out_.refuse(inside ? Cause::BracketNotClosed : Cause::ExpressionFormat, offset(),
+                         "a value is missing at the end");
+    default:
+      return out_.refuse(Cause::ExpressionFormat, offset(), "a value is missing here");
   }
-  const char c = e.s->peek();
-  if (c == '#') return variable(e);
-  if (c == '[') return e.open(Waiting::Kind::Bracket, e.s->offset());
-  if (c == '-' || c == '+') return sign(e);
-  if (is_digit(c) || c == '.') return constant(e);
-  if (is_letter(c)) return word(e);
-  return no_operand(e);
+}
+
+// ---- numbers and signs ----
+
+Value ExpressionReader::constant() {
+  const char* at = s_.at;
+  const Mantissa m = scan_mantissa(at);
+  const std::ptrdiff_t digits = m.whole + m.decimals;
+  if (digits == 0 || digits > rules_.most_digits || number_goes_on(at)) [[unlikely]]
+    return other_constant();
+  const Value value = Value::constant(written_.next());
+  put(Ins::Constant, offset());
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
+  written_.put(ExpressionCell::of(whole / kPowersOfTen[m.decimals]));
+  s_.at = at;
+  return value;
+}
+
+/// A number of many digits, with blanks inside, or that is none.
+Value ExpressionReader::other_constant() {
+  comments_ = true;
+  const std::uint32_t at = offset();
+  const Number number = scan_number(s_);
+  if (number.points > 1)
+    return out_.refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
+  if (!number.any) return out_.refuse(Cause::ExpressionFormat, at, "a point is no number");
+  const int most = rules_.control.macros.max_constant_digits.value;
+  if (number.digits > static_cast<std::uint32_t>(most))
+    return out_.refuse(Cause::TooManyDigits, at,
+                       "a number has at most " + std::to_string(most) + " digits");
+  return out_.constant(number.value, at);
+}
+
+/// A sign, and the value that it is of.
+Value ExpressionReader::with_sign() {
+  const std::uint32_t at = offset();
+  const bool negative = *s_.at++ == '-';
+  const char next = peek();
+  if (next == '-' || next == '+')
+    return out_.refuse(Cause::ExpressionFormat, offset(), "two signs in a row");
+  Value value = operand();
+  if (!value) return {};
+  if (!value.is_constant() && !out_.arithmetic(value, offset())) return {};
+  return negative ? out_.negated(value, at) : value;
+}
+
+/// NOT before a condition.
+Value ExpressionReader::negation(std::uint32_t at) {
+  if (++nots_ > kMostNots) return out_.refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
+  const Value value = operand();
+  if (!value) return {};
+  --nots_;
+  if (!value.is_condition())
+    return out_.refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
+  out_.emit(Ins::Not, at);
+  return value;
+}
+
+// ---- variables ----
+
+/// #1, #[#2+1], #NAME.
+Value ExpressionReader::variable() {
+  const std::uint32_t at = offset();
+  ++s_.at;
+  std::uint32_t number = 0;
+  if (!digits_of_variable(number) || is_indirect(number)) [[unlikely]]
+    return other_variable(at);
+  const NearRange* const near = rules_.code.near.find(number);
+  if (near == nullptr) return out_.load(number, at);
+  const Value value = Value::variable(written_.next());
+  written_.put(ExpressionCell::of(near->raw, near->base + number - near->first, number));
+  return value;
+}
+
+/// What more than digits name; `at`: the #, behind which nothing is read, or the digits of an
+/// indirect one.
+Value ExpressionReader::other_variable(std::uint32_t at) {
+  s_.at = s_.file + at + 1;
+  const char first = peek();
+  if (first == '[') {
+    Value inner = bracket();
+    if (!inner || !out_.arithmetic(inner, offset())) return {};
+    return Value::variable(out_.emit(Ins::IndirectRaw, at));
+  }
+  if (starts_name(first) && !rules_.names)
+    return out_.refuse(Cause::ExpressionFormat, at, kNoVariable);
+  const auto number = variable_number(at);
+  if (!number) return {};
+  if (*number != kComputed) return out_.load(*number, at);
+  return Value::variable(out_.emit(Ins::IndirectRaw, at));
+}
+
+/// The number of a variable that is not in brackets, where it is written behind the #; else
+/// kComputed, and instructions give it.
+std::optional<std::int64_t> ExpressionReader::variable_number(std::uint32_t at) {
+  if (starts_name(peek()) && rules_.names) {
+    comments_ = true;  // between its letters
+    out_.emit(Ins::Named, at, static_cast<double>(names_.text(s_.take_name())));
+    return kComputed;
+  }
+  const auto number = written_number();
+  if (!number || !is_indirect(*number)) return number;
+  Value inner = out_.load(*number - 9000, at);
+  out_.arithmetic(inner, offset());
+  return kComputed;
+}
+
+std::optional<std::int64_t> ExpressionReader::written_number() {
+  const char c = peek();
+  const std::uint32_t at = offset();
+  if (!is_digit(c)) return out_.refuse(Cause::ExpressionFormat, at, kNoVariable);
+  comments_ = true;
+  const Number number = scan_number(s_);
+  const bool point = number.points == 1 && number.decimals == 0 && number.any;
+  const bool whole = number.points == 0 || (point && rules_.points);
+  if (!whole || number.digits > ExpressionRules::kMostVariableDigits)
+    return out_.refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
+  return to_whole<std::int64_t>(number.value);
+}
+
+// ---- functions ----
+
+/// A function, a value with a name, NOT.
+Value ExpressionReader::word() {
+  const std::uint32_t at = offset();
+  int width = 0;
+  const FunctionName* found = rules_.function_at(s_.at, s_.end, width);
+  if (found != nullptr && s_.at + width <= s_.end) {
+    s_.at += width - 1;
+  } else {
+    std::string word;
+    for (char c = peek(); is_letter(c) || (word == "ATAN" && c == '2'); c = peek()) {
+      word += c;
+      ++s_.at;
+      if (word.size() > 8) break;
+    }
+    for (const ConstantName& of : kConstants)
+      if (word == name_of(of.word) && rules_.has(of.word)) return out_.constant(of.value, at);
+    if (word == "NOT" && rules_.bare) return negation(at);
+    found = rules_.function(word);
+    if (found == nullptr)
+      return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+  }
+  return found->one == Ins::Programmed ? programmed(at) : arguments(*found, at);
+}
+
+/// The arguments of the function at `at` in their brackets, and what it makes of them.
+Value ExpressionReader::arguments(const FunctionName& of, std::uint32_t at) {
+  const bool slash = of.one == Ins::Atan && !rules_.has(Function::Atan2);
+  bool second = false;
+  if (!opens()) return {};
+  for (;;) {
+    Value value = values();
+    if (!value || !out_.arithmetic(value, offset())) return {};
+    const bool needs_second = of.one == Ins::End && !second;
+    if (peek() == ']' && !needs_second) break;
+    const bool takes_second = !second && (slash || of.two != Ins::End);
+    if (takes_second && take(',')) {
+      second = true;
+      continue;
+    }
+    if (needs_second)
+      return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
+    closes();
+    return {};
+  }
+  closes();
+  if (slash) return arc_tangent(at, second);
+  const Ins op = second ? of.two : of.one;
+  put(op == Ins::Round && out_.in_word() ? Ins::RoundWord : op, at);
+  return Value::number();
+}
+
+/// ATAN[a]/[b], ATAN[a,b] and ATAN[a], behind the first brackets.
+Value ExpressionReader::arc_tangent(std::uint32_t at, bool two) {
+  Scanner ahead = s_;
+  if (begins_gap(*ahead.at)) comments_ = true;
+  if (!two && ahead.take('/') && ahead.peek() == '[') {
+    s_.at = ahead.at;
+    Value value = bracket();
+    if (!value || !out_.arithmetic(value, offset())) return {};
+    two = true;
+  }
+  out_.emit(two ? Ins::Atan2 : Ins::Atan, at);
+  return Value::number();
+}
+
+/// AR[#23]: how the word was programmed, so the variable itself counts, by its number.
+Value ExpressionReader::programmed(std::uint32_t at) {
+  if (!opens() || peek() != '#')
+    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  const std::uint32_t hash = offset();
+  ++s_.at;
+  const bool inside = peek() == '[';
+  const std::optional<std::int64_t> number = inside ? kComputed : variable_number(hash);
+  if (!number || *number == kComputed)
+    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+  if (!closes()) return {};
+  out_.emit(Ins::Programmed, at, static_cast<double>(*number));
+  return Value::number();
 }
 
 }  // namespace cncsub

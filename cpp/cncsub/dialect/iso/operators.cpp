@@ -6,15 +6,16 @@ namespace cncsub {
 
 namespace {
 
-constexpr OperatorName kSymbols[] = {{"==", Ins::Equal, 0, 1},        {"<>", Ins::NotEqual, 0, 1},
-                                     {">=", Ins::GreaterEqual, 0, 1}, {"<=", Ins::LessEqual, 0, 1},
-                                     {">", Ins::Greater, 0, 1},       {"<", Ins::Less, 0, 1}};
+constexpr IsoOperator kSymbols[] = {
+    {{"==", 1, Ins::Equal}, 0},        {{"<>", 1, Ins::NotEqual}, 0},
+    {{">=", 1, Ins::GreaterEqual}, 0}, {{"<=", 1, Ins::LessEqual}, 0},
+    {{">", 1, Ins::Greater}, 0},       {{"<", 1, Ins::Less}, 0}};
 
 template <std::size_t N>
-const OperatorName* find_in(const OperatorName (&names)[N], Scanner s) {
+const IsoOperator* find_in(const IsoOperator (&names)[N], Scanner s) {
   const char c = s.peek();
-  for (const OperatorName& of : names)
-    if (of.text[0] == c && s.take_word(of.text)) return &of;
+  for (const IsoOperator& of : names)
+    if (of.spelling[0] == c && s.take_word(of.spelling)) return &of;
   return nullptr;
 }
 
@@ -46,14 +47,14 @@ class Lookahead {
   }
 
   bool compares() const {
-    const OperatorName* found = find_in(kOperators, s_);
+    const IsoOperator* found = find_in(kNamedOperators, s_);
     const bool own = depth_ == 0 || (bracket_ && depth_ == 1 && deepest_ == 1);
     return own && found != nullptr && found->compares();
   }
 
   /// A logic operator, or a word that is none: what was behind the first one ends.
   bool joins() const {
-    const OperatorName* found = find_in(kOperators, s_);
+    const IsoOperator* found = find_in(kNamedOperators, s_);
     return depth_ == 0 && (found == nullptr || found->op != Ins::Modulo);
   }
 
@@ -75,6 +76,8 @@ class Lookahead {
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };
 
+}  // namespace
+
 Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value right,
               std::uint32_t end) {
   const bool tells_vacant =
@@ -86,45 +89,21 @@ Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value righ
   return Value::condition();
 }
 
-Value calculate(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
-                std::uint32_t end) {
-  const bool constant = right.is_constant() && of.other != Ins::End;
-  const std::uint32_t last = constant ? right.place() : 0;
-  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
-  OpenInstructions& written = out.instructions();
-  if (!constant || (of.op == Ins::Divide && written.value(last) == 0)) {
-    out.emit(of.op, at);
-  } else {
-    written.set_op(last, of.other);
-    written.set_at(last, at);
-  }
-  return Value::number();
-}
-
-}  // namespace
-
-const OperatorName* find_operator(const ExpressionRules& rules, const Scanner& s) {
-  if (const OperatorName* const sign = find_in(kArithmetic, s)) return sign;
-  if (const OperatorName* const found = find_in(kOperators, s))
+const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s) {
+  if (const IsoOperator* const sign = find_in(kArithmetic, s)) return sign;
+  if (const IsoOperator* const found = find_in(kNamedOperators, s))
     return found->op == Ins::Modulo && !rules.modulo ? nullptr : found;
   return rules.symbols ? find_in(kSymbols, s) : nullptr;
 }
 
-bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
-                   std::span<const Waiting> waiting) {
-  if (!value.is_number()) return false;
-  const bool compared = std::any_of(waiting.begin(), waiting.end(),
-                                    [](const Waiting& left) { return left.of->compares(); });
-  if (!compared) return true;
-  Scanner behind = s;
-  behind.take_word(of.text);
-  return !Lookahead(behind).finds_condition();
+bool is_before_condition(const Scanner& at, const IsoOperator& of) {
+  Scanner behind = at;
+  behind.take_word(of.spelling);
+  return Lookahead(behind).finds_condition();
 }
 
-Value apply(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
-            std::uint32_t end) {
-  if (of.is_arithmetic()) return calculate(out, of, at, left, right, end);
-  if (of.compares()) return compare(out, of.op, at, left, right, end);
+Value join_by_logic(ValueWriter& out, const IsoOperator& of, std::uint32_t at, Value left,
+                    Value right, std::uint32_t end) {
   if (left.is_condition() && right.is_condition()) {
     if (!out.rules().joined)
       return out.refuse(Cause::IfFormat, at, "conditions cannot be joined on this control");

@@ -1,84 +1,71 @@
-// Operators of expressions: how tightly each binds, and what it makes of two values.
+// Operators of the ISO family: how each is written, how tightly it binds, what it makes of two
+// values.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
+#include "cncsub/code/operators.hpp"
 #include "cncsub/dialect/iso/value_writer.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
-struct OperatorName {
-  std::string_view text;
-  Ins op;
-  int alike, last;  // the level at which it binds where logic binds like arithmetic; where it binds
-                    // last. Level 0 binds weakest
-  Ins other = Ins::End;  // of logic: on two conditions; else with a constant on the right
+/// An operator where logic comes last, and the level at which it binds where logic binds like
+/// arithmetic. `other`: of logic, on two conditions; of arithmetic, with a constant on the right.
+struct IsoOperator : OperatorRow {
+  int alike;
 
-  bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
-  bool is_logic() const { return last == 0; }
-  bool is_arithmetic() const { return last >= 2; }
+  constexpr bool compares() const { return op >= Ins::Equal && op <= Ins::LessEqual; }
+  constexpr bool is_arithmetic() const { return level >= 2; }
 };
 
-inline constexpr OperatorName kArithmetic[] = {{"+", Ins::Add, 1, 2, Ins::AddConstant},
-                                               {"-", Ins::Subtract, 1, 2, Ins::SubtractConstant},
-                                               {"*", Ins::Multiply, 2, 3, Ins::MultiplyConstant},
-                                               {"/", Ins::Divide, 2, 3, Ins::DivideConstant}};
+inline constexpr IsoOperator kArithmetic[] = {{{"+", 2, Ins::Add, Ins::AddConstant}, 1},
+                                              {{"-", 2, Ins::Subtract, Ins::SubtractConstant}, 1},
+                                              {{"*", 3, Ins::Multiply, Ins::MultiplyConstant}, 2},
+                                              {{"/", 3, Ins::Divide, Ins::DivideConstant}, 2}};
 
-inline constexpr OperatorName kOperators[] = {{"AND", Ins::And, 2, 0, Ins::BothTrue},
-                                              {"XOR", Ins::Xor, 1, 0, Ins::OneTrue},
-                                              {"OR", Ins::Or, 1, 0, Ins::EitherTrue},
-                                              {"MOD", Ins::Modulo, 2, 3},
-                                              {"EQ", Ins::Equal, 0, 1},
-                                              {"NE", Ins::NotEqual, 0, 1},
-                                              {"GT", Ins::Greater, 0, 1},
-                                              {"LT", Ins::Less, 0, 1},
-                                              {"GE", Ins::GreaterEqual, 0, 1},
-                                              {"LE", Ins::LessEqual, 0, 1}};
+inline constexpr IsoOperator kNamedOperators[] = {{{"AND", 0, Ins::And, Ins::BothTrue}, 2},
+                                                  {{"XOR", 0, Ins::Xor, Ins::OneTrue}, 1},
+                                                  {{"OR", 0, Ins::Or, Ins::EitherTrue}, 1},
+                                                  {{"MOD", 3, Ins::Modulo}, 2},
+                                                  {{"EQ", 1, Ins::Equal}, 0},
+                                                  {{"NE", 1, Ins::NotEqual}, 0},
+                                                  {{"GT", 1, Ins::Greater}, 0},
+                                                  {{"LT", 1, Ins::Less}, 0},
+                                                  {{"GE", 1, Ins::GreaterEqual}, 0},
+                                                  {{"LE", 1, Ins::LessEqual}, 0}};
 
-constexpr int kTightest = 3;  // of the levels where logic binds last
-/// The level at which an operator binds, but for logic of numbers where that binds first.
-inline int level_of(const ExpressionRules& rules, const OperatorName& of) {
-  return rules.alike ? of.alike : of.last;
+/// The operator that stands here; null where none does. Blanks may part its letters.
+const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s);
+/// Whether what stands behind a logic operator is a condition: `AND #2 EQ 4` and `AND [#2 EQ 4]`,
+/// not `AND 3`.
+bool is_before_condition(const Scanner& at, const IsoOperator& of);
+
+Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value right,
+              std::uint32_t end);
+Value join_by_logic(ValueWriter& out, const IsoOperator& of, std::uint32_t at, Value left,
+                    Value right, std::uint32_t end);
+
+/// Joins two values by the operator at `at`; `end`: behind them. There is room for an instruction.
+inline Value apply(ValueWriter& out, const IsoOperator& of, std::uint32_t at, Value left,
+                   Value right, std::uint32_t end) {
+  if (!of.is_arithmetic())
+    return of.compares() ? compare(out, of.op, at, left, right, end)
+                         : join_by_logic(out, of, at, left, right, end);
+  const bool constant = right.is_constant() && of.other != Ins::End;
+  const std::uint32_t last = constant ? right.place() : 0;
+  if (!out.arithmetic(left, end) || !out.arithmetic(right, end)) return {};
+  OpenInstructions& written = out.instructions();
+  if (!constant || (of.op == Ins::Divide && written.value(last) == 0)) {
+    written.put(ExpressionCell::of(of.op, out.address(), at));
+  } else {
+    written.set_op(last, of.other);
+    written.set_at(last, at);
+  }
+  return Value::number();
 }
-
-/// What waits for a value on its right.
-struct Waiting {  // NOLINT(*-member-init): for its right value
-  enum class Kind : std::uint8_t {
-    Operator,
-    Plus,
-    Minus,
-    Not,
-    Bracket,         // [
-    Indirect,        // #[
-    Function,        // SIN[
-    ArcTangent,      // ATAN[ whose second argument may stand in brackets behind a slash
-    SecondArgument,  // and these
-  };
-  static constexpr int kOpening = -1, kPrefix = kTightest + 1;
-
-  Value left;              // of an operator
-  const OperatorName* of;  // of an operator
-  const FunctionName* function;
-  std::uint32_t at;
-  int level;  // how tightly an operator binds; kPrefix of signs and NOT; kOpening
-  Kind kind;
-  bool second;  // of a function: the second argument is read
-};
-
-/// The operator that stands here; null where none does.
-const OperatorName* find_operator(const ExpressionRules& rules, const Scanner& s);
-/// Whether logic behind a value binds as that of numbers, which counts where that binds first. It
-/// counts whether the value is the right side of a comparison: `#1EQ3AND#2EQ4` joins two,
-/// `3EQ#1AND3` is one.
-bool is_of_numbers(const Scanner& s, const OperatorName& of, const Value& value,
-                   std::span<const Waiting> waiting);
-/// Joins two values by the operator at `at`; `end`: behind them.
-Value apply(ValueWriter& out, const OperatorName& of, std::uint32_t at, Value left, Value right,
-            std::uint32_t end);
 
 }  // namespace cncsub

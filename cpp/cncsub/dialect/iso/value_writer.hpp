@@ -11,13 +11,12 @@
 namespace cncsub {
 
 /// What a part of an expression gives: a number, or whether a condition holds. Neither where it was
-/// refused, or where what was read waits for an operand.
+/// refused.
 class Value {
  public:
   Value() = default;
   static Value number() { return Value(kNumber); }
   static Value condition() { return Value(kCondition); }
-  static Value awaited() { return Value(kAwaited); }
   /// That of the instruction at a place, which is one variable and may still be vacant.
   static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(2 * place)); }
   /// That of the instruction at a place, which is a number as it is written.
@@ -28,14 +27,13 @@ class Value {
   explicit operator bool() const { return of_ >= kCondition; }
   bool is_number() const { return of_ >= kNumber; }
   bool is_condition() const { return of_ == kCondition; }
-  bool is_awaited() const { return of_ == kAwaited; }
   bool is_variable() const { return of_ >= 0 && (of_ & 1) == 0; }
   bool is_constant() const { return of_ >= 0 && (of_ & 1) != 0; }
   /// Of a variable or a constant.
   std::uint32_t place() const { return static_cast<std::uint32_t>(of_) / 2; }
 
  private:
-  static constexpr std::int32_t kNone = -4, kAwaited = -3, kCondition = -2, kNumber = -1;
+  static constexpr std::int32_t kNone = -3, kCondition = -2, kNumber = -1;
 
   explicit Value(std::int32_t of) : of_(of) {}
 

@@ -30,30 +30,19 @@ constexpr std::array<Function, 12> kFunctions = {{{"abs", Ins::Abs},
                                                   {"tan", Ins::TangentOf},
                                                   {"exp", Ins::Raise}}};
 
-struct OperatorName {
-  std::string_view name;
-  Ins op;
-  int strength;
-};
-// `**` before `*`. All bind to the left, powers too.
-constexpr std::array<OperatorName, 16> kOperators = {{{"**", Ins::Raise, 5},
-                                                      {"*", Ins::Multiply, 4},
-                                                      {"/", Ins::Divide, 4},
-                                                      {"mod", Ins::PositiveModulo, 4},
-                                                      {"+", Ins::Add, 3},
-                                                      {"-", Ins::Subtract, 3},
-                                                      {"eq", Ins::NearlyEqual, 2},
-                                                      {"ne", Ins::NearlyNotEqual, 2},
-                                                      {"ge", Ins::GreaterEqual, 2},
-                                                      {"gt", Ins::Greater, 2},
-                                                      {"le", Ins::LessEqual, 2},
-                                                      {"lt", Ins::Less, 2},
-                                                      {"and", Ins::BothTrue, 1},
-                                                      {"or", Ins::EitherTrue, 1},
-                                                      {"xor", Ins::OneTrue, 1},
-                                                      {"]", Ins::End, 0}}};
+// All bind to the left, powers too. [rs274 2.9]
+constexpr OperatorRow kRows[] = {{"**", 4, Ins::Raise},        {"*", 3, Ins::Multiply},
+                                 {"/", 3, Ins::Divide},        {"mod", 3, Ins::PositiveModulo},
+                                 {"+", 2, Ins::Add},           {"-", 2, Ins::Subtract},
+                                 {"eq", 1, Ins::NearlyEqual},  {"ne", 1, Ins::NearlyNotEqual},
+                                 {"ge", 1, Ins::GreaterEqual}, {"gt", 1, Ins::Greater},
+                                 {"le", 1, Ins::LessEqual},    {"lt", 1, Ins::Less},
+                                 {"and", 0, Ins::BothTrue},    {"or", 0, Ins::EitherTrue},
+                                 {"xor", 0, Ins::OneTrue}};
 
 }  // namespace
+
+const std::span<const OperatorRow> kOperators = kRows;
 
 void push(Builder& to, const Line& line, Ins op, double value, std::uint32_t index) {
   const bool indexed = op == Ins::Local || op == Ins::LocalRaw || op == Ins::Common ||
@@ -160,13 +149,44 @@ bool ExpressionReader::read_number() {
   return true;
 }
 
-bool ExpressionReader::read_operator(Operator& found) {
+/// The values of one pair of brackets.
+class OperatorReader {
+ public:
+  using Value = bool;  // whether one was read
+  using Operator = OperatorRow;
+
+  OperatorReader(ExpressionReader& to, int depth) : to_(to), depth_(depth) {}
+
+  bool operand() { return to_.read_value(depth_); }
+  const OperatorRow* next_operator() const {
+    const std::string_view rest = to_.line_.rest();
+    for (const OperatorRow& of : kOperators)
+      if (rest.starts_with(of.spelling)) return &of;
+    return nullptr;
+  }
+  template <class Left>
+  int level_of(const OperatorRow& of, bool /*value*/, const Left& /*left*/) const {
+    return of.level;
+  }
+  std::uint32_t offset() const { return 0; }  // an instruction tells where its last value ends
+  void pass(const OperatorRow& of) { to_.line_.take(of.spelling); }
+  bool apply(const OperatorRow& of, std::uint32_t /*at*/, bool /*left*/, bool /*right*/) {
+    to_.emit(of.op);
+    to_.constant_.reset();
+    return true;
+  }
+
+ private:
+  ExpressionReader& to_;
+  int depth_;
+};
+
+bool ExpressionReader::read_bracket(int depth) {
+  line_.take('[');
+  OperatorReader values(*this, depth);
+  if (!read_operators(values)) return false;
   const std::size_t place = line_.place();
-  for (const OperatorName& of : kOperators)
-    if (line_.take(of.name)) {
-      found = {of.op, of.strength};
-      return true;
-    }
+  if (line_.take(']')) return true;
   const char c = line_.peek();
   if (c == '\0') return wrong(Cause::BracketNotClosed, "Unclosed expression", place);
   line_.take();
@@ -175,26 +195,6 @@ bool ExpressionReader::read_operator(Operator& found) {
       Cause::ExpressionFormat,
       begins ? std::string("Unknown operation name starting with ") + c : "Unknown operation",
       place);
-}
-
-/// Operators wait for their second value until one comes that does not bind closer.
-bool ExpressionReader::read_bracket(int depth) {
-  line_.take('[');
-  if (!read_value(depth)) return false;
-  std::vector<Operator> waiting;
-  for (;;) {
-    Operator next;
-    if (!read_operator(next)) return false;
-    while (!waiting.empty() && waiting.back().strength >= next.strength) {
-      emit(waiting.back().op);
-      waiting.pop_back();
-      constant_.reset();
-    }
-    if (next.strength == 0) return true;
-    waiting.push_back(next);
-    if (!read_value(depth)) return false;
-    constant_.reset();
-  }
 }
 
 bool ExpressionReader::read_function(int depth) {

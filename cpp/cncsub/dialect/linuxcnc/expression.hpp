@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_set>
 
 #include "cncsub/code/builder.hpp"
+#include "cncsub/code/operators.hpp"
 #include "cncsub/dialect/linuxcnc/line.hpp"
 
 namespace cncsub::linuxcnc {
@@ -13,6 +15,9 @@ namespace cncsub::linuxcnc {
 /// The largest number that a program can name, besides commons that were given to the control.
 /// [rs274 2.9: #5602 is out of range]
 inline constexpr std::int64_t kLastVariable = 5601;
+
+/// The operators, those of one spelling that begins another behind that.
+extern const std::span<const OperatorRow> kOperators;
 
 struct Value {
   bool computed = false;
@@ -54,14 +59,10 @@ class ExpressionReader {
   std::optional<Fault> fault;
 
  private:
-  struct Operator {
-    Ins op = Ins::End;
-    int strength = 0;  // 0: the closing bracket
-  };
+  friend class OperatorReader;
   bool named_place(Place& place);
   bool read_value(int depth);
   bool read_bracket(int depth);
-  bool read_operator(Operator& found);
   bool read_number();
   bool read_variable(int depth);
   bool read_named();

@@ -31,26 +31,28 @@ constexpr std::array<Function, 12> kFunctions = {{{"SIN", Ins::SineOf, 1},
                                                   {"LN", Ins::Ln, 1},
                                                   {"POT", Ins::Raise, 1}}};
 
+// How tightly they bind, from products down to comparisons; NOT and signs belong to the operand.
+// Levels 4 to 6 are those of B_OR, B_XOR and B_AND, which are not computed.
+// [NCI precedence: manual 4.1.3.3]
+constexpr OperatorRow kRows[] = {{"*", 8, Ins::Multiply},
+                                 {"/", 8, Ins::Divide},
+                                 {"DIV", 8, Ins::Divide, Ins::Fix},
+                                 {"MOD", 8, Ins::Modulo},
+                                 {"+", 7, Ins::Add},
+                                 {"-", 7, Ins::Subtract},
+                                 {"AND", 3, Ins::BothTrue},
+                                 {"XOR", 2, Ins::OneTrue},
+                                 {"OR", 1, Ins::EitherTrue},
+                                 {"==", 0, Ins::Compare, Ins::Equal},
+                                 {"<>", 0, Ins::Compare, Ins::NotEqual},
+                                 {"<=", 0, Ins::Compare, Ins::LessEqual},
+                                 {">=", 0, Ins::Compare, Ins::GreaterEqual},
+                                 {"<", 0, Ins::Compare, Ins::Less},
+                                 {">", 0, Ins::Compare, Ins::Greater}};
+
 }  // namespace
 
-// By how strong they bind, from NOT down to the comparisons. [NCI precedence: manual 4.1.3.3]
-// What begins like another comes before it.
-const ExpressionReader::Operator ExpressionReader::kOperators[] = {
-    {"*", 9, Ins::Multiply, Ins::End},
-    {"/", 9, Ins::Divide, Ins::End},
-    {"DIV", 9, Ins::Divide, Ins::Fix},
-    {"MOD", 9, Ins::Modulo, Ins::End},
-    {"+", 8, Ins::Add, Ins::End},
-    {"-", 8, Ins::Subtract, Ins::End},
-    {"AND", 4, Ins::BothTrue, Ins::End},
-    {"XOR", 3, Ins::OneTrue, Ins::End},
-    {"OR", 2, Ins::EitherTrue, Ins::End},
-    {"==", 1, Ins::Compare, Ins::Equal},
-    {"<>", 1, Ins::Compare, Ins::NotEqual},
-    {"<=", 1, Ins::Compare, Ins::LessEqual},
-    {">=", 1, Ins::Compare, Ins::GreaterEqual},
-    {"<", 1, Ins::Compare, Ins::Less},
-    {">", 1, Ins::Compare, Ins::Greater}};
+const std::span<const OperatorRow> kOperators = kRows;
 
 void ExpressionReader::begin_block() {
   assigned_.clear();
@@ -111,41 +113,46 @@ bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
   return true;
 }
 
-/// The operator that stands here, which is taken; null where none does.
-const ExpressionReader::Operator* ExpressionReader::next_operator() {
-  const std::string name = capitals(line_.name());
-  for (const Operator& of : kOperators)
-    if (is_letter(of.name[0]) ? name == of.name : line_.peek() != '\0' && line_.take(of.name)) {
-      if (is_letter(of.name[0])) line_.pass(name.size());
-      return &of;
-    }
-  return nullptr;
-}
+/// The values of one expression.
+class OperatorReader {
+ public:
+  using Value = bool;  // whether one was read
+  using Operator = OperatorRow;
 
-/// Comparisons are of the values' difference, to which their size is asked. [NCI comparisons]
-void ExpressionReader::emit_operator(const Operator& of) {
-  emit(of.first, of.first == Ins::Compare ? kAlike : 0);
-  if (of.first == Ins::Compare) emit(Ins::Constant, 0);
-  if (of.second != Ins::End) emit(of.second);
-  constant_.reset();
-}
+  OperatorReader(ExpressionReader& to, int depth) : to_(to), depth_(depth) {}
 
-/// Operators wait for their second value until one comes that does not bind closer. Of those that
-/// bind alike the first comes first.
-bool ExpressionReader::read(int depth) {
-  if (!read_operand(depth)) return false;
-  std::vector<const Operator*> waiting;
-  while (const Operator* next = next_operator()) {
-    while (!waiting.empty() && waiting.back()->strength >= next->strength) {
-      emit_operator(*waiting.back());
-      waiting.pop_back();
-    }
-    waiting.push_back(next);
-    if (!read_operand(depth)) return false;
-    constant_.reset();
+  bool operand() { return to_.read_operand(depth_); }
+  const OperatorRow* next_operator() const {
+    const std::string name = capitals(to_.line_.name());
+    const std::string_view rest = to_.line_.peek() == '\0' ? std::string_view() : to_.line_.rest();
+    for (const OperatorRow& of : kOperators)
+      if (is_letter(of.spelling[0]) ? name == of.spelling : rest.starts_with(of.spelling))
+        return &of;
+    return nullptr;
   }
-  for (; !waiting.empty(); waiting.pop_back()) emit_operator(*waiting.back());
-  return !is_uncomputed_operator();
+  template <class Left>
+  int level_of(const OperatorRow& of, bool /*value*/, const Left& /*left*/) const {
+    return of.level;
+  }
+  std::uint32_t offset() const { return 0; }  // an instruction tells where its last value ends
+  void pass(const OperatorRow& of) { to_.line_.pass(of.spelling.size()); }
+  /// Comparisons are of the values' difference, to which their size is asked. [NCI comparisons]
+  bool apply(const OperatorRow& of, std::uint32_t /*at*/, bool /*left*/, bool /*right*/) {
+    to_.emit(of.op, of.op == Ins::Compare ? kAlike : 0);
+    if (of.op == Ins::Compare) to_.emit(Ins::Constant, 0);
+    if (of.other != Ins::End) to_.emit(of.other);
+    to_.constant_.reset();
+    return true;
+  }
+
+ private:
+  ExpressionReader& to_;
+  int depth_;
+};
+
+bool ExpressionReader::read(int depth) {
+  OperatorReader values(*this, depth);
+  return read_operators(values) && !is_uncomputed_operator();
 }
 
 /// Whether an operator follows that works on bits. [NCI precedence: manual 4.1.3.3]

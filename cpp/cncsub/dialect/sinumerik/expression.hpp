@@ -3,12 +3,17 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "cncsub/code/builder.hpp"
+#include "cncsub/code/operators.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
 
 namespace cncsub::sinumerik {
+
+/// The operators, those of one spelling that begins another behind that.
+extern const std::span<const OperatorRow> kOperators;
 
 struct Value {
   bool computed = false;
@@ -37,13 +42,7 @@ class ExpressionReader {
   std::optional<Fault> fault;  // why what was asked for last does not stand here
 
  private:
-  struct Operator {
-    std::string_view name;
-    int strength;
-    Ins first, second;  // what computes it; End where one instruction does
-  };
-  static const Operator kOperators[];
-
+  friend class OperatorReader;
   bool read(int depth);
   bool read_operand(int depth);
   bool read_number();
@@ -52,9 +51,7 @@ class ExpressionReader {
   bool read_values(int count, std::uint32_t at, int depth);
   bool read_function(std::string_view name, int depth);
   bool read_bracket(char open, char close, int depth);
-  const Operator* next_operator();
   bool is_uncomputed_operator();
-  void emit_operator(const Operator& of);
   bool parameter_number(std::string_view digits, std::uint32_t at, VariablePlace& place,
                         std::int32_t& number);
   bool wrong(Cause cause, std::string detail, std::uint32_t at);
