@@ -1,7 +1,8 @@
 #include "cncsub/analysis/brackets.hpp"
 
 #include <algorithm>
-#include <utility>
+#include <span>
+#include <vector>
 
 #include "cncsub/text/scan.hpp"
 
@@ -9,147 +10,134 @@ namespace cncsub {
 
 namespace {
 
-struct Operator {
-  std::string name;
-  int level = -1;  // no operator
-  bool logic = false;
-};
-
+/// A part of an expression, and the operator that joins it; none of a value.
 struct Part {
-  std::string text;
-  Operator of;  // what joins it, none of a value
+  std::size_t from = 0, to = 0;
+  const OperatorRow* of = nullptr;
+
+  explicit operator bool() const { return to > from; }
 };
 
+/// Reads an expression as it is written, and finds where brackets are missing.
 class Bracketing {
  public:
-  Bracketing(std::string_view written, const Binding& binding, bool apart)
-      : text_(written), binding_(binding), apart_(apart) {}
+  using Value = Part;
+  using Operator = OperatorRow;
 
+  Bracketing(std::string_view written, const Spelling& spelling, LogicOrder order, bool apart)
+      : text_(written),
+        spelling_(spelling),
+        rows_(spelling.operators(order)),
+        open_(spelling.brackets.before[0]),
+        close_(spelling.brackets.behind[0]),
+        apart_(apart) {}
+
+  /// The expression with its brackets; nothing where it is none of operators and plain values.
   std::optional<std::string> whole() {
-    std::optional<Part> part = joined(0);
-    blanks();
-    if (!part || at_ != text_.size()) return std::nullopt;
-    return std::move(part->text);
+    if (!read_operators(*this) || at_ != text_.size()) return std::nullopt;
+    std::string made;
+    for (std::size_t i = 0; i <= text_.size(); ++i) {
+      made.append(static_cast<std::size_t>(std::count(closed_.begin(), closed_.end(), i)), close_);
+      made.append(static_cast<std::size_t>(std::count(opened_.begin(), opened_.end(), i)), open_);
+      if (i < text_.size()) made += text_[i];
+    }
+    return made;
+  }
+
+  // For read_operators.
+  Part operand();
+  const OperatorRow* next_operator();
+  template <class Left>
+  int level_of(const OperatorRow& of, const Part& /*value*/, const Left& /*left*/) const {
+    return of.level;
+  }
+  std::uint32_t offset() const { return static_cast<std::uint32_t>(at_); }
+  void pass(const OperatorRow& of) { at_ += of.spelling.size(); }
+  Part apply(const OperatorRow& of, std::uint32_t /*at*/, const Part& left, const Part& right) {
+    hold(left, of);
+    hold(right, of);
+    return {left.from, right.to, &of};
   }
 
  private:
+  char here() const { return at_ < text_.size() ? text_[at_] : '\0'; }
   void blanks() {
     while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
-  std::string name_here() const;
-  Operator operator_here() const;
-  std::optional<Part> joined(int least);
-  std::optional<std::string> value();
-  bool bracket(std::string& to);
-  std::string held(const Part& part, const Operator& by) const;
+  std::string_view letters() const {
+    std::size_t to = at_;
+    while (to < text_.size() && is_letter(text_[to])) ++to;
+    return text_.substr(at_, to - at_);
+  }
+  bool bracket();
+  void hold(const Part& part, const OperatorRow& by);
 
   std::string_view text_;
-  const Binding& binding_;
+  const Spelling& spelling_;
+  std::span<const OperatorRow> rows_;
+  char open_, close_;
   bool apart_;
   std::size_t at_ = 0;
+  std::vector<std::size_t> opened_, closed_;  // the characters before which brackets are missing
 };
 
-std::string Bracketing::name_here() const {
-  std::string name;
-  for (std::size_t i = at_; i < text_.size() && is_letter(text_[i]); ++i) name += upper(text_[i]);
-  return name;
+const OperatorRow* Bracketing::next_operator() {
+  const std::size_t before = at_;
+  blanks();
+  const std::string_view rest = text_.substr(at_);
+  if (is_letter(here())) return operator_of_letters(rows_, letters());
+  for (const OperatorRow& of : rows_)
+    if (rest.starts_with(of.spelling)) return &of;
+  if (rest.empty())
+    at_ = text_.size();
+  else if (here() != close_)
+    at_ = before;
+  return nullptr;
 }
 
-Operator Bracketing::operator_here() const {
-  if (at_ >= text_.size()) return {};
-  const char c = text_[at_];
-  if (c == '+' || c == '-') return {std::string(1, c), binding_.sum};
-  if (c == '/' || (c == '*' && text_.substr(at_, 2) != "**"))
-    return {std::string(1, c), binding_.product};
-  const std::string name = name_here();
-  if (name == "AND") return {name, binding_.conjunction, true};
-  if (name == "OR" || name == "XOR") return {name, binding_.disjunction, true};
-  if (name == "MOD") return {name, binding_.product};
-  for (const std::string_view of : {"EQ", "NE", "GT", "LT", "GE", "LE"})
-    if (name == of) return {name, binding_.comparison};
-  return {};
-}
-
-/// What stands in brackets, rewritten too.
-bool Bracketing::bracket(std::string& to) {
-  int depth = 0;
-  std::size_t end = at_;
-  for (; end < text_.size(); ++end) {
-    depth += text_[end] == '[' ? 1 : text_[end] == ']' ? -1 : 0;
-    if (depth == 0) break;
-  }
-  if (end == text_.size()) return false;
-  const auto inside = Bracketing(text_.substr(at_ + 1, end - at_ - 1), binding_, apart_).whole();
-  if (!inside) return false;
-  to += "[" + *inside + "]";
-  at_ = end + 1;
+/// What stands in brackets, which is looked at too.
+bool Bracketing::bracket() {
+  ++at_;
+  if (!read_operators(*this) || here() != close_) return false;
+  ++at_;
   return true;
 }
 
 /// A value as it is written: a number, a variable, a function, brackets.
-std::optional<std::string> Bracketing::value() {
-  std::string value;
-  for (blanks(); at_ < text_.size(); ++at_) {  // signs and #
-    if (std::string_view("+-#").find(text_[at_]) == std::string_view::npos) break;
-    value += text_[at_];
-  }
-  const std::string name = name_here();
-  if (name == "ATAN") return std::nullopt;  // the / behind its bracket may be its own
-  value += text_.substr(at_, name.size());
+Part Bracketing::operand() {
+  blanks();
+  const std::size_t from = at_;
+  while (here() == '+' || here() == '-' || here() == '#') ++at_;
+  const std::string_view name = letters();
+  const bool slash =
+      std::equal(name.begin(), name.end(), spelling_.slash_function.begin(),
+                 spelling_.slash_function.end(), [](char a, char b) { return upper(a) == b; });
+  if (slash) return {};  // the slash behind its brackets may be its own
   at_ += name.size();
-  const std::size_t digits = value.size();
-  for (; at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.'); ++at_)
-    value += text_[at_];
-  if (value.size() > digits && name.empty()) return value;
-  if (at_ == text_.size() || text_[at_] != '[' || !bracket(value)) return std::nullopt;
-  return value;
+  const std::size_t digits = at_;
+  while (is_digit(here()) || here() == '.') ++at_;
+  if (at_ > digits && name.empty()) return {from, at_};
+  return here() == open_ && bracket() ? Part{from, at_} : Part{};
 }
 
-std::string Bracketing::held(const Part& part, const Operator& by) const {
-  if (part.of.level < 0) return part.text;
-  const bool other = part.of.logic != by.logic;
-  const bool other_logic = apart_ && by.logic && part.of.logic && part.of.name != by.name;
-  return other || other_logic ? "[" + part.text + "]" : part.text;
-}
-
-std::optional<Part> Bracketing::joined(int least) {
-  std::optional<std::string> first = value();
-  if (!first) return std::nullopt;
-  Part left{std::move(*first), {}};
-  for (;;) {
-    const std::size_t before = at_;
-    blanks();
-    const std::string space(text_.substr(before, at_ - before));
-    Operator by = operator_here();
-    if (by.level < least) {
-      at_ = before;
-      return left;
-    }
-    const std::string_view written = text_.substr(at_, by.name.size());
-    at_ += by.name.size();
-    const std::size_t behind = at_;
-    blanks();
-    const std::string more(text_.substr(behind, at_ - behind));
-    const std::optional<Part> right = joined(by.level + 1);
-    if (!right) return std::nullopt;
-    left.text = held(left, by);
-    left.text += space;
-    left.text += written;
-    left.text += more;
-    left.text += held(*right, by);
-    left.of = std::move(by);
-  }
+void Bracketing::hold(const Part& part, const OperatorRow& by) {
+  if (part.of == nullptr) return;
+  const bool other = part.of->is_logic() != by.is_logic();
+  const bool other_logic = apart_ && by.is_logic() && part.of->is_logic() && part.of->op != by.op;
+  if (!other && !other_logic) return;
+  opened_.push_back(part.from);
+  closed_.push_back(part.to);
 }
 
 }  // namespace
 
-std::optional<std::string> with_brackets(std::string_view written, const Binding& binding,
-                                         bool apart, int most) {
-  std::optional<std::string> made = Bracketing(written, binding, apart).whole();
+std::optional<std::string> with_brackets(std::string_view written, const Spelling& spelling,
+                                         LogicOrder order, bool apart, int most) {
+  std::optional<std::string> made = Bracketing(written, spelling, order, apart).whole();
   if (!made || *made == written) return std::nullopt;
   int depth = 0, deepest = 0;
   for (const char c : *made) {
-    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    depth += c == spelling.brackets.before[0] ? 1 : c == spelling.brackets.behind[0] ? -1 : 0;
     deepest = std::max(deepest, depth);
   }
   return deepest <= most ? made : std::nullopt;

@@ -1,5 +1,6 @@
 // AND, OR and XOR that bind otherwise than it looks.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,20 +13,13 @@ namespace cncsub {
 
 namespace {
 
-bool is_logic(std::string_view name) { return name == "AND" || name == "OR" || name == "XOR"; }
-bool is_operator(std::string_view name) {
-  for (const std::string_view of : {"EQ", "NE", "GT", "LT", "GE", "LE", "MOD"})
-    if (name == of) return true;
-  return false;
-}
-
 /// What is told of a text: logic beside another operation, or AND beside OR where both bind alike.
 enum class Asked : std::uint8_t { Nothing, OtherOperations, OtherLogic, Both };
 
 /// The operations of an expression by its brackets.
 class Operations {
  public:
-  explicit Operations(Asked asked) : asked_(asked) {}
+  Operations(std::span<const OperatorRow> rows, Asked asked) : rows_(rows), asked_(asked) {}
   /// Whether a logic operation stands beside another one in the same brackets.
   bool mixed(std::string_view text);
 
@@ -40,6 +34,7 @@ class Operations {
   bool take(char sign);
   void take_name(std::string_view written);
 
+  std::span<const OperatorRow> rows_;
   Asked asked_;
   std::vector<Level> levels_{1};
   bool value_ = false;  // behind one, where a sign is an operation
@@ -63,14 +58,14 @@ bool Operations::take(char sign) {
 }
 
 void Operations::take_name(std::string_view written) {
-  std::string name;
-  for (const char letter : written) name += upper(letter);
-  Level& level = levels_.back();
-  level.logic = level.logic || is_logic(name);
-  level.after_or = level.after_or || name == "OR" || name == "XOR";
-  level.and_after = level.and_after || (level.after_or && name == "AND");
-  level.other = level.other || is_operator(name);
   value_ = false;
+  const OperatorRow* const of = operator_of_letters(rows_, written);
+  if (of == nullptr) return;
+  Level& level = levels_.back();
+  level.logic = level.logic || of->is_logic();
+  level.after_or = level.after_or || (of->is_logic() && !of->is_conjunction());
+  level.and_after = level.and_after || (level.after_or && of->is_conjunction());
+  level.other = level.other || !of->is_logic();
 }
 
 bool Operations::mixed(std::string_view text) {
@@ -93,23 +88,39 @@ bool Operations::mixed(std::string_view text) {
 }
 
 /// Whether a text holds the name of a logic operation.
-bool has_logic(std::string_view text) {
+bool has_logic(std::span<const OperatorRow> rows, std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_letter(text[i])) continue;
-    std::string name;
-    for (; i < text.size() && is_letter(text[i]); ++i) name += upper(text[i]);
-    if (is_logic(name)) return true;
+    const std::size_t from = i;
+    while (i < text.size() && is_letter(text[i])) ++i;
+    const OperatorRow* const of = operator_of_letters(rows, text.substr(from, i - from));
+    if (of != nullptr && of->is_logic()) return true;
   }
   return false;
 }
 
+/// Whether logic works on numbers, which may stand beside arithmetic, and whether AND is done in
+/// its turn with OR.
+Asked asked_of(std::span<const OperatorRow> rows) {
+  bool numbers = false;
+  int conjunction = 0, disjunction = 0;
+  for (const OperatorRow& of : rows) {
+    if (!of.is_logic()) continue;
+    numbers = numbers || of.op == Ins::And;
+    (of.is_conjunction() ? conjunction : disjunction) = of.level;
+  }
+  const bool alike = conjunction == disjunction;
+  if (numbers) return alike ? Asked::Both : Asked::OtherOperations;
+  return alike ? Asked::OtherLogic : Asked::Nothing;
+}
+
 class LogicCheck {
  public:
-  explicit LogicCheck(Checker& c) : c_(c), order_(c.code.control->macros.logic_order.value) {
-    const bool iso = c.code.control->dialect == "iso";
-    if (iso) asked_ = order_ == LogicOrder::LikeArithmetic ? Asked::OtherOperations : Asked::Both;
-    if (c.code.control->dialect == "linuxcnc") asked_ = Asked::OtherLogic;
-  }
+  explicit LogicCheck(Checker& c)
+      : c_(c),
+        order_(c.code.control->macros.logic_order.value),
+        rows_(c.code.spelling->operators(order_)),
+        asked_(asked_of(rows_)) {}
   bool asks() const { return asked_ != Asked::Nothing; }
   void block(Address at, const Block& block, std::string_view text);
 
@@ -117,7 +128,10 @@ class LogicCheck {
   bool is_statement(const Block& block) const;
   bool of_numbers(const Expression& of) const;
   bool of_conditions(const Expression& of) const;
-  void mend(Finding& found, Address at, std::string_view written, const Binding& binding) const;
+  bool is_mixed(std::string_view text, Asked asked) const {
+    return has_logic(rows_, text) && Operations(rows_, asked).mixed(text);
+  }
+  void mend(Finding& found, Address at, std::string_view written, LogicOrder order) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
   void tell_word(Address at, TextPlace place, std::string_view written);
   void tell(Address at, TextPlace place, const Expression& of, std::string_view written,
@@ -126,7 +140,8 @@ class LogicCheck {
 
   Checker& c_;
   LogicOrder order_;
-  Asked asked_ = Asked::Nothing;
+  std::span<const OperatorRow> rows_;
+  Asked asked_;
 };
 
 const char* LogicCheck::read_as(Asked asked) const {
@@ -170,11 +185,12 @@ bool LogicCheck::of_conditions(const Expression& of) const {
 
 /// Offers the brackets that keep what is done.
 void LogicCheck::mend(Finding& found, Address at, std::string_view written,
-                      const Binding& binding) const {
+                      LogicOrder order) const {
   const Control& control = *c_.code.control;
   // The brackets around the expression count too.
-  const auto text = with_brackets(written, binding, asked_ != Asked::OtherOperations,
-                                  control.macros.max_brackets.value - 1);
+  const auto text =
+      with_brackets(written, *c_.code.spelling, order, asked_ != Asked::OtherOperations,
+                    control.macros.max_brackets.value - 1);
   if (!text) return;
   const int most = control.reading.max_block_length.value;
   const std::size_t length = c_.code.blocks[at].length + text->size() - written.size();
@@ -193,7 +209,7 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
     --depth;
     if (depth > 0) continue;
     const std::string_view inside = text.substr(from + 1, i - from - 1);
-    if (!has_logic(inside) || !Operations(asked_).mixed(inside)) continue;
+    if (!is_mixed(inside, asked_)) continue;
     const auto width = static_cast<std::uint32_t>(i - from + 1);
     return tell_word(at, {static_cast<std::uint32_t>(first + from), width},
                      text.substr(from, width));
@@ -202,20 +218,18 @@ void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first
 
 void LogicCheck::tell_word(Address at, TextPlace place, std::string_view written) {
   Finding& found = c_.found(Check::LogicOrder, at, place, read_as(asked_));
-  if (asked_ == Asked::OtherLogic || order_ == LogicOrder::Last)
-    mend(found, at, written, kLogicLast);
-  else if (order_ == LogicOrder::LikeArithmetic)
-    mend(found, at, written, kLogicAsArithmetic);
+  if (asked_ == Asked::OtherLogic || order_ != LogicOrder::LastOfConditions)
+    mend(found, at, written, order_);
 }
 
 void LogicCheck::tell(Address at, TextPlace place, const Expression& of, std::string_view written,
                       Asked asked) {
   Finding& found = c_.found(Check::LogicOrder, at, place, read_as(asked));
   const bool conditions = of_conditions(of), numbers = of_numbers(of);
-  if (asked_ == Asked::OtherLogic || order_ == LogicOrder::Last)
-    return mend(found, at, written, kLogicLast);
-  if (order_ == LogicOrder::LikeArithmetic) return mend(found, at, written, kLogicAsArithmetic);
-  if (conditions != numbers) mend(found, at, written, numbers ? kLogicAsArithmetic : kLogicLast);
+  if (asked_ == Asked::OtherLogic || order_ != LogicOrder::LastOfConditions)
+    return mend(found, at, written, order_);
+  if (conditions != numbers)
+    mend(found, at, written, numbers ? LogicOrder::LikeArithmetic : LogicOrder::Last);
 }
 
 void LogicCheck::block(Address at, const Block& block, std::string_view text) {
@@ -233,7 +247,7 @@ void LogicCheck::block(Address at, const Block& block, std::string_view text) {
   // Conditions that are compared first and joined then are what they look like, but for AND and OR.
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
   const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
-  if (asked != Asked::Nothing && has_logic(written) && Operations(asked).mixed(written))
+  if (asked != Asked::Nothing && is_mixed(written, asked))
     tell(at, {first, of.width()}, of, written, asked);
 }
 

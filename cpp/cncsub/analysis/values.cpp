@@ -252,7 +252,7 @@ void check_drops(Checker& c, Address at, const Block& block) {
                                [](const Drop& of, std::uint32_t data) { return of.data < data; });
   const std::string_view text = c.code.files[c.program(c.code.program_at(at)).file].text.view();
   for (; drop != c.code.drops.end() && drop->data == block.data; ++drop) {
-    if (c.code.control->dialect == "iso")
+    if (c.code.spelling->ignores_words)
       c.found(Check::Dropped, at, {drop->at, drop->width}, dropped(c, block, text, *drop)).hint =
           instead_of(c, block, text, *drop);
     else
@@ -279,8 +279,9 @@ int plain_code(const Checker& c, const Block& block) {
   const bool p = (block.mask & bit('P')) != 0;
   const CodeList codes = c.code.codes_of(block);
   for (const int m : codes.m()) {
-    const bool user = control.dialect != "iso" && m == 198;  // a code of the machine's own there
-    if (calls_elsewhere(control.calls.roles.value, m) && !user && (p || m == 98 || m == 99))
+    const Spelling::Codes& own = c.code.spelling->own_m_codes;
+    const bool of_machine = m >= own.first && m <= own.last;
+    if (calls_elsewhere(control.calls.roles.value, m) && !of_machine && (p || m == 98 || m == 99))
       return m;
   }
   return -1;

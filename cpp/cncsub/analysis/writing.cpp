@@ -177,7 +177,7 @@ void head_in_capitals(const Checker& c, const ProgramFlow& flow, std::string_vie
 
 /// Told once for a program: who writes small letters writes them everywhere.
 void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
-  if (c.code.control->dialect != "iso") return;  // other languages take small letters
+  if (c.code.spelling->small_letters) return;
   std::vector<CertainEdit> edits;
   head_in_capitals(c, flow, text, edits);
   for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
@@ -196,7 +196,7 @@ void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
 
 void check_writing(Checker& c) {
   const bool ends_blocks = c.code.control->reading.semicolon.value == Semicolon::EndOfBlock;
-  const bool open = c.code.control->dialect == "iso" &&
+  const bool open = c.code.spelling->open_comments &&
                     c.code.control->reading.open_comment.value == OpenComment::RestOfBlock;
   for (const ProgramFlow& flow : c.flows) {
     if (c.inside(flow)) continue;

@@ -26,6 +26,7 @@
 #include "cncsub/code/labelled.hpp"
 #include "cncsub/code/open_table.hpp"
 #include "cncsub/code/program.hpp"
+#include "cncsub/code/spelling.hpp"
 #include "cncsub/code/statement.hpp"
 #include "cncsub/code/word_uses.hpp"
 #include "cncsub/control/control.hpp"

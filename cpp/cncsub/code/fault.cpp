@@ -17,14 +17,6 @@ struct WordPlace {
 bool in_name(char c) { return is_letter(upper(c)) || c == '_'; }
 bool in_number(char c) { return is_digit(c) || c == '.'; }
 
-/// An operator ends where a number begins: 1EQ2 are three words, DO1 is one.
-bool is_operator(std::string_view name) {
-  std::string word;
-  for (const char c : name) word += upper(c);
-  return std::string_view(" EQ NE GT GE LT LE AND OR XOR MOD ").find(' ' + word + ' ') !=
-         std::string_view::npos;
-}
-
 /// Behind the # at `from`: its number, or its expression as far as that is closed.
 std::size_t end_of_variable(std::string_view text, std::size_t from) {
   std::size_t to = from;
@@ -42,7 +34,7 @@ std::size_t end_of_variable(std::string_view text, std::size_t from) {
 }
 
 /// The name, number, variable or numbered word (DO1) of a macro statement that a place lies in.
-WordPlace whole_token(std::string_view text, WordPlace place) {
+WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace place) {
   std::size_t first = place.at, last = first + place.width;
   if (place.width == 0 || last > text.size()) return place;
   const auto token = [](std::size_t from, std::size_t to) {
@@ -57,7 +49,9 @@ WordPlace whole_token(std::string_view text, WordPlace place) {
   while (number < text.size() && in_name(text[number])) ++number;
   last = std::max(last, number);
   while (last < text.size() && in_number(text[last])) ++last;
-  if (is_operator(text.substr(first, number - first)))
+  // An operator ends where a number begins: 1EQ2 are three words, DO1 is one.
+  const auto operators = spelling.operators(LogicOrder::Last);
+  if (operator_of_letters(operators, text.substr(first, number - first)) != nullptr)
     return name ? token(first, number) : token(number, last);
   if (!name && first == number && first > 0 && text[first - 1] == '#') --first;
   return token(first, last);
@@ -69,8 +63,9 @@ bool names(const Fault& fault, const WrittenWord& word) {
 }
 
 /// The word, or of a macro statement the token, that holds a place of the block's `text`.
-WordPlace widened(WordPlace place, const WrittenWord& word, std::string_view text) {
-  if (word.address.empty() || word.address == "#") return whole_token(text, place);
+WordPlace widened(const Spelling& spelling, WordPlace place, const WrittenWord& word,
+                  std::string_view text) {
+  if (word.address.empty() || word.address == "#") return whole_token(spelling, text, place);
   const char head = word.address[0];
   if (!is_letter(head) && head != ',' && head != '<' && head != '#') return place;
   return {word.at, std::max(word.width, place.at + place.width - word.at)};
@@ -87,7 +82,7 @@ WordPlace whole_word(const Code& code, const Program& program, const Block& bloc
   for (const WrittenWord& word : code.words_of(block, program)) {
     if (named && names(fault, word)) return {block.text + word.at, word.width};
     if (named || here.at < word.at || here.at >= word.at + word.width) continue;
-    const WordPlace whole = widened(here, word, text);
+    const WordPlace whole = widened(*code.spelling, here, word, text);
     return {block.text + whole.at, whole.width};
   }
   return place;

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "cncsub/code/expression.hpp"
 #include "cncsub/system/compiler.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -16,15 +18,26 @@ namespace cncsub {
 /// computes it. Operators of one level are done from left to right.
 struct OperatorRow {
   std::string_view spelling;
-  int level;  // 0 binds weakest
-  Ins op;
+  int level = 0;  // 0 binds weakest
+  Ins op = Ins::End;
   Ins other = Ins::End;  // a second instruction, where the language needs one
 
   constexpr bool is_logic() const {
     return op == Ins::And || op == Ins::Or || op == Ins::Xor || op == Ins::BothTrue ||
            op == Ins::EitherTrue || op == Ins::OneTrue;
   }
+  constexpr bool is_conjunction() const { return op == Ins::And || op == Ins::BothTrue; }
 };
+
+/// The operator whose letters are these, capitals or not; null where none is.
+inline const OperatorRow* operator_of_letters(std::span<const OperatorRow> rows,
+                                              std::string_view letters) {
+  const auto alike = [](char a, char b) { return upper(a) == upper(b); };
+  for (const OperatorRow& of : rows)
+    if (std::equal(letters.begin(), letters.end(), of.spelling.begin(), of.spelling.end(), alike))
+      return &of;
+  return nullptr;
+}
 
 /// More levels than any language has.
 inline constexpr std::size_t kMostLevels = 10;

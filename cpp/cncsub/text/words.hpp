@@ -30,20 +30,6 @@ bool set_number(WrittenWord& word, const Number& number);
 /// Reads the number that stands here as the value of a word; false where none with a digit does.
 bool take_number(Scanner& s, WrittenWord& word);
 
-/// How a dialect writes what is no plain word: a comment, a value that counts as a computed one, a
-/// message, the head of a program (nothing where none has one). `numbered`: variables are assigned
-/// by their number, `#5221=5`; a `message` of nothing is printed by statements of the FANUC family.
-struct Spelling {
-  struct Around {
-    std::string_view before, behind;
-  };
-  Around comment, value, message, head;
-  bool numbered = true;
-  std::string_view radius = "R";  // the address of an arc's radius
-  std::string_view polar{};       // the signs of a point's radius and angle, each an address
-  bool long_numbers = false;      // no rule says how many digits a number in an expression may have
-};
-
 /// Gives a word its text and its place: what stands from one character of its block to another,
 /// without blanks and comments. Returns where the word ends: never inside a character.
 const char* place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);

@@ -1,6 +1,8 @@
 #include "cncsub/dialect/iso/operators.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 
 namespace cncsub {
 
@@ -87,6 +89,27 @@ Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value righ
   if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end))) return {};
   out.emit(op, at);
   return Value::condition();
+}
+
+namespace {
+
+template <bool kAlike>
+constexpr auto kRows = [] {
+  constexpr std::size_t kSigns = std::size(kArithmetic), kNames = std::size(kNamedOperators);
+  std::array<OperatorRow, kSigns + kNames> rows{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const IsoOperator& of = i < kSigns ? kArithmetic[i] : kNamedOperators[i - kSigns];
+    rows[i] = of;
+    if (kAlike) rows[i].level = of.alike;
+  }
+  return rows;
+}();
+
+}  // namespace
+
+std::span<const OperatorRow> iso_operators(LogicOrder order) {
+  if (order == LogicOrder::LikeArithmetic) return kRows<true>;
+  return kRows<false>;
 }
 
 const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s) {

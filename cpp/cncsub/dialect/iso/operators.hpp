@@ -38,6 +38,8 @@ inline constexpr IsoOperator kNamedOperators[] = {{{"AND", 0, Ins::And, Ins::Bot
                                                   {{"GE", 1, Ins::GreaterEqual}, 0},
                                                   {{"LE", 1, Ins::LessEqual}, 0}};
 
+/// All of them, at the levels of a control.
+std::span<const OperatorRow> iso_operators(LogicOrder order);
 /// The operator that stands here; null where none does. Blanks may part its letters.
 const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s);
 /// Whether what stands behind a logic operator is a condition: `AND #2 EQ 4` and `AND [#2 EQ 4]`,

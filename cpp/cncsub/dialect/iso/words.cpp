@@ -6,6 +6,7 @@
 
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/iso/lexeme.hpp"
+#include "cncsub/dialect/iso/operators.hpp"
 
 namespace cncsub {
 
@@ -99,7 +100,14 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 }  // namespace
 
 const std::span<const WordUse> iso_word_uses;
-const Spelling iso_spelling{{"(", ")"}, {"[", "]"}, {}, {"O", ""}};
+const Spelling iso_spelling{.comment = {"(", ")"},
+                            .value = {"[", "]"},
+                            .message = {},  // statements print
+                            .head = {"O", ""},
+                            .operators = iso_operators,
+                            .small_letters = false,
+                            .ignores_words = true,
+                            .open_comments = true};
 
 std::optional<WrittenWord> iso_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};

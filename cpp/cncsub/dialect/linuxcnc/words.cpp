@@ -3,6 +3,7 @@
 #include "cncsub/text/words.hpp"
 
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/linuxcnc/expression.hpp"
 
 namespace cncsub {
 
@@ -41,8 +42,14 @@ constexpr std::string_view kPolar = "@^";
 }  // namespace
 
 // A comment in brackets behind a message would be what is said: the last one counts.
-const Spelling linuxcnc_spelling{{";", ""}, {"[", "]"}, {"(MSG,", ")"}, {},
-                                 true,      "R",        kPolar,         true};
+const Spelling linuxcnc_spelling{.comment = {";", ""},
+                                 .value = {"[", "]"},
+                                 .message = {"(MSG,", ")"},
+                                 .head = {},
+                                 .operators = [](LogicOrder) { return linuxcnc::kOperators; },
+                                 .long_numbers = true,
+                                 .polar = kPolar,
+                                 .own_m_codes = {100, 199}};
 
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
 
 namespace cncsub {
@@ -119,8 +120,15 @@ void pass_word(Line& line, WrittenWord& word) {
 }  // namespace sinumerik
 
 const std::span<const WordUse> sinumerik_word_uses;
-const Spelling sinumerik_spelling{{";", ""},        {"=(", ")"}, {"MSG(\"", "\")"},
-                                  {"%_N_", "_MPF"}, false,       "CR"};
+const Spelling sinumerik_spelling{.comment = {";", ""},
+                                  .value = {"=(", ")"},
+                                  .message = {"MSG(\"", "\")"},
+                                  .head = {"%_N_", "_MPF"},
+                                  .brackets = {"(", ")"},
+                                  .operators = [](LogicOrder) { return sinumerik::kOperators; },
+                                  .numbered = false,
+                                  .radius = "CR",
+                                  .own_m_codes = {100, 999}};
 
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;

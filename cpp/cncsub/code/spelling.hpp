@@ -1,0 +1,42 @@
+// How a dialect writes what the neutral rooms read and write: for checks, fixes, messages and flat
+// programs.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "cncsub/code/operators.hpp"
+#include "cncsub/control/control.hpp"
+
+namespace cncsub {
+
+/// `comment`, `message`, `head` (of a program; nothing where none has one): what stands around
+/// their text. `value`: around a value that counts as a computed one.
+struct Spelling {
+  struct Around {
+    std::string_view before, behind;
+  };
+  struct Codes {
+    int first = 0, last = -1;
+  };
+  Around comment, value, message, head;
+
+  // Of expressions.
+  Around brackets{"[", "]"};
+  /// Its operators and how tightly they bind, where a control lets it choose: by that order.
+  std::span<const OperatorRow> (*operators)(LogicOrder order) = nullptr;
+  std::string_view slash_function = "ATAN";  // its second argument stands behind a slash
+  bool long_numbers = false;  // no rule says how many digits a number in an expression may have
+  bool numbered = true;       // variables are assigned by their number: #5221=5
+
+  // Of words.
+  std::string_view radius = "R";  // the address of an arc's radius
+  std::string_view polar{};       // the signs of a point's radius and angle, each an address
+  Codes own_m_codes{};            // the M codes that a machine gives a meaning
+  bool small_letters = true;      // small letters are as good as capitals
+  bool ignores_words = false;     // words may be ignored; else one that is dropped is obeyed, and
+                                  // a run goes on without it
+  bool open_comments = false;     // a comment that is not closed may be read
+};
+
+}  // namespace cncsub
