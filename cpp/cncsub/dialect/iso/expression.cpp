@@ -64,7 +64,16 @@ void ExpressionReader::pass_gap() {
 
 // ---- brackets ----
 
-bool ExpressionReader::opens() {
+CNCSUB_ALWAYS_INLINE inline bool ExpressionReader::opens() {
+  if (s_.at < s_.end && *s_.at == '[' && brackets_ < rules_.most_brackets) [[likely]] {
+    ++s_.at;
+    ++brackets_;
+    return true;
+  }
+  return opens_behind_gap();
+}
+
+bool ExpressionReader::opens_behind_gap() {
   const bool here = peek() == '[';
   const std::uint32_t at = offset();
   if (!here) {
@@ -79,13 +88,17 @@ bool ExpressionReader::opens() {
   return false;
 }
 
-bool ExpressionReader::closes() {
+CNCSUB_ALWAYS_INLINE inline bool ExpressionReader::closes() {
+  if (s_.at >= s_.end || *s_.at != ']') return not_closed();
+  ++s_.at;
+  --brackets_;
+  return true;
+}
+
+/// What stands where brackets should close, behind a gap; the bracket is taken.
+bool ExpressionReader::not_closed() {
   const char c = peek();
-  if (c == ']') {
-    ++s_.at;
-    --brackets_;
-    return true;
-  }
+  if (c == ']') return closes();
   if (c == '\0')
     out_.refuse(Cause::BracketNotClosed, offset(), "a closing bracket is missing");
   else
@@ -101,9 +114,104 @@ Value ExpressionReader::bracket() {
   return value && closes() ? value : Value{};
 }
 
+// ---- functions ----
+
+/// A function whose name of capitals stands before its bracket; others are left to other_word.
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::word() {
+  const std::uint32_t at = offset();
+  int width = 0;
+  const FunctionName* const of = rules_.function_at(s_.at, s_.end, width);
+  if (of == nullptr || of->one == Ins::Programmed || s_.at + width > s_.end) [[unlikely]]
+    return other_word();
+  s_.at += width - 1;
+  return arguments(*of, at);
+}
+
+/// The arguments of the function at `at` in their brackets, and what it makes of them.
+Value ExpressionReader::arguments(const FunctionName& of, std::uint32_t at) {
+  const bool slash = of.one == Ins::Atan && !rules_.has(Function::Atan2);
+  bool second = false;
+  if (!opens()) return {};
+  for (;;) {
+    Value value = values();
+    if (!value || !out_.arithmetic(value, offset())) return {};
+    const bool needs_second = of.one == Ins::End && !second;
+    if (peek() == ']' && !needs_second) break;
+    const bool takes_second = !second && (slash || of.two != Ins::End);
+    if (takes_second && take(',')) {
+      second = true;
+      continue;
+    }
+    if (needs_second)
+      return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
+    closes();
+    return {};
+  }
+  closes();
+  if (slash) return arc_tangent(at, second);
+  const Ins op = second ? of.two : of.one;
+  put(op == Ins::Round && out_.in_word() ? Ins::RoundWord : op, at);
+  return Value::number();
+}
+
+// ---- operands ----
+
+/// A number as nearly all are.
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::constant() {
+  const char* at = s_.at;
+  const Mantissa m = scan_mantissa(at);
+  const std::ptrdiff_t digits = m.whole + m.decimals;
+  if (digits == 0 || digits > rules_.most_digits || number_goes_on(at)) [[unlikely]]
+    return other_constant();
+  const Value value = Value::constant(written_.next());
+  put(Ins::Constant, offset());
+  const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
+  written_.put(ExpressionCell::of(whole / kPowersOfTen[m.decimals]));
+  s_.at = at;
+  return value;
+}
+
+/// #1; others are left to other_variable.
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::written_variable() {
+  const std::uint32_t at = offset();
+  ++s_.at;
+  std::uint32_t number = 0;
+  if (!digits_of_variable(number) || is_indirect(number)) [[unlikely]]
+    return other_variable(at);
+  const NearRange* const near = rules_.code.near.find(number);
+  if (near == nullptr) return out_.load(number, at);
+  const Value value = Value::variable(written_.next());
+  written_.put(ExpressionCell::of(near->raw, near->base + number - near->first, number));
+  return value;
+}
+
+CNCSUB_ALWAYS_INLINE inline Value ExpressionReader::operand() {
+  gap();
+  const char c = s_.at < s_.end ? *s_.at : '\0';
+  Value value;
+  if (c == '#')
+    value = written_variable();
+  else if (is_digit(c) || c == '.')
+    value = constant();
+  else if (c == '[')
+    value = bracket();
+  else if (c == '-' || c == '+')
+    value = with_sign();
+  else if (is_letter(c))
+    value = word();
+  else
+    return no_operand();
+  if (written_.top() > written_.limit()) [[unlikely]]
+    written_.make_room();
+  return value;
+}
+
+Value ExpressionReader::one_operand() { return operand(); }
+Value ExpressionReader::variable() { return written_variable(); }
+
 // ---- operators ----
 
-const IsoOperator* ExpressionReader::next_operator() {
+CNCSUB_ALWAYS_INLINE inline const IsoOperator* ExpressionReader::next_operator() {
   gap();
   const char* const at = s_.at;
   if (at >= s_.end || *at == ']') return nullptr;
@@ -111,6 +219,11 @@ const IsoOperator* ExpressionReader::next_operator() {
     behind_operator_ = at + 1;
     return sign;
   }
+  return operator_of_name();
+}
+
+const IsoOperator* ExpressionReader::operator_of_name() {
+  const char* const at = s_.at;
   const IsoOperator* of = s_.end - at > 2 ? named_operator(at) : nullptr;
   if (of != nullptr) {
     behind_operator_ = at + of->spelling.size();
@@ -128,7 +241,8 @@ const IsoOperator* ExpressionReader::next_operator() {
 /// Where logic of numbers binds first, what stands behind tells whether it is of numbers on the
 /// right side of a comparison: `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
 template <class Left>
-int ExpressionReader::level_of(const IsoOperator& of, Value& value, Left& left) {
+CNCSUB_ALWAYS_INLINE inline int ExpressionReader::level_of(const IsoOperator& of, Value& value,
+                                                           Left& left) {
   if (rules_.alike) return of.alike;
   if (!rules_.numbers_first || !of.is_logic()) return of.level;
   value = left.join(value, of.alike + 1);

@@ -81,9 +81,13 @@ class ExpressionReader {
   std::optional<std::uint32_t> finished(Value value, std::uint32_t at, bool negative = false);
 
   Value values();
+  Value one_operand();
   Value bracket();
   bool opens();
+  bool opens_behind_gap();
   bool closes();
+  bool not_closed();
+  const IsoOperator* operator_of_name();
   bool is_indirect(std::int64_t number) const {
     return rules_.indirect && number >= 9000 && number <= 9999;
   }
@@ -94,11 +98,13 @@ class ExpressionReader {
   Value with_sign();
   Value negation(std::uint32_t at);
   Value word();
+  Value other_word();
   Value arguments(const FunctionName& of, std::uint32_t at);
   Value arc_tangent(std::uint32_t at, bool two);
   Value programmed(std::uint32_t at);
   Refused no_operand();
   Value variable();
+  Value written_variable();
   Value other_variable(std::uint32_t at);
   std::optional<std::int64_t> variable_number(std::uint32_t at);
   std::optional<std::int64_t> written_number();

@@ -22,27 +22,6 @@ bool starts_name(char c) { return is_letter(c) || c == '_'; }
 
 }  // namespace
 
-Value ExpressionReader::operand() {
-  gap();
-  const char c = s_.at < s_.end ? *s_.at : '\0';
-  Value value;
-  if (c == '#')
-    value = variable();
-  else if (is_digit(c) || c == '.')
-    value = constant();
-  else if (c == '[')
-    value = bracket();
-  else if (c == '-' || c == '+')
-    value = with_sign();
-  else if (is_letter(c))
-    value = word();
-  else
-    return no_operand();
-  if (written_.top() > written_.limit()) [[unlikely]]
-    written_.make_room();
-  return value;
-}
-
 Refused ExpressionReader::no_operand() {
   const bool inside = brackets_ > 0;
   switch (peek()) {
@@ -58,20 +37,6 @@ Refused ExpressionReader::no_operand() {
 }
 
 // ---- numbers and signs ----
-
-Value ExpressionReader::constant() {
-  const char* at = s_.at;
-  const Mantissa m = scan_mantissa(at);
-  const std::ptrdiff_t digits = m.whole + m.decimals;
-  if (digits == 0 || digits > rules_.most_digits || number_goes_on(at)) [[unlikely]]
-    return other_constant();
-  const Value value = Value::constant(written_.next());
-  put(Ins::Constant, offset());
-  const auto whole = static_cast<double>(static_cast<std::int64_t>(m.value));
-  written_.put(ExpressionCell::of(whole / kPowersOfTen[m.decimals]));
-  s_.at = at;
-  return value;
-}
 
 /// A number of many digits, with blanks inside, or that is none.
 Value ExpressionReader::other_constant() {
@@ -95,7 +60,7 @@ Value ExpressionReader::with_sign() {
   const char next = peek();
   if (next == '-' || next == '+')
     return out_.refuse(Cause::ExpressionFormat, offset(), "two signs in a row");
-  Value value = operand();
+  Value value = one_operand();
   if (!value) return {};
   if (!value.is_constant() && !out_.arithmetic(value, offset())) return {};
   return negative ? out_.negated(value, at) : value;
@@ -104,7 +69,7 @@ Value ExpressionReader::with_sign() {
 /// NOT before a condition.
 Value ExpressionReader::negation(std::uint32_t at) {
   if (++nots_ > kMostNots) return out_.refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
-  const Value value = operand();
+  const Value value = one_operand();
   if (!value) return {};
   --nots_;
   if (!value.is_condition())
@@ -114,20 +79,6 @@ Value ExpressionReader::negation(std::uint32_t at) {
 }
 
 // ---- variables ----
-
-/// #1, #[#2+1], #NAME.
-Value ExpressionReader::variable() {
-  const std::uint32_t at = offset();
-  ++s_.at;
-  std::uint32_t number = 0;
-  if (!digits_of_variable(number) || is_indirect(number)) [[unlikely]]
-    return other_variable(at);
-  const NearRange* const near = rules_.code.near.find(number);
-  if (near == nullptr) return out_.load(number, at);
-  const Value value = Value::variable(written_.next());
-  written_.put(ExpressionCell::of(near->raw, near->base + number - near->first, number));
-  return value;
-}
 
 /// What more than digits name; `at`: the #, behind which nothing is read, or the digits of an
 /// indirect one.
@@ -177,55 +128,22 @@ std::optional<std::int64_t> ExpressionReader::written_number() {
 
 // ---- functions ----
 
-/// A function, a value with a name, NOT.
-Value ExpressionReader::word() {
+/// A function, a value with a name, NOT; blanks may part its letters.
+Value ExpressionReader::other_word() {
   const std::uint32_t at = offset();
-  int width = 0;
-  const FunctionName* found = rules_.function_at(s_.at, s_.end, width);
-  if (found != nullptr && s_.at + width <= s_.end) {
-    s_.at += width - 1;
-  } else {
-    std::string word;
-    for (char c = peek(); is_letter(c) || (word == "ATAN" && c == '2'); c = peek()) {
-      word += c;
-      ++s_.at;
-      if (word.size() > 8) break;
-    }
-    for (const ConstantName& of : kConstants)
-      if (word == name_of(of.word) && rules_.has(of.word)) return out_.constant(of.value, at);
-    if (word == "NOT" && rules_.bare) return negation(at);
-    found = rules_.function(word);
-    if (found == nullptr)
-      return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+  std::string word;
+  for (char c = peek(); is_letter(c) || (word == "ATAN" && c == '2'); c = peek()) {
+    word += c;
+    ++s_.at;
+    if (word.size() > 8) break;
   }
+  for (const ConstantName& of : kConstants)
+    if (word == name_of(of.word) && rules_.has(of.word)) return out_.constant(of.value, at);
+  if (word == "NOT" && rules_.bare) return negation(at);
+  const FunctionName* const found = rules_.function(word);
+  if (found == nullptr)
+    return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
   return found->one == Ins::Programmed ? programmed(at) : arguments(*found, at);
-}
-
-/// The arguments of the function at `at` in their brackets, and what it makes of them.
-Value ExpressionReader::arguments(const FunctionName& of, std::uint32_t at) {
-  const bool slash = of.one == Ins::Atan && !rules_.has(Function::Atan2);
-  bool second = false;
-  if (!opens()) return {};
-  for (;;) {
-    Value value = values();
-    if (!value || !out_.arithmetic(value, offset())) return {};
-    const bool needs_second = of.one == Ins::End && !second;
-    if (peek() == ']' && !needs_second) break;
-    const bool takes_second = !second && (slash || of.two != Ins::End);
-    if (takes_second && take(',')) {
-      second = true;
-      continue;
-    }
-    if (needs_second)
-      return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
-    closes();
-    return {};
-  }
-  closes();
-  if (slash) return arc_tangent(at, second);
-  const Ins op = second ? of.two : of.one;
-  put(op == Ins::Round && out_.in_word() ? Ins::RoundWord : op, at);
-  return Value::number();
 }
 
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a], behind the first brackets.
