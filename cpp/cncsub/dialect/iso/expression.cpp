@@ -64,15 +64,6 @@ void ExpressionReader::pass_gap() {
 
 // ---- brackets ----
 
-CNCSUB_ALWAYS_INLINE inline bool ExpressionReader::opens() {
-  if (s_.at < s_.end && *s_.at == '[' && brackets_ < rules_.most_brackets) [[likely]] {
-    ++s_.at;
-    ++brackets_;
-    return true;
-  }
-  return opens_behind_gap();
-}
-
 bool ExpressionReader::opens_behind_gap() {
   const bool here = peek() == '[';
   const std::uint32_t at = offset();
@@ -86,13 +77,6 @@ bool ExpressionReader::opens_behind_gap() {
   out_.refuse(Cause::BracketsTooDeep, at,
               "more than " + std::to_string(rules_.most_brackets) + " brackets inside each other");
   return false;
-}
-
-CNCSUB_ALWAYS_INLINE inline bool ExpressionReader::closes() {
-  if (s_.at >= s_.end || *s_.at != ']') return not_closed();
-  ++s_.at;
-  --brackets_;
-  return true;
 }
 
 /// What stands where brackets should close, behind a gap; the bracket is taken.

@@ -154,4 +154,20 @@ inline bool ExpressionReader::digits_of_variable(std::uint32_t& number) {
   return true;
 }
 
+inline bool ExpressionReader::opens() {
+  if (s_.at < s_.end && *s_.at == '[' && brackets_ < rules_.most_brackets) [[likely]] {
+    ++s_.at;
+    ++brackets_;
+    return true;
+  }
+  return opens_behind_gap();
+}
+
+inline bool ExpressionReader::closes() {
+  if (s_.at >= s_.end || *s_.at != ']') return not_closed();
+  ++s_.at;
+  --brackets_;
+  return true;
+}
+
 }  // namespace cncsub
