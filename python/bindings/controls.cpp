@@ -44,6 +44,32 @@ whole (`"= 0 1 2"`). `commons` is always given as a whole: ranges of variable nu
 Traceback (most recent call last):
 ValueError: commons: 199-100 ends before it begins: write 100-199
 )";
+constexpr const char* kFromToml = R"(from_toml(path)
+
+A control of one's own, made from a built-in one by a TOML file.
+
+The file names `name` and `base`, and may hold `title` and the tables `rules`, `parameters`, `calls`
+(codes that call programs) and `alarms`; each value alone, or with a `note` that says where it comes
+from. The same may stand in the table `control` of `cncsub.toml`. Raises `ValueError` for what no
+control can be, with the file and the key.
+
+>>> import cncsub, pathlib, tempfile
+>>> file = pathlib.Path(tempfile.mkdtemp()) / "our-mill.toml"
+>>> _ = file.write_text(
+...     'name = "our-mill"\n'
+...     'base = "fanuc-0i-f"\n'
+...     'rules.max_nesting = {value = 4, note = "the sheet of the builder, page 12"}\n'
+...     'calls.M60 = "macro-call:9020"\n'
+... )
+>>> control = cncsub.Control.from_toml(file)
+>>> control.name, control.base
+('our-mill', 'fanuc-0i-f')
+>>> next(rule.source for rule in control.rules if rule.name == "max_nesting")
+'the sheet of the builder, page 12'
+>>> text = "O1\nM60\nM30\nO9020\n#500=7\nM99\n"
+>>> cncsub.loads(text, control=control).run().variables[500]
+7.0
+)";
 constexpr const char* kAbsent = R"(The groups of rules that the control does not have.
 
 Each with its source and evidence: a control without macros answers no rule of macros.
@@ -83,6 +109,17 @@ struct VariableOptionRow {
   VariableOption option;
   bool fitted = false;
 };
+
+/// What a control of one's own says of an alarm; nothing: as the base says it.
+struct OwnAlarm {
+  std::string slug;
+  std::optional<std::string> number, text;
+  std::string source;
+};
+using OwnRuleRow = std::tuple<std::string, py::object, std::string>;
+using OwnParameterRow = std::tuple<std::string, double, std::string>;
+using OwnAlarmRow =
+    std::tuple<std::string, std::optional<std::string>, std::optional<std::string>, std::string>;
 
 py::object object_of(const RuleValue& value) {
   return std::visit([](const auto& held) -> py::object { return py::cast(held); }, value);
@@ -174,9 +211,75 @@ py::dict entries_of(const RuleView& rule) {
   return rows;
 }
 
+Evidence evidence_of(const std::string& text) {
+  for (const Evidence evidence : {Evidence::SourceDocument, Evidence::Manual, Evidence::Secondary})
+    if (text == to_string(evidence)) return evidence;
+  return Evidence::Inferred;
+}
+
+/// What somebody says of their own machine is no document that we have seen.
+constexpr Evidence kOwn = Evidence::Secondary;
+
+void set_alarm(Control& control, const OwnAlarm& own) {
+  for (std::size_t i = 0; i < all_causes().size(); ++i) {
+    if (all_causes()[i].slug != own.slug) continue;
+    AlarmEntry& entry = control.alarms[static_cast<Cause>(i)];
+    if (own.number) entry.number = *own.number;
+    if (own.number) entry.directed.clear();
+    if (own.text) entry.text = *own.text;
+    entry.printed = entry.printed || own.text;
+    entry.source = own.source;
+    entry.evidence = kOwn;
+    return;
+  }
+  throw py::value_error("no cause is called " + own.slug);
+}
+
+/// A control made from a base: what differs, each with who says so.
+std::shared_ptr<Control> own_control(const Control& base, const std::string& name,
+                                     const std::string& title,
+                                     const std::vector<OwnRuleRow>& rules_of,
+                                     const std::vector<OwnParameterRow>& parameters,
+                                     const std::vector<OwnAlarmRow>& alarms) {
+  auto control = std::make_shared<Control>(base);
+  control->base = base.base.empty() ? base.name : base.base;
+  control->name = name;
+  control->title = title;
+  for (const auto& [parameter, value, source] : parameters) {
+    if (auto wrong = control->set_parameter(parameter, value)) throw py::value_error(*wrong);
+    for (Parameter& known : control->parameters)
+      if (known.name == parameter) {
+        known.source = source;
+        known.evidence = kOwn;
+      }
+  }
+  for (const auto& [rule, value, source] : rules_of) {
+    const RuleValue to = rule_value(value);
+    if (auto wrong = never_asked(*control, rule)) throw py::value_error(*wrong);
+    if (auto wrong = set_rule(*control, rule, to, source, kOwn)) throw py::value_error(*wrong);
+  }
+  for (const auto& [slug, number, text, source] : alarms)
+    set_alarm(*control, {slug, number, text, source});
+  return control;
+}
+
+/// The alarms of a control of one's own that are not those of its base, as own_control takes them.
+std::vector<OwnAlarmRow> own_alarms(const Control& control, const Control& base) {
+  std::vector<OwnAlarmRow> rows;
+  for (const auto& [cause, entry] : control.alarms) {
+    const AlarmEntry* const before = base.alarm(cause);
+    if (before != nullptr && before->source == entry.source) continue;
+    std::optional<std::string> number, text;
+    if (before == nullptr || before->number != entry.number) number = entry.number;
+    if (before == nullptr || before->text != entry.text) text = entry.text;
+    rows.emplace_back(std::string(info(cause).slug), number, text, entry.source);
+  }
+  return rows;
+}
+
 // A changed control is sent as its name and what was changed: the effects of parameters are code.
 py::tuple state_of(const Control& control) {
-  const Control& base = base_of(control.name);
+  const Control& base = base_of(control.base.empty() ? control.name : control.base);
   Control again = base;
   py::dict parameters, changes;
   for (const Parameter& p : control.parameters)
@@ -190,23 +293,30 @@ py::tuple state_of(const Control& control) {
         now[i].entries != then[i].entries)
       changes[py::str(now[i].name)] =
           py::make_tuple(whole_of(now[i]), now[i].source, entries_of(now[i]));
-  return py::make_tuple(control.name, parameters, changes);
-}
-Evidence evidence_of(const std::string& text) {
-  for (const Evidence evidence : {Evidence::SourceDocument, Evidence::Manual, Evidence::Secondary})
-    if (text == to_string(evidence)) return evidence;
-  return Evidence::Inferred;
+  if (control.base.empty()) return py::make_tuple(control.name, parameters, changes);
+  std::vector<OwnParameterRow> noted;
+  for (const Parameter& p : control.parameters)
+    for (const Parameter& before : base.parameters)
+      if (before.name == p.name && before.source != p.source)
+        noted.emplace_back(p.name, p.value, p.source);
+  return py::make_tuple(base.name, parameters, changes, control.name, control.title, noted,
+                        own_alarms(control, base));
 }
 
 std::shared_ptr<Control> control_of(const py::tuple& state) {
-  if (state.size() != 3) throw py::value_error("this is no Control");
+  const bool own = state.size() == 7;
+  if (!own && state.size() != 3) throw py::value_error("this is no Control");
   const Control& base = base_of(state[0].cast<std::string>());
   auto control = with_parameters(base, state[1]);
+  if (own)
+    control = own_control(*control, state[3].cast<std::string>(), state[4].cast<std::string>(), {},
+                          state[5].cast<std::vector<OwnParameterRow>>(),
+                          state[6].cast<std::vector<OwnAlarmRow>>());
   for (const auto& [key, change] : py::dict(state[2])) {
     const auto told = change.cast<py::tuple>();
     if (told.size() != 3) throw py::value_error("this is no Control");
     if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(told[0]),
-                              told[1].cast<std::string>()))
+                              told[1].cast<std::string>(), own ? kOwn : Evidence::Inferred))
       throw py::value_error(*wrong);
     std::vector<EntrySource> entries;
     for (const auto& [entry, origin] : py::dict(told[2])) {
@@ -224,6 +334,8 @@ std::string written(double number) { return py::str("{:g}").format(number).cast<
 
 void add_controls(py::module_& m) {
   m.def("control", &control_of, py::arg("state"));
+  m.def("own_control", &own_control, py::arg("base"), py::arg("name"), py::arg("title"),
+        py::arg("rules"), py::arg("parameters"), py::arg("alarms"));
   m.def("causes", [] {
     std::vector<std::tuple<std::string, std::string, std::string>> rows;
     for (const CauseInfo& cause : all_causes())
@@ -341,6 +453,8 @@ void add_controls(py::module_& m) {
       .def_readonly("name", &Control::name)
       .def_readonly("title", &Control::title)
       .def_readonly("dialect", &Control::dialect)
+      .def_property_readonly("base",
+                             [](const Control& c) { return c.base.empty() ? c.name : c.base; })
       .def_property_readonly("rules",
                              [](const Control& c) {
                                const auto list = asked_rules(c);
@@ -402,6 +516,12 @@ void add_controls(py::module_& m) {
             return replace(c, changes);
           },
           kReplace)
+      .def_static(
+          "from_toml",
+          [](const py::object& path) {
+            return py::module_::import("cncsub.own_control").attr("from_toml")(path);
+          },
+          py::arg("path"), kFromToml)
       .def("__copy__", [](const Control& c) { return std::make_shared<Control>(c); })
       .def(
           "__deepcopy__",

@@ -67,6 +67,13 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     metafunc.parametrize("cnc", names or [None], indirect=True, ids=lambda name: name or "control")
 
 
+def _control_named(name: str, folder: Path) -> cncsub.Control:
+    """The control of a name: a built-in one, or that of the project a folder belongs to."""
+    from cncsub.cli.project import find_project
+
+    return find_project(folder).control_named(name)
+
+
 @pytest.fixture
 def cnc(request: pytest.FixtureRequest) -> Cnc:
     """Loads and runs programs on the control of `--control`."""
@@ -81,33 +88,34 @@ class Cnc:
         self._request = request
         self._snapshots = 0
 
-    @property
-    def control(self) -> str:
+    def _known(self) -> cncsub.Control:
         if self._control is None:
             pytest.fail(
                 "which control? Give --control, the setting cncsub_control or"
                 ' @pytest.mark.cnc("fanuc-0i-f")',
                 pytrace=False,
             )
-        from cncsub.controls import controls, did_you_mean
+        try:
+            return _control_named(self._control, self._request.path.parent)
+        except ValueError as error:
+            pytest.fail(str(error), pytrace=False)
 
-        if self._control not in controls:
-            known = did_you_mean(self._control, controls)
-            pytest.fail(f"no control is called {self._control!r}{known}", pytrace=False)
-        return self._control
+    @property
+    def control(self) -> str:
+        return self._known().name
 
     def load(self, *paths: Any, **options: Any) -> cncsub.Library:
         """Files and folders, named from the folder of the test; see `cncsub.load`."""
         import cncsub
 
         folder = self._request.path.parent
-        return cncsub.load(*(folder / path for path in paths), control=self.control, **options)
+        return cncsub.load(*(folder / path for path in paths), control=self._known(), **options)
 
     def loads(self, text: str | bytes, **options: Any) -> cncsub.Library:
         """A text; see `cncsub.loads`."""
         import cncsub
 
-        return cncsub.loads(text, control=self.control, **options)
+        return cncsub.loads(text, control=self._known(), **options)
 
     def run(self, program: str | Path, main: str | int | None = None, **options: Any) -> cncsub.Run:
         """Run a text (of several lines), or a file or folder beside the test; `options` are those
@@ -181,10 +189,10 @@ class Item(pytest.Item):
     def runtest(self) -> None:
         from cncsub.testing.outcome import check_case
 
-        check_case(self._case, self._control)
+        check_case(self._case, _control_named(self._control, self.path.parent))
 
     def repr_failure(self, excinfo: Any, style: Any = None) -> Any:
-        if isinstance(excinfo.value, AssertionError | KeyError):
+        if isinstance(excinfo.value, AssertionError | ValueError):
             return str(excinfo.value.args[0])
         return super().repr_failure(excinfo, style)
 

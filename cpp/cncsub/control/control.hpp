@@ -266,6 +266,7 @@ struct AbsentGroup {
 
 struct Control {
   std::string name;             // "gsk-988ta"
+  std::string base;             // of a control of one's own: the built-in one that it is made from
   std::string title;            // "GSK 988TA lathe"
   std::string dialect = "iso";  // the language of its programs
 

@@ -62,9 +62,7 @@ def notes_of(library: Library) -> Iterator[Note]:
 
 def _unused_parameters(control: Control) -> Iterator[Note]:
     """The parameters that were set and from which nothing is computed."""
-    if control.name not in controls:
-        return
-    delivered = controls[control.name].parameters
+    delivered = controls[control.base].parameters
     for name, parameter in control.parameters.items():
         if not parameter.used and parameter.value != delivered[name].value:
             told = f"no effect: nothing is computed from it ({parameter.meaning})"

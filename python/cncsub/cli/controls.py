@@ -14,6 +14,7 @@ import typer
 
 import cncsub
 from cncsub.cli.options import Format, Output, control_named, write_json, write_text, wrong_use
+from cncsub.cli.project import project_for
 from cncsub.controls import names_beginning
 from cncsub.escapes import shown
 from cncsub.interrupts import left_to_child
@@ -63,7 +64,10 @@ def controls(
         with wrong_use():
             if diff is not None:
                 raise ValueError("--diff compares two controls: name the first one too")
+            own = project_for(None).own_control
         listed = {known.name: known.title for known in cncsub.controls.values()}
+        if own is not None:
+            listed = {own.name: own.title} | listed
         if format is Format.JSON:
             write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
         else:

@@ -21,7 +21,7 @@ import cncsub
 from cncsub import system
 from cncsub.analysis.notes import Note, counting, same_blocks
 from cncsub.cli.project import PLACES, Project, project_for
-from cncsub.controls import did_you_mean, names_beginning
+from cncsub.controls import names_beginning
 from cncsub.escapes import shown
 from cncsub.loading import load_with
 from cncsub.option_errors import option_of
@@ -377,7 +377,7 @@ def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     """The control of the options or the project, with the parameters of both."""
     named = options["control"] or project.control
-    control = control_named(named)
+    control = control_named(named, project)
     if named == project.control and project.parameters:
         control = control.with_parameters(dict(project.parameters))
     if options["param"]:
@@ -508,16 +508,19 @@ def tell_hints(hints: Iterable[str]) -> None:
         typer.echo(f"hint: {shown(hint)}", err=True)
 
 
-def control_named(name: str | None) -> cncsub.Control:
+def control_named(name: str | None, project: Project | None = None) -> cncsub.Control:
+    """The control of a name, which may be that of the project: of the folder one stands in, where
+    no other is given.
+    """
     if name is None:
         raise WrongUseError(
             f"which control? Give -c and one of {', '.join(cncsub.controls)};"
             " CNCSUB_CONTROL or a cncsub.toml beside the programs names it for all commands"
         )
-    if name not in cncsub.controls:
-        near = did_you_mean(name, cncsub.controls, f"; there are {', '.join(cncsub.controls)}")
-        raise WrongUseError(f"no control is called {name!r}{near}")
-    return cncsub.controls[name]
+    try:
+        return (project or project_for(None)).control_named(name)
+    except ValueError as error:
+        raise WrongUseError(str(error)) from None
 
 
 def _named_value(option: str, text: str) -> tuple[str, float]:

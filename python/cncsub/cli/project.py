@@ -12,7 +12,8 @@ from typing import Any
 
 from cncsub import system
 from cncsub.checking import SEVERITIES, chosen_rules, rule_named
-from cncsub.controls import did_you_mean
+from cncsub.controls import Control, control_of, controls, did_you_mean
+from cncsub.own_control import own_control
 from cncsub.setup import toml_of
 
 PLACES = ("setup", "inputs", "variables", "external")  # that a project names
@@ -22,7 +23,8 @@ PLACES = ("setup", "inputs", "variables", "external")  # that a project names
 class Project:
     """What `cncsub.toml` may hold; paths are relative to it.
 
-    `control`: the name of the control. `parameters`: those that differ. `places`: what it names of
+    `control`: the name of the control; `own_control`: where a table describes it, the control that
+    it makes. `parameters`: those that differ. `places`: what it names of
     `setup` and `inputs`, TOML files, of `variables`, a file of variables before the run, and of
     `external`, the folder of the external device. `folders`: the programs, where a command names
     none. `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`:
@@ -31,12 +33,25 @@ class Project:
 
     file: Path | None = None
     control: str | None = None
+    own_control: Control | None = None
     parameters: Mapping[str, float] = field(default_factory=dict)
     places: Mapping[str, Path] = field(default_factory=dict)
     programs: tuple[Path, ...] = ()
     ignore: frozenset[str] = frozenset()
     severity: Mapping[str, str] = field(default_factory=dict)
     own: bool = True
+
+    def control_named(self, name: str) -> Control:
+        """The control of this name: a built-in one, or that of the project's own. `ValueError`
+        names what is near.
+        """
+        if self.own_control is None or name in controls:
+            return control_of(name)
+        own = self.own_control.name
+        if name != own:
+            near = did_you_mean(name, [own, *controls], f"; there are {own}, {', '.join(controls)}")
+            raise ValueError(f"no control is called {name!r}{near}")
+        return self.own_control
 
     @property
     def setup(self) -> Path | None:
@@ -142,8 +157,8 @@ def _toml(file: Path) -> dict[str, Any]:
         raise ValueError(f"{file}: {error}") from None
 
 
-_KINDS: Mapping[str, type] = {
-    "control": str,
+_KINDS: Mapping[str, type | tuple[type, ...]] = {
+    "control": (str, dict),
     "parameters": dict,
     "setup": str,
     "inputs": str,
@@ -178,9 +193,12 @@ def _read(file: Path, told: Any) -> Project:
             raise ValueError(f"{file}: folders is a list of texts, not {folder!r}")
 
     try:
+        named = told.get("control")
+        own = own_control(named, file.name) if isinstance(named, dict) else None
         return Project(
             file,
-            told.get("control"),
+            named if own is None else own.name,
+            own,
             _numbers(told.get("parameters", {})),
             {name: file.parent / told[name] for name in PLACES if name in told},
             tuple(file.parent / folder for folder in told.get("folders", [])),
@@ -191,7 +209,12 @@ def _read(file: Path, told: Any) -> Project:
         raise ValueError(f"{file}: {error.args[0]}") from None
 
 
-_NAMES: Mapping[type, str] = {str: "text", dict: "table", list: "list"}
+_NAMES: Mapping[type | tuple[type, ...], str] = {
+    str: "text",
+    dict: "table",
+    list: "list",
+    (str, dict): "text or a table",
+}
 
 
 def _numbers(parameters: Mapping[str, Any]) -> dict[str, float]:

@@ -9,7 +9,7 @@ from itertools import groupby
 from typing import Any
 
 from cncsub._core import Control, Parameter, Rule, cited
-from cncsub.controls import causes, sources_of
+from cncsub.controls import causes, controls, sources_of
 from cncsub.reports.facts import effect_of
 from cncsub.reports.printing import Console, Text, wrapped
 
@@ -44,6 +44,9 @@ def print_summary(console: Console, control: Control) -> None:
 
 def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, list[Fact]]]:
     printed: dict[str, str] = {}
+    if control.base != control.name:
+        base = controls[control.base]
+        yield f"Its own, beside {base.title} ({base.name})", list(_own(control, base))
     for group, rules in groupby(different, key=lambda rule: rule.group):
         yield group.capitalize(), [_rule(rule, printed) for rule in rules]
     absent = [(group, f": no rules of it {_mark(*of)}") for group, of in control.absent.items()]
@@ -56,6 +59,25 @@ def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, li
         f"Alarms ({len(alarms)} causes)": list(_alarms(alarms)),
     }
     yield from ((title, facts) for title, facts in more.items() if facts)
+
+
+def _own(control: Control, base: Control) -> Iterator[Fact]:
+    """What a control of one's own says otherwise than its base, each with its note."""
+    before = {rule.name: rule for rule in base.rules}
+    for rule in control.rules:
+        of = before[rule.name]
+        notes = [source for entry, (source, _) in rule.sources.items() if entry not in of.sources]
+        if rule.source != of.source:
+            notes.append(rule.source)
+        if notes:
+            yield rule.name, f" = {rule.value} ({of.value}) [{'; '.join(notes)}]"
+    for name, parameter in control.parameters.items():
+        if parameter.source != (delivered := base.parameters[name]).source:
+            values = f"{parameter.value:g} ({delivered.value:g})"
+            yield f"parameter {name}", f" = {values} [{parameter.source}]"
+    for slug, alarm in control.alarms.items():
+        if slug not in base.alarms or alarm.source != base.alarms[slug].source:
+            yield slug, f": {alarm.number} {alarm.text or ''} [{alarm.source}]"
 
 
 _KEPT = "\N{NO-BREAK SPACE}"  # no line ends in a mark
@@ -86,7 +108,7 @@ def _print_keys(console: Console, control: Control, different: list[Rule]) -> No
     for source in sources_of(control):
         if source.key in keys:
             key = _short(source.key)
-            _print_paragraph(console, f"{key} = {source.title}; {source.on(control.name)}", key)
+            _print_paragraph(console, f"{key} = {source.title}; {source.on(control.base)}", key)
     _print_paragraph(console, "? = inferred: general knowledge, or nobody says", "?")
 
 
@@ -291,7 +313,7 @@ def _print_sources(console: Console, control: Control) -> None:
     for source in sources_of(control):
         _print_fact(console, source.key, source.title)
         address = f"; {source.address}" if source.address else ""
-        _print_source(console, f"[{source.on(control.name)}{address}]")
+        _print_source(console, f"[{source.on(control.base)}{address}]")
 
 
 def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, Any]]) -> None:

@@ -193,7 +193,7 @@ def control_facts(control: Control) -> dict[str, Any]:
                 "key": source.key,
                 "title": source.title,
                 "address": source.address or None,
-                "evidence": source.on(control.name),
+                "evidence": source.on(control.base),
             }
             for source in sources_of(control)
         ],

@@ -1,0 +1,141 @@
+"""A control of one's own: a built-in one, and in what a machine differs from it, read from TOML."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from cncsub import _core
+from cncsub.controls import Control, causes, control_of, controls, did_you_mean
+from cncsub.setup import from_toml as read_toml
+
+KEYS = ("name", "base", "title", "rules", "parameters", "calls", "alarms")
+_NAME = re.compile(r"[a-z0-9][a-z0-9._-]{0,63}")
+_CODE = re.compile(r"[GM][1-9][0-9]{0,3}|[STB]")
+_CALL = re.compile(r"(call|macro-call|modal-call|modal-call-every-block):[1-9][0-9]{0,7}")
+
+
+def from_toml(path: str | os.PathLike[str]) -> Control:
+    """The control that a TOML file describes; see `Control.from_toml`."""
+    name = Path(path).name
+    return read_toml(path, lambda told: own_control(_table(told), name))
+
+
+def _table(told: Mapping[str, Any]) -> Any:
+    """What a file says of a control: all of it, or its table `control`."""
+    tool = told.get("tool")
+    of = tool.get("cncsub") if isinstance(tool, dict) else told
+    return of.get("control", of) if isinstance(of, dict) else of
+
+
+def own_control(told: Any, file: str) -> Control:
+    """The control of a table of TOML; `file` says where a value comes from that has no note.
+
+    Raises `ValueError` for what no control can be.
+    """
+    if not isinstance(told, dict):
+        raise ValueError(f"a control of one's own is a table with name and base, not {told!r}")
+    for key in told:
+        if key not in KEYS:
+            raise ValueError(f"a control of one's own has no {key!r}{did_you_mean(key, KEYS)}")
+    name, base = _name(told), _base(told)
+    title = told.get("title", f"{name} ({base.title})")
+    if not isinstance(title, str) or not title.isprintable():
+        raise ValueError(f"title is a text that can be printed, not {title!r}")
+    nobody = f"as {file} says, without a note"
+    tables = {key: _noted(told.get(key, {}), key, nobody) for key in KEYS[3:]}
+    rules = [(rule, _rule_value(rule, value), note) for rule, value, note in tables["rules"]]
+    calls = [(code, _call(code, to), note) for code, to, note in tables["calls"]]
+    if calls:  # they are one rule, and its source tells the note of each
+        notes = "; ".join(f"{code}: {note}" for code, _, note in calls)
+        rules.append(("registered_codes", " ".join(call for _, call, _ in calls), notes))
+    parameters = [(number, _number(number, of), note) for number, of, note in tables["parameters"]]
+    alarms = [(_cause(slug), *_alarm(slug, of), note) for slug, of, note in tables["alarms"]]
+    return _core.own_control(base, name, title, rules, parameters, alarms)
+
+
+def _name(told: Mapping[str, Any]) -> str:
+    name = told.get("name")
+    if not isinstance(name, str) or not _NAME.fullmatch(name):
+        raise ValueError(
+            "a control of one's own has a name of small letters, digits, '.', '_' and '-', such as"
+            f' name = "our-mill"; this one is {name!r}'
+        )
+    if name in controls:
+        raise ValueError(f"{name} is a built-in control: give yours a name of its own")
+    return name
+
+
+def _base(told: Mapping[str, Any]) -> Control:
+    base = told.get("base")
+    if not isinstance(base, str):
+        raise ValueError(f'base is a built-in control, such as base = "fanuc-0i-f", not {base!r}')
+    return control_of(base)
+
+
+def _noted(told: Any, key: str, nobody: str) -> Iterator[tuple[str, Any, str]]:
+    """The entries of a table, each with its value and its note."""
+    if not isinstance(told, dict):
+        raise ValueError(f"{key} is a table, not {told!r}")
+    for name, value in told.items():
+        if not isinstance(value, dict):
+            yield name, value, nobody
+            continue
+        of = dict(value)
+        note = of.pop("note", nobody)
+        if not isinstance(note, str) or not note.isprintable():
+            raise ValueError(f"{key}.{name}: a note is a text that can be printed, not {note!r}")
+        if key == "alarms":
+            yield name, of, note
+            continue
+        if set(of) != {"value"}:
+            raise ValueError(
+                f'{key}.{name} is a value, or {{value = ..., note = "..."}}, not {value!r}'
+            )
+        yield name, of["value"], note
+
+
+def _rule_value(rule: str, value: Any) -> bool | int | str:
+    if isinstance(value, bool | int | str):
+        return value
+    raise ValueError(f"rules.{rule} is true or false, a whole number or a text, not {value!r}")
+
+
+def _call(code: str, to: Any) -> str:
+    if not _CODE.fullmatch(code):
+        raise ValueError(f"calls.{code}: a code that calls is G1 to G9999, M1 to M9999, S, T or B")
+    if not isinstance(to, str) or not _CALL.fullmatch(to):
+        raise ValueError(
+            f"calls.{code} is how it calls a program: call:9001, macro-call:9010, modal-call:9010"
+            f" or modal-call-every-block:9010, not {to!r}"
+        )
+    return f"{code}={to}"
+
+
+def _number(parameter: str, value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ValueError(f"parameters.{parameter} is a number, not {value!r}")
+    return float(value)
+
+
+def _cause(slug: str) -> str:
+    if slug not in causes:
+        raise ValueError(f"alarms.{slug}: no cause is called {slug!r}{did_you_mean(slug, causes)}")
+    return slug
+
+
+def _alarm(slug: str, told: Any) -> tuple[str | None, str | None]:
+    """The number and the text of an alarm, where they are given."""
+    of = {"number": told} if isinstance(told, str) else told
+    if not isinstance(of, dict) or not of or not set(of) <= {"number", "text"}:
+        raise ValueError(
+            f'alarms.{slug} is a number, or {{number = "PS0077", text = "...", note = "..."}},'
+            f" not {told!r}"
+        )
+    for key, value in of.items():
+        if not isinstance(value, str) or not value or not value.isprintable():
+            raise ValueError(f"alarms.{slug}.{key} is a text that can be printed, not {value!r}")
+    return of.get("number"), of.get("text")
