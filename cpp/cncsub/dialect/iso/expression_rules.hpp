@@ -37,6 +37,10 @@ struct ExpressionRules {
   std::ptrdiff_t most_digits;  // that a constant may have without a look at what they are
   static constexpr std::ptrdiff_t kMostVariableDigits = 9;
 
+  /// Whether a variable is one whose number stands in another: #9100 is #[#100].
+  bool is_indirect(std::int64_t number) const {
+    return indirect && number >= 9000 && number <= 9999;
+  }
   /// Whether a function, or an operator that some controls have not, is there.
   bool has(Function function) const { return control.macros.functions.value.has(function); }
   /// The function of this name, or of the name that it abbreviates; null where there is none.

@@ -1,7 +1,7 @@
 // The values between operators: numbers, variables, functions, what stands in brackets, signs.
 #include <string>
 
-#include "cncsub/dialect/iso/expression.hpp"
+#include "cncsub/dialect/iso/values.hpp"
 
 namespace cncsub {
 
@@ -22,7 +22,7 @@ bool starts_name(char c) { return is_letter(c) || c == '_'; }
 
 }  // namespace
 
-Refused ExpressionReader::no_operand() {
+Refused ValueReader::no_operand() {
   const bool inside = brackets_ > 0;
   switch (peek()) {
     case ']':
@@ -39,7 +39,7 @@ Refused ExpressionReader::no_operand() {
 // ---- numbers and signs ----
 
 /// A number of many digits, with blanks inside, or that is none.
-Value ExpressionReader::other_constant() {
+Value ValueReader::other_constant() {
   comments_ = true;
   const std::uint32_t at = offset();
   const Number number = scan_number(s_);
@@ -54,7 +54,7 @@ Value ExpressionReader::other_constant() {
 }
 
 /// A sign, and the value that it is of.
-Value ExpressionReader::with_sign() {
+Value ValueReader::with_sign() {
   const std::uint32_t at = offset();
   const bool negative = *s_.at++ == '-';
   const char next = peek();
@@ -67,7 +67,7 @@ Value ExpressionReader::with_sign() {
 }
 
 /// NOT before a condition.
-Value ExpressionReader::negation(std::uint32_t at) {
+Value ValueReader::negation(std::uint32_t at) {
   if (++nots_ > kMostNots) return out_.refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
   const Value value = one_operand();
   if (!value) return {};
@@ -82,7 +82,7 @@ Value ExpressionReader::negation(std::uint32_t at) {
 
 /// What more than digits name; `at`: the #, behind which nothing is read, or the digits of an
 /// indirect one.
-Value ExpressionReader::other_variable(std::uint32_t at) {
+Value ValueReader::other_variable(std::uint32_t at) {
   s_.at = s_.file + at + 1;
   const char first = peek();
   if (first == '[') {
@@ -100,20 +100,20 @@ Value ExpressionReader::other_variable(std::uint32_t at) {
 
 /// The number of a variable that is not in brackets, where it is written behind the #; else
 /// kComputed, and instructions give it.
-std::optional<std::int64_t> ExpressionReader::variable_number(std::uint32_t at) {
+std::optional<std::int64_t> ValueReader::variable_number(std::uint32_t at) {
   if (starts_name(peek()) && rules_.names) {
     comments_ = true;  // between its letters
     out_.emit(Ins::Named, at, static_cast<double>(names_.text(s_.take_name())));
     return kComputed;
   }
   const auto number = written_number();
-  if (!number || !is_indirect(*number)) return number;
+  if (!number || !rules_.is_indirect(*number)) return number;
   Value inner = out_.load(*number - 9000, at);
   out_.arithmetic(inner, offset());
   return kComputed;
 }
 
-std::optional<std::int64_t> ExpressionReader::written_number() {
+std::optional<std::int64_t> ValueReader::written_number() {
   const char c = peek();
   const std::uint32_t at = offset();
   if (!is_digit(c)) return out_.refuse(Cause::ExpressionFormat, at, kNoVariable);
@@ -129,7 +129,7 @@ std::optional<std::int64_t> ExpressionReader::written_number() {
 // ---- functions ----
 
 /// A function, a value with a name, NOT; blanks may part its letters.
-Value ExpressionReader::other_word() {
+Value ValueReader::other_word() {
   const std::uint32_t at = offset();
   std::string word;
   for (char c = peek(); is_letter(c) || (word == "ATAN" && c == '2'); c = peek()) {
@@ -147,7 +147,7 @@ Value ExpressionReader::other_word() {
 }
 
 /// ATAN[a]/[b], ATAN[a,b] and ATAN[a], behind the first brackets.
-Value ExpressionReader::arc_tangent(std::uint32_t at, bool two) {
+Value ValueReader::arc_tangent(std::uint32_t at, bool two) {
   Scanner ahead = s_;
   if (begins_gap(*ahead.at)) comments_ = true;
   if (!two && ahead.take('/') && ahead.peek() == '[') {
@@ -161,7 +161,7 @@ Value ExpressionReader::arc_tangent(std::uint32_t at, bool two) {
 }
 
 /// AR[#23]: how the word was programmed, so the variable itself counts, by its number.
-Value ExpressionReader::programmed(std::uint32_t at) {
+Value ValueReader::programmed(std::uint32_t at) {
   if (!opens() || peek() != '#')
     return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
   const std::uint32_t hash = offset();

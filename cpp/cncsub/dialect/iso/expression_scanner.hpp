@@ -1,0 +1,95 @@
+// The text of an expression as it is read: what says nothing, digits and brackets.
+#pragma once
+
+#include <cstdint>
+
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/iso/value_writer.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+/// Where an expression is read, how many of its brackets are open, and where its instructions go.
+class ExpressionScanner {
+ protected:
+  ExpressionScanner(Builder& to, const ExpressionRules& rules)
+      : rules_(rules), out_(to, rules), written_(out_.instructions()) {}
+
+  void begin(const Scanner& s, char address = 0) {
+    s_ = s;
+    out_.begin(address);
+    brackets_ = nots_ = 0;
+    comments_ = false;
+  }
+  std::uint32_t offset() const { return s_.offset(); }
+
+  /// Passes over blanks and comments.
+  void gap() {
+    if (begins_gap(*s_.at)) [[unlikely]]
+      pass_gap();
+  }
+  char peek() {
+    gap();
+    return s_.at == s_.end ? '\0' : upper(*s_.at);
+  }
+  bool take(char c) { return peek() == c && (++s_.at, true); }
+  /// Whether a number that was read as far as `at` goes on, behind a gap or with another point.
+  bool number_goes_on(const char* at) const;
+  /// Reads the number behind a #, where it is digits and nothing else.
+  bool digits_of_variable(std::uint32_t& number);
+  /// Takes the bracket that opens or closes here; false where it is missing, which is told.
+  bool opens();
+  bool closes();
+  void put(Ins op, std::uint32_t at) { written_.put(ExpressionCell::of(op, out_.address(), at)); }
+
+  const ExpressionRules& rules_;
+  ValueWriter out_;
+  OpenInstructions& written_;
+  Scanner s_;
+  int brackets_ = 0;      // that are open
+  int nots_ = 0;          // that wait
+  bool comments_ = true;  // may stand in what was read, or behind it
+
+ private:
+  void pass_gap();
+  bool opens_behind_gap();
+  bool not_closed();
+};
+
+inline bool ExpressionScanner::number_goes_on(const char* at) const {
+  if (at >= s_.end) return at > s_.end;
+  if (!begins_gap(*at)) [[likely]]
+    return *at == '.';
+  Scanner ahead{at, s_.end, s_.file};
+  const char next = ahead.peek();
+  return is_digit(next) || next == '.';
+}
+
+inline bool ExpressionScanner::digits_of_variable(std::uint32_t& number) {
+  const char* at = s_.at;
+  for (std::uint32_t digit = 0; (digit = static_cast<std::uint32_t>(*at - '0')) <= 9; ++at)
+    number = number * 10 + digit;
+  if (at == s_.at || at - s_.at > ExpressionRules::kMostVariableDigits || number_goes_on(at))
+      [[unlikely]]
+    return false;
+  s_.at = at;
+  return true;
+}
+
+inline bool ExpressionScanner::opens() {
+  if (s_.at < s_.end && *s_.at == '[' && brackets_ < rules_.most_brackets) [[likely]] {
+    ++s_.at;
+    ++brackets_;
+    return true;
+  }
+  return opens_behind_gap();
+}
+
+inline bool ExpressionScanner::closes() {
+  if (s_.at >= s_.end || *s_.at != ']') return not_closed();
+  ++s_.at;
+  --brackets_;
+  return true;
+}
+
+}  // namespace cncsub

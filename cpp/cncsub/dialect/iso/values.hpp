@@ -1,0 +1,64 @@
+// The values of an expression and the operators between them, compiled into instructions.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cncsub/dialect/iso/expression_scanner.hpp"
+#include "cncsub/dialect/iso/operators.hpp"
+
+namespace cncsub {
+
+class ValueReader : protected ExpressionScanner {
+ public:
+  using Value = cncsub::Value;
+  using Operator = IsoOperator;
+
+  // The parts of an expression, for read_operators.
+  Value operand();
+  const IsoOperator* next_operator();
+  template <class Left>
+  int level_of(const IsoOperator& of, Value& value, Left& left);
+  using ExpressionScanner::offset;
+  void pass(const IsoOperator&) { s_.at = behind_operator_; }
+  Value apply(const IsoOperator& of, std::uint32_t at, Value left, Value right) {
+    return cncsub::apply(out_, of, at, left, right, offset());
+  }
+
+ protected:
+  static constexpr std::int64_t kComputed = -1;
+
+  ValueReader(Builder& to, const ExpressionRules& rules)
+      : ExpressionScanner(to, rules), names_(to.names()) {}
+
+  /// Operands and the operators between them, as far as the text goes.
+  Value values();
+  /// A value with its signs, and no operator behind it.
+  Value one_operand();
+  /// What stands in brackets, with them.
+  Value bracket();
+  /// The number of a variable that is not in brackets, where it is written behind the #, which is
+  /// at `at`; else kComputed, and instructions give it.
+  std::optional<std::int64_t> variable_number(std::uint32_t at);
+
+ private:
+  const IsoOperator* operator_of_name();
+  Value constant();
+  Value other_constant();
+  Value with_sign();
+  Value negation(std::uint32_t at);
+  Value word();
+  Value other_word();
+  Value arguments(const FunctionName& of, std::uint32_t at);
+  Value arc_tangent(std::uint32_t at, bool two);
+  Value programmed(std::uint32_t at);
+  Refused no_operand();
+  Value variable();
+  Value other_variable(std::uint32_t at);
+  std::optional<std::int64_t> written_number();
+
+  Names& names_;
+  const char* behind_operator_ = nullptr;  // behind the one that was found last
+};
+
+}  // namespace cncsub
