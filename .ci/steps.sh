@@ -109,7 +109,7 @@ sanitized_python() {
 }
 
 sanitized_tests() {
-    sanitized_python -m pytest -p no:cacheprovider "$@"
+    sanitized_python -m pytest -p no:cacheprovider --numprocesses auto --dist worksteal "$@"
 }
 
 # Whole programs made from the seed for so many seconds, and held to the laws, under the sanitizers.

@@ -423,7 +423,9 @@ def test_what_cannot_be_watched_is_refused_in_words(
 
 
 @pytest.mark.parametrize(
-    "watch", [100, (100,), {100}, {100: 5}, iter([100]), np.array([100]), np.int64(100)], ids=str
+    "watch",
+    [100, (100,), {100}, {100: 5}, iter([100]), np.array([100]), np.int64(100)],
+    ids=lambda w: type(w).__name__,
 )
 def test_numbers_are_given_in_any_way(watch: Any) -> None:
     run = cncsub.loads("O1\nN10 #100=5\nM30\n", control="fanuc-0i-f").run(watch=watch)

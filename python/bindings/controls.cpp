@@ -218,7 +218,7 @@ Evidence evidence_of(const std::string& text) {
 }
 
 /// What somebody says of their own machine is no document that we have seen.
-constexpr Evidence kOwn = Evidence::Secondary;
+constexpr Evidence kBySomebody = Evidence::Secondary;
 
 void set_alarm(Control& control, const OwnAlarm& own) {
   for (std::size_t i = 0; i < all_causes().size(); ++i) {
@@ -229,7 +229,7 @@ void set_alarm(Control& control, const OwnAlarm& own) {
     if (own.text) entry.text = *own.text;
     entry.printed = entry.printed || own.text;
     entry.source = own.source;
-    entry.evidence = kOwn;
+    entry.evidence = kBySomebody;
     return;
   }
   throw py::value_error("no cause is called " + own.slug);
@@ -250,13 +250,14 @@ std::shared_ptr<Control> own_control(const Control& base, const std::string& nam
     for (Parameter& known : control->parameters)
       if (known.name == parameter) {
         known.source = source;
-        known.evidence = kOwn;
+        known.evidence = kBySomebody;
       }
   }
   for (const auto& [rule, value, source] : rules_of) {
     const RuleValue to = rule_value(value);
     if (auto wrong = never_asked(*control, rule)) throw py::value_error(*wrong);
-    if (auto wrong = set_rule(*control, rule, to, source, kOwn)) throw py::value_error(*wrong);
+    if (auto wrong = set_rule(*control, rule, to, source, kBySomebody))
+      throw py::value_error(*wrong);
   }
   for (const auto& [slug, number, text, source] : alarms)
     set_alarm(*control, {slug, number, text, source});
@@ -316,7 +317,7 @@ std::shared_ptr<Control> control_of(const py::tuple& state) {
     const auto told = change.cast<py::tuple>();
     if (told.size() != 3) throw py::value_error("this is no Control");
     if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(told[0]),
-                              told[1].cast<std::string>(), own ? kOwn : Evidence::Inferred))
+                              told[1].cast<std::string>(), own ? kBySomebody : Evidence::Inferred))
       throw py::value_error(*wrong);
     std::vector<EntrySource> entries;
     for (const auto& [entry, origin] : py::dict(told[2])) {

@@ -68,6 +68,7 @@ _DOCS: Mapping[type, tuple[str, Mapping[str, str]]] = {
             "name": "The key in `cncsub.controls`.",
             "title": "The name for people.",
             "dialect": "The language of its programs: `iso`, `linuxcnc`, `sinumerik`.",
+            "base": "The built-in control that one of your own was made from; else its own name.",
             "rules": "How it answers each question, a tuple of rules with their sources.",
             "parameters": "Its settings by name, such as `6005#0`, with what they mean.",
             "alarms": "Cause to number and text.",

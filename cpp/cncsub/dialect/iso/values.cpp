@@ -55,27 +55,21 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::word() {
   return arguments(*of, at);
 }
 
+/// One argument of a function; false where it is none, which is told.
+bool ValueReader::argument() {
+  Value value = values();
+  return value && out_.arithmetic(value, offset());
+}
+
 /// The arguments of the function at `at` in their brackets, and what it makes of them.
 Value ValueReader::arguments(const FunctionName& of, std::uint32_t at) {
   const bool slash = of.one == Ins::Atan && !rules_.has(Function::Atan2);
-  bool second = false;
-  if (!opens()) return {};
-  for (;;) {
-    Value value = values();
-    if (!value || !out_.arithmetic(value, offset())) return {};
-    const bool needs_second = of.one == Ins::End && !second;
-    if (peek() == ']' && !needs_second) break;
-    const bool takes_second = !second && (slash || of.two != Ins::End);
-    if (takes_second && take(',')) {
-      second = true;
-      continue;
-    }
-    if (needs_second)
-      return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
-    closes();
-    return {};
-  }
-  closes();
+  if (!opens() || !argument()) return {};
+  const bool second = (slash || of.two != Ins::End) && take(',');
+  if (second && !argument()) return {};
+  if (of.one == Ins::End && !second)
+    return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
+  if (!closes()) return {};
   if (slash) return arc_tangent(at, second);
   const Ins op = second ? of.two : of.one;
   put(op == Ins::Round && out_.in_word() ? Ins::RoundWord : op, at);

@@ -49,6 +49,7 @@ class ValueReader : protected ExpressionScanner {
   Value negation(std::uint32_t at);
   Value word();
   Value other_word();
+  bool argument();
   Value arguments(const FunctionName& of, std::uint32_t at);
   Value arc_tangent(std::uint32_t at, bool two);
   Value programmed(std::uint32_t at);
