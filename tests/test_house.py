@@ -65,6 +65,30 @@ def test_the_arrows_of_a_room_point_one_way(of: str) -> None:
     assert not wrong
 
 
+# The rooms inside the large rooms, each of which knows those before it; files beside them know all.
+INNER = {
+    "motion": ["state", "frame", "path", "cycle", "block"],
+    "machine": ["state", "values", "statements", "calls", "run"],
+}
+
+
+@pytest.mark.parametrize("of", INNER)
+def test_the_arrows_inside_a_room_point_one_way(of: str) -> None:
+    def height(path: Path) -> int:
+        inner = path.relative_to(ENGINE / of).parts[:-1]
+        return INNER[of].index(inner[0]) if inner else len(INNER[of])
+
+    files = [file for file in sources() if room(file) == of]
+    assert {height(file) for file in files} == set(range(len(INNER[of]) + 1))
+    wrong = [
+        f"{file.relative_to(ROOT)} includes {name}"
+        for file in files
+        for name, path in included(file)
+        if room(path) == of and height(path) > height(file)
+    ]
+    assert not wrong
+
+
 def test_no_dialect_knows_another() -> None:
     folders = [f for f in sorted((ENGINE / "dialect").iterdir()) if f.is_dir()]
     for folder in folders:
@@ -192,7 +216,7 @@ def test_an_option_of_a_run_is_stated_in_three_files() -> None:
     stated_in = {
         "python/cncsub/run_options.py",
         "python/bindings/options.cpp",
-        "cpp/cncsub/machine/options.hpp",
+        "cpp/cncsub/machine/state/options.hpp",
     }
     page = (ROOT / "docs" / "adding-an-option.md").read_text("utf-8")
     assert all(f"`{name}`" in page for name in stated_in)
@@ -206,7 +230,7 @@ def test_an_option_of_a_run_is_stated_in_three_files() -> None:
         for file in [*folder.rglob("*.py"), *folder.rglob("*.?pp"), PACKAGE / "run_options.py"]
         if _names(file, "max_memory")
     ]
-    assert set(files) == {*stated_in, "cpp/cncsub/machine/limits.cpp"}
+    assert set(files) == {*stated_in, "cpp/cncsub/machine/state/limits.cpp"}
 
 
 def _names(file: Path, words: str) -> bool:

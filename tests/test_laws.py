@@ -277,8 +277,8 @@ def stepped(compute: Callable[[float], float], step: float) -> Callable[[float],
 
 
 UNARY = [
-    unary("SIN", lambda a: math.sin(math.radians(a))),
-    unary("COS", lambda a: math.cos(math.radians(a))),
+    unary("SIN", lambda a: math.sin(math.radians(math.fmod(a, 360)))),
+    unary("COS", lambda a: math.cos(math.radians(math.fmod(a, 360)))),
     unary("ABS", abs),
     unary("FIX", stepped(math.trunc, 0)),
     unary("FUP", stepped(lambda a: math.copysign(math.ceil(abs(a)), a), 0)),

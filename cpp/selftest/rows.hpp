@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "cncsub/control/control.hpp"
-#include "cncsub/machine/options.hpp"
+#include "cncsub/machine/state/options.hpp"
 
 namespace cncsub::selftest {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bindings.hpp"
-#include "cncsub/machine/variables.hpp"
+#include "cncsub/machine/values/variables.hpp"
 #include "gil.hpp"
 #include "live.hpp"
 #include "options.hpp"

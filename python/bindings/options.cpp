@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "cncsub/code/variable_faults.hpp"
-#include "cncsub/machine/variables.hpp"
+#include "cncsub/machine/values/variables.hpp"
 
 namespace py = pybind11;
 

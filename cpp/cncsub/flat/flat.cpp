@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "cncsub/control/g_codes.hpp"
-#include "cncsub/motion/facts.hpp"
 #include "cncsub/motion/query.hpp"
+#include "cncsub/motion/state/facts.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 

@@ -13,8 +13,8 @@
 
 #include "cncsub/flat/blocks.hpp"
 #include "cncsub/flat/other.hpp"
-#include "cncsub/machine/heard.hpp"
 #include "cncsub/machine/machine.hpp"
+#include "cncsub/machine/state/heard.hpp"
 
 namespace cncsub {
 

@@ -5,9 +5,10 @@
 #include <cstdlib>
 
 #include "cncsub/control/code_calls.hpp"
-#include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/query.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/facts.hpp"
+#include "cncsub/motion/state/values.hpp"
 #include "cncsub/system/decimal.hpp"
 
 namespace cncsub {

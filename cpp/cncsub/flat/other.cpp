@@ -7,9 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/facts.hpp"
+#include "cncsub/motion/state/values.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "cncsub/machine/changes.hpp"
-#include "cncsub/machine/ends.hpp"
-#include "cncsub/machine/limits.hpp"
-#include "cncsub/machine/run.hpp"
-#include "cncsub/machine/variables.hpp"
+#include "cncsub/machine/run/run.hpp"
+#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/values/changes.hpp"
+#include "cncsub/machine/values/variables.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
-#include "cncsub/machine/context.hpp"
-#include "cncsub/machine/endless.hpp"
-#include "cncsub/machine/options.hpp"
-#include "cncsub/machine/state.hpp"
+#include "cncsub/machine/run/endless.hpp"
+#include "cncsub/machine/state/context.hpp"
+#include "cncsub/machine/state/options.hpp"
+#include "cncsub/machine/state/state.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/trace/trace.hpp"
 

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <limits>
 
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/geometry.hpp"
 #include "cncsub/motion/motion.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
 #include "cncsub/system/compiler.hpp"
 
 namespace cncsub {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cncsub/code/code.hpp"
-#include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/state/facts.hpp"
 
 namespace cncsub {
 

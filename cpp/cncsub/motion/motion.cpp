@@ -4,13 +4,16 @@
 #include <utility>
 
 #include "cncsub/code/fault_words.hpp"
+#include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/power_on.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/query.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

@@ -9,11 +9,12 @@
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
-#include "cncsub/motion/outside.hpp"
 #include "cncsub/motion/query.hpp"
-#include "cncsub/motion/setup.hpp"
-#include "cncsub/motion/state.hpp"
-#include "cncsub/motion/undo.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/outside.hpp"
+#include "cncsub/motion/state/setup.hpp"
+#include "cncsub/motion/state/state.hpp"
+#include "cncsub/motion/state/undo.hpp"
 #include "cncsub/trace/moves.hpp"
 
 namespace cncsub {
@@ -87,8 +88,6 @@ class Motion {
   OffsetLog log_;
 };
 
-/// The fault of a word that neither a code of its block nor the mode uses, see WordUses.
-std::optional<Fault> unused_word(MotionView m, const NcWords& words);
 /// How many pieces of path wait for the moves after them, and what they take.
 std::int64_t held_pieces(const MotionState& state);
 std::size_t held_bytes(const MotionState& state);

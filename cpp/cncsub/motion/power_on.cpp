@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "cncsub/motion/emit.hpp"
+#include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

@@ -1,7 +1,7 @@
 // The state before the first block.
 #pragma once
 
-#include "cncsub/motion/facts.hpp"
+#include "cncsub/motion/state/facts.hpp"
 
 namespace cncsub {
 

@@ -3,10 +3,9 @@
 
 #include <cstdio>
 
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/path/path.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {
@@ -18,15 +17,6 @@ std::string number_text(double value) {
 }
 
 }  // namespace
-
-std::string axes_of(MotionView m, std::uint32_t mask) {
-  const bool lathe_a = m.facts.machine == MachineType::LatheA;
-  std::string names = "XYZ";
-  for (const char name : kAxisNames.substr(3, lathe_a ? 3 : 6))
-    if ((mask & bit(name)) != 0) names += name;
-  if (lathe_a && (mask & bit('H')) != 0 && (mask & bit('C')) == 0) names += 'C';
-  return names;
-}
 
 int axis_number(MotionView m, int axis) {
   const std::string& order = m.facts.axis_order;

@@ -6,24 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "cncsub/motion/state.hpp"
-#include "cncsub/motion/workpiece.hpp"
+#include "cncsub/motion/state/state.hpp"
+#include "cncsub/motion/state/workpiece.hpp"
 
 namespace cncsub {
-
-inline bool in_cycle(const MotionState& state) { return state.cycle.cycle != Meaning::CycleOff; }
-inline bool compensating(const MotionState& state) {
-  const Meaning radius = state.modal[at(Group::Radius)].meaning;
-  return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
-}
-/// -1 to the left, 1 to the right, 0 where nothing is compensated.
-inline int side_of(const MotionState& state) {
-  const Meaning radius = state.modal[at(Group::Radius)].meaning;
-  return radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
-}
-inline bool g20(const MotionState& state) {
-  return state.modal[at(Group::Units)].meaning == Meaning::Inch;
-}
 
 double modal_code(MotionView m, int group);
 double modal_word(MotionView m, char address);
@@ -48,10 +34,6 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m);
 double scaled(MotionView m, char address, double value);
 /// The least input increment of an address, 0 where it has none.
 double increment(MotionView m, char address);
-/// A computed value at an address as the control takes it: to the least increment.
-double rounded(MotionView m, char address, double value);
-/// The axes that addresses (a block's mask) can move, as the columns of the moves are called.
-std::string axes_of(MotionView m, std::uint32_t mask);
 /// A workpiece by machine coordinates and true lengths, its zero point where it is now.
 Workpiece placed(MotionView m, Workpiece workpiece);
 

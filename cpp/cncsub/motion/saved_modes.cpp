@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "cncsub/motion/context.hpp"
+#include "cncsub/motion/state/context.hpp"
+#include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
 
 namespace cncsub {
 namespace {

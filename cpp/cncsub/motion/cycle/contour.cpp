@@ -4,110 +4,11 @@
 #include <algorithm>
 
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
-namespace {
 
-bool calls(const Roles& roles, const NcWords& words) {
-  const auto is_call = [](Role role) { return role >= Role::Call && role <= Role::CancelModal; };
-  const auto g = words.codes->g(), m = words.codes->m();
-  return std::any_of(m.begin(), m.end(), [&](int code) { return is_call(roles.of_m(code)); }) ||
-         std::any_of(g.begin(), g.end(), [&](int code) { return is_call(roles.of_g(code)); });
-}
-
-/// G70 to G73, which would follow the profile that they stand in.
-bool follows_profile(const NcWords& words) {
-  const MeaningSet& all = words.codes->all;
-  return all.test(at(Meaning::Finish)) || all.test(at(Meaning::RoughTurn)) ||
-         all.test(at(Meaning::RoughFace)) || all.test(at(Meaning::RoughPattern));
-}
-
-/// G00 to G04, G40 to G42, G96 to G99 and the modes may stand inside. [TDi 23.1, TA 8]
-bool allowed(Meaning meaning) {
-  switch (meaning) {
-    case Meaning::Rapid:
-    case Meaning::Line:
-    case Meaning::Cw:
-    case Meaning::Ccw:
-    case Meaning::Thread:
-    case Meaning::Dwell:
-    case Meaning::RadiusOff:
-    case Meaning::RadiusLeft:
-    case Meaning::RadiusRight:
-    case Meaning::SurfaceSpeed:
-    case Meaning::SpindleSpeed:
-    case Meaning::PerMinute:
-    case Meaning::PerRevolution:
-    case Meaning::Absolute:
-    case Meaning::Incremental:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// What may stand in a profile that is cut in levels.
-Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
-  if (calls(facts.control->calls.roles.value, words))
-    return Fault{Cause::ProfileCall, words.at, 1, {}};
-  for (const int g : words.codes->g())
-    if (!allowed(facts.codes.find(g).meaning))
-      return Fault{
-          .cause = Cause::ProfileCode, .at = words.at, .detail = {}, .address = 'G', .code = g};
-  return std::nullopt;
-}
-
-/// What the blocks do, as pieces. They are tried out: but for the pieces, nothing comes of it.
-Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector<Piece>& pieces) {
-  MotionState& state = m.state;
-  const ModalState before = state;  // of the offset tables the blocks change nothing
-  MotionOutcome outcome;
-  MotionContext trial{m.facts, state,    m.log, {m.facts, state, nullptr, &pieces},
-                      outcome, m.outside};
-  end_cycles(m.facts, state);
-  const GCode radius_off = m.facts.codes.of(Meaning::RadiusOff);
-  for (const NcWords& words : blocks) {
-    if (auto wrong = check_profile_block(m.facts, words)) return wrong;
-    if (m.outside.over(1)) return broken_off(words.at);
-    outcome = {};
-    state.modal[at(Group::Radius)] = radius_off;
-    if (auto wrong = run_block(trial, words, 0)) return wrong;
-  }
-  if (state.angled.waiting())
-    return Fault{.cause = Cause::AngleNoEnd,
-                 .at = state.angled.line.front().at,
-                 .detail = {},
-                 .address = 'A'};
-  if (!state.held.corner.empty())
-    return Fault{.cause = Cause::CornerNoMove,
-                 .at = state.held.corner.back().at,
-                 .detail = {},
-                 .address = state.held.corner.back().corner};
-  std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
-  static_cast<ModalState&>(state) = before;
-  return std::nullopt;
-}
-
-/// G70: the blocks as they are written, with their own F, S and T, then back.
-Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcWords>& blocks) {
-  const Axes start = m.state.work;
-  for (const NcWords& words : blocks) {
-    if (calls(m.facts.control->calls.roles.value, words))
-      return Fault{Cause::ProfileCall, words.at, 1, {}};
-    if (follows_profile(words)) return Fault{Cause::ProfileCode, words.at, 1, {}};
-    if (auto wrong = run_block(m, words, block.step, block.cycle)) return wrong;
-  }
-  const GCode radius = m.state.modal[at(Group::Radius)];
-  m.state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);
-  auto wrong = move(m, block, MoveKind::Rapid, start, kXz);
-  if (m.facts.codes.of(Meaning::RadiusOff).code != radius.code && !compensating(m.state))
-    m.state.held.engaged = false;
-  return wrong;
-}
-
-/// Depth and escape of the first block of G71 and G72, shift and passes of G73.
 Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meaning) {
   const NcWords& w = block.words;
   MultipleData& data = m.state.multiple;
@@ -127,8 +28,6 @@ Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meani
   return data.escape < 0 ? Result(fault(Cause::CycleEscape, block)) : std::nullopt;
 }
 
-/// The older form: what the first of two blocks holds stands in the one block. [general
-/// knowledge]
 void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning) {
   const NcWords& w = block.words;
   MultipleData& data = m.state.multiple;
@@ -142,6 +41,8 @@ void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning) 
     data.has_depth = true;
   }
 }
+
+namespace {
 
 /// G73: parallel passes, the last one along the profile with its allowance.
 Result rough_pattern(MotionContext& m, BlockWords& block, Contour& contour) {
@@ -184,21 +85,21 @@ double length_or_zero(MotionView m, const BlockWords& block, char address) {
   return block.words.has(address) ? number(m, block, address) : 0;
 }
 
-Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const Profile& profile) {
+}  // namespace
+
+Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const Profile& profile,
+                     std::vector<Piece> pieces) {
   const Control& c = *m.facts.control;
-  take_one_block(m, block, meaning);
   const MultipleData data = m.state.multiple;
-  if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
   Contour contour{m,
                   block,
-                  {},
+                  std::move(pieces),
                   m.state.work,
                   meaning == Meaning::RoughFace ? 2 : 0,
                   data.has_depth ? data.depth : c.turning.rough_depth.value * 1e-3,
                   data.has_escape ? data.escape : c.turning.rough_escape.value * 1e-3,
                   {},
                   false};
-  if (auto wrong = capture(m, profile.blocks, contour.pieces)) return wrong;
   const NcWords& first = profile.blocks.front();
   if (auto wrong = check_first_block(first, contour.pieces, meaning)) return wrong;
   contour.pockets = c.turning.rough_type.value == RoughType::ByShape
@@ -213,8 +114,6 @@ Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const
   if (auto wrong = contour.check()) return wrong;
   return contour.pockets ? contour.rough_pockets() : contour.rough();
 }
-
-}  // namespace
 
 /// The points of a piece where it crosses a level, as values of the cut axis, shifted by the
 /// allowance.
@@ -363,32 +262,6 @@ Result Contour::rough() {
 Result Contour::pass(const Axes& by) {
   if (auto wrong = go(MoveKind::Rapid, start + by)) return wrong;
   return follow(by, 0);
-}
-
-std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words) {
-  const Meaning once = words.codes->meaning(Group::OneShot);
-  if (once < Meaning::Finish || once > Meaning::RoughPattern) return std::nullopt;
-  const ProfileNumbers numbers{whole(std::round(words['P'])), whole(std::round(words['Q']))};
-  if (numbers.ns == numbers.nf && facts.refuses(Cause::PqSame)) return std::nullopt;
-  return numbers;
-}
-
-Result contour(MotionContext& m, BlockWords& block, Meaning meaning) {
-  const NcWords& w = block.words;
-  if (!w.has('P') && !w.has('Q') && meaning != Meaning::Finish)
-    return take_first_block(m, block, meaning);
-  if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
-  if (std::round(w['P']) == std::round(w['Q']) && m.facts.refuses(Cause::PqSame))
-    return fault(Cause::PqSame, block);
-  if (m.outside.profile == nullptr) return fault(Cause::PqNotFound, block);
-  const Profile& profile = *m.outside.profile;
-  if (profile.fault) return profile.fault;
-  const int most = m.facts.control->turning.max_profile_blocks.value;
-  if (most > 0 && profile.blocks.size() > static_cast<std::size_t>(most))
-    return fault(Cause::ProfileTooLong, block);
-  if (profile.blocks.empty()) return fault(Cause::PqNotFound, block);
-  if (meaning == Meaning::Finish) return finish_contour(m, block, profile.blocks);
-  return rough_contour(m, block, meaning, profile);
 }
 
 }  // namespace cncsub

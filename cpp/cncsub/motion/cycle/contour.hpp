@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 
 namespace cncsub {
 
@@ -48,5 +48,13 @@ struct Contour {
   Result rough_pockets();
   Result pass(const Axes& by);
 };
+
+/// Take depth and escape from the first block of G71 and G72, shift and passes from that of G73.
+Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meaning);
+/// Take them from the block itself, in the older form that has one block. [general knowledge]
+void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning);
+/// Cut along a profile whose pieces are known.
+Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const Profile& profile,
+                     std::vector<Piece> pieces);
 
 }  // namespace cncsub

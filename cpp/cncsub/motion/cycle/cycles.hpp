@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "cncsub/motion/context.hpp"
+#include "cncsub/motion/state/context.hpp"
 
 namespace cncsub {
 
@@ -51,9 +51,6 @@ Result drive_line_thread(MotionContext& m, BlockWords& block);
 /// K is the lead of a thread, or of a tap, which goes back the way it came. [LC g-code, G33, G33.1]
 Result thread_by_k(MotionContext& m, BlockWords& block);
 Result multiple_thread(MotionContext& m, BlockWords& block);
-
-// G70 to G73: what follows a profile.
-Result contour(MotionContext& m, BlockWords& block, Meaning meaning);
 
 // The way to a hole of a mill.
 

@@ -1,10 +1,9 @@
 // Canned cycles: drilling, boring, tapping of mills, and the drilling cycles of lathes.
-#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/query.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

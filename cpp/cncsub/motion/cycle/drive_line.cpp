@@ -1,8 +1,9 @@
 // G76 of a mill: a thread in passes beside a drive line, which leads from the tool to Z.
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

@@ -3,10 +3,8 @@
 #include <algorithm>
 
 #include "cncsub/motion/cycle/contour.hpp"
-#include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
-#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 
 namespace cncsub {
 namespace {

@@ -2,9 +2,10 @@
 #include <algorithm>
 
 #include "cncsub/motion/cycle/cycles.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

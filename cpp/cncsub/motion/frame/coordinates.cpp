@@ -1,11 +1,9 @@
 // Work coordinates: zero points and shifts.
 #include <utility>
 
-#include "cncsub/motion/counted.hpp"
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/query.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 const Axes& zero_of(const MotionState& state, int system) {

@@ -1,7 +1,7 @@
 // G10: offsets and zero points that the program sets.
-#include "cncsub/motion/counted.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

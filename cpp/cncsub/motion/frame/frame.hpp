@@ -1,10 +1,37 @@
-// The frame that points are named in: coordinates, reference points, tools, what turns points, and
-// what a stylus finds.
+// The frame that points are named in: coordinates, tools, and what turns points.
 #pragma once
 
-#include "cncsub/motion/context.hpp"
+#include "cncsub/motion/state/context.hpp"
 
 namespace cncsub {
+
+// Where points lie, and pieces on their way to the table.
+
+/// Where a point in work coordinates lies on the machine, the tool offsets included. The offsets
+/// are added first, as the rows of the table of moves do.
+inline Axes machine_point(const MotionState& state, const Axes& work) {
+  return work + (state.offset + state.length);
+}
+inline Axes machine_point(const MotionState& state) { return machine_point(state, state.work); }
+/// Whether moves wait for those behind them, or compensation holds the tool beside them.
+inline bool moves_wait(const MotionState& state) {
+  const Held& held = state.held;
+  return held.engaged || !held.radius.empty() || !held.corner.empty() || state.angled.waiting();
+}
+/// Pieces count from where the work coordinates do, unless some wait that count from elsewhere.
+inline void settle_origin(MotionState& state) {
+  if (!moves_wait(state)) state.origin = state.offset;
+}
+/// What leads from work coordinates to those of pieces, and from there to the machine's.
+inline Axes piece_offset(const MotionState& state) { return state.offset - state.origin; }
+inline Axes piece_length(const MotionState& state) { return state.origin + state.length; }
+/// From coordinates that are turned as work coordinates are to the machine's own, and back.
+inline Axes in_machine(const MotionState& state, const Axes& point) {
+  return turned_by(state.frame_angle, point);
+}
+inline Axes in_frame(const MotionState& state, const Axes& machine) {
+  return turned_by(-state.frame_angle, machine);
+}
 
 // Zero points.
 
@@ -82,31 +109,16 @@ Axes turned_back(const MotionState& state, Axes point);
 void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane);
 bool mirrored_plane(const MotionState& state);
 
-// Reference points and machine coordinates.
-
-/// G53: the named axes go to machine coordinates; the tool length is taken away on them. [0iMB
-/// p.228]
-Result machine_move(MotionContext& m, BlockWords& block);
-/// G28 and G30: rapid to the intermediate point, rapid to the reference point, the named axes only.
-Result reference(MotionContext& m, BlockWords& block, int number_of_point);
-/// The place of the tool becomes reference point 1 or 2. [LC g-code, G28.1, G30.1]
-Result store_reference(MotionContext& m, BlockWords& block);
-/// G29: over the intermediate point of the last G28 to the point; under G91 the values count from
-/// there.
-Result from_reference(MotionContext& m, BlockWords& block);
-Result check_reference(MotionContext& m, BlockWords& block);
-/// G60: rapid past the point on the same side every time, then rapid to the point.
-Result one_way(MotionContext& m, BlockWords& block);
-
 // Tools: T, H and D.
 
 Result set_tool(MotionContext& m, BlockWords& block);
 /// G43, G44, G49 and H. A new value counts from this block on, on one axis.
 Result set_length(MotionContext& m, BlockWords& block);
-/// A changed tool vector moves its axis at once when the block does not move it anyway.
-Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before);
-Result set_radius(MotionContext& m, BlockWords& block);
 double radius_value(MotionView m);
+/// The offset of the number of the tool in the spindle, none where there is none.
+int offset_of_tool(const MotionState& state, const std::vector<double>& offsets);
+/// Whether an offset is that of the tool in the spindle: without its number, or by 0. [rs274 2.9]
+bool is_of_tool(MotionView m, const BlockWords& block, char letter);
 /// G45 to G48: the move of each named axis gets longer or shorter by an offset, or by twice that.
 /// A canned cycle does not take notice of them. [M7 p.242]
 Result set_longer(MotionView m, BlockWords& block);
@@ -116,19 +128,5 @@ Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t n
 /// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X
 /// and -Z, 8 to -X.
 std::array<double, 3> tip_vector(MotionView m);
-
-// Skip signals and measuring.
-
-/// G31: a feed that ends where the skip signal comes. The rest of the way is dropped: the blocks
-/// behind go on from there, increments too. [15iM p.564; M7 p.547]
-Result skip(MotionContext& m, BlockWords& block);
-/// G36 and G37.
-Result measure_tool(MotionContext& m, BlockWords& block);
-/// A control that stops at once is not let go fast. [TDi 16, TDi 17]
-double held_skip_feed(MotionView m, double feed, FeedMode mode);
-/// The signals that G31 or G04 watches; none is no signal at all.
-SignalMask signals_of(MotionView m, const BlockWords& block);
-/// Where on the way the first of these signals comes, 0 to 1; the way then ends there.
-std::optional<double> signal_on_way(MotionContext& m, SignalMask signals, Axes& end);
 
 }  // namespace cncsub

@@ -1,9 +1,9 @@
 // G10 by where the tool stands: work systems that may be turned, and the lengths of tools.
 #include <algorithm>
 
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

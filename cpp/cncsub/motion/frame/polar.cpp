@@ -1,6 +1,7 @@
 // Polar coordinates, and what turns written points: rotation, scaling, mirror.
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

@@ -1,9 +1,9 @@
 // Lines by their angle: one coordinate and an angle, or two angles and the end of the second line.
-#include "cncsub/motion/emit.hpp"
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
 namespace {

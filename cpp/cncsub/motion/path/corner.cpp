@@ -1,7 +1,8 @@
 // Chamfers and corner rounds between two moves: the first waits for the second.
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
-#include "cncsub/motion/words.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

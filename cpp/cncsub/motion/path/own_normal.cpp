@@ -2,10 +2,11 @@
 // its end: an inside corner moves that end back, around an outside one the tool goes in an arc.
 #include <algorithm>
 
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/path/radius.hpp"
+#include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {

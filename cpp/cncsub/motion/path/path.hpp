@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cncsub/motion/context.hpp"
+#include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
 
@@ -63,9 +63,6 @@ Result flush_radius(MoveSink& sink);
 /// The same where moves end beside their own ends, and what ends their waiting.
 Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);
 Result end_own_normal(MoveSink& sink);
-inline bool is_by_own_normal(const MotionFacts& facts) {
-  return facts.control->motion.start_up.value == StartUp::OwnNormal;
-}
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal. `at`: the block.
 Result count_idle(MoveSink& sink, std::uint32_t at);

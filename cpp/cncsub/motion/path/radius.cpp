@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
-#include "cncsub/motion/query.hpp"
+#include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
 namespace {

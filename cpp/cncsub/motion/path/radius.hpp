@@ -1,8 +1,8 @@
 // Radius compensation of the moves at one corner.
 #pragma once
 
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
 
 namespace cncsub {

@@ -3,11 +3,9 @@
 // corner: the tool goes over it, from the move before it to the one behind it.
 #include <algorithm>
 
-#include "cncsub/motion/emit.hpp"
-#include "cncsub/motion/geometry.hpp"
-#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/radius.hpp"
-#include "cncsub/motion/query.hpp"
 
 namespace cncsub {
 namespace {

@@ -1,0 +1,10 @@
+// Labelled statements: subprograms, branches and loops of O-words.
+#pragma once
+
+#include "cncsub/machine/state/context.hpp"
+
+namespace cncsub {
+
+bool run_labelled(Run& run, const Block& block);
+
+}  // namespace cncsub

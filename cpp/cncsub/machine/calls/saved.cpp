@@ -1,0 +1,87 @@
+#include "cncsub/machine/calls/saved.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/machine/calls/words.hpp"
+#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/values/outside.hpp"
+#include "cncsub/motion/saved_modes.hpp"
+
+namespace cncsub {
+
+namespace {
+
+using Saved = State::Saved;
+
+Saved* saved_here(Run& run) {
+  auto& all = run.state.saved;
+  const auto depth = run.state.frames.size();
+  return !all.empty() && all.back().depth == depth ? &all.back() : nullptr;
+}
+
+bool carry_out(Run& run, const ReturnToModes& block, const SavedModes& modes) {
+  const bool nothing = block.codes.g_count == 0 && !block.has_feed && !block.has_speed;
+  if (nothing) return true;
+  const BlockCodes codes(block.codes, *run.meanings);
+  NcWords words;
+  words.codes = &codes;
+  words.at = run.state.pc;
+  const auto set = [&words](char address, double value) {
+    words.mask |= bit(address);
+    words.value[static_cast<std::size_t>(address - 'A')] = value;
+  };
+  if (block.has_feed) set('F', std::round(modes.feed * 10) / 10);
+  if (block.has_speed) set('S', std::round(modes.speed));
+  Motion::Outcome outcome;
+  Outside around = outside(run);
+  const auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around);
+  return !fault || alarm_of_motion(run, *fault);
+}
+
+/// Back to modes in two blocks.
+bool take_back(Run& run, const SavedModes& modes) {
+  const MotionView now = run.motion.view();
+  if (!carry_out(run, units_to(now.facts, now.state, modes), modes)) return false;
+  if (!carry_out(run, modes_to(now.facts, now.state, modes), modes)) return false;
+  run.motion.set_turning(modes.turns);
+  return true;
+}
+
+void save(Run& run, bool for_return) {
+  Saved* saved = saved_here(run);
+  if (saved == nullptr) {
+    run.state.saved.push_back({run.state.frames.size(), false, false, {}});
+    saved = &run.state.saved.back();
+  }
+  saved->valid = true;
+  saved->for_return = saved->for_return || for_return;
+  saved->modes = modes_of(run.motion.view().facts, run.motion.state());
+}
+
+}  // namespace
+
+bool change_saved_modes(Run& run, const NcWords& words) {
+  if (words.has(Role::SaveModes)) save(run, false);
+  if (words.has(Role::KeepModes)) save(run, true);
+  Saved* const saved = saved_here(run);
+  if (words.has(Role::ForgetModes) && saved != nullptr) saved->valid = false;
+  if (!words.has(Role::RestoreModes)) return true;
+  if (saved == nullptr || !saved->valid)
+    return alarm(run, {.cause = Cause::ModesNotSaved, .detail = {}, .address = 'M'});
+  return take_back(run, saved->modes);
+}
+
+bool come_back_to_modes(Run& run) {
+  auto& all = run.state.saved;
+  const auto depth = run.state.frames.size();
+  bool fine = true;
+  while (fine && !all.empty() && all.back().depth > depth) {
+    const Saved last = all.back();
+    all.pop_back();
+    if (last.valid && last.for_return) fine = take_back(run, last.modes);
+  }
+  return fine;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,31 @@
+// The words of a block: their values, what they do, and the codes that go to the machine.
+#pragma once
+
+#include <string>
+
+#include "cncsub/machine/state/context.hpp"
+#include "cncsub/machine/statements/output.hpp"
+
+namespace cncsub {
+
+/// Whether NC words stand in a block, beside what it calls or returns from.
+inline bool has_words(const Block& block) { return block.mask != 0 || block.has_codes(); }
+
+/// Decodes the words of a block, and does what they say. A block of nothing else is done then.
+bool carry_out(Run& run, const Block& block);
+/// The same for a block that may have none.
+inline bool execute_words(Run& run, const Block& block) {
+  run.block.outcome = {};
+  if (has_words(block)) return carry_out(run, block);
+  if ((block.flags & Block::kDrops) != 0) tell_dropped(run, block, {});
+  if (block.n >= 0) run.state.last_n = block.n;
+  if (!is_words(block.op)) return true;
+  record_step(run);
+  run.state.pc = run.block.next;
+  return true;
+}
+/// What is left of a block when its words are executed and it has nothing else: it is a step, and
+/// the run goes on behind it, or with the macro that follows its move.
+bool after_words(Run& run);
+
+}  // namespace cncsub

@@ -1,0 +1,300 @@
+#include "cncsub/machine/run/run.hpp"
+
+#include <algorithm>
+
+#include "cncsub/machine/calls/calls.hpp"
+#include "cncsub/machine/calls/labels.hpp"
+#include "cncsub/machine/calls/modal.hpp"
+#include "cncsub/machine/calls/returns.hpp"
+#include "cncsub/machine/calls/words.hpp"
+#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/statements/statements.hpp"
+#include "cncsub/machine/statements/together.hpp"
+#include "cncsub/machine/values/changes.hpp"
+#include "cncsub/system/compiler.hpp"
+
+namespace cncsub {
+
+namespace {
+
+constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks passed over between two looks around
+constexpr std::size_t kPartRows = 1 << 20;      // of moves or changes: a part with more ends early
+constexpr std::size_t kManySkipped = 1'000'000;
+constexpr Op kFirstStatement = Op::Set, kLastStatement = Op::EndDo;
+
+void after_plain_move(Run& run, const Block& block) {
+  run.state.last_n = block.n >= 0 ? block.n : run.state.last_n;
+  record_step(run);
+  run.state.pc = run.block.next;
+}
+
+/// The G code of a plain move: the first of its two, the second, or -1 where none is written.
+int written_g(const Block& block, int first) {
+  if ((block.flags & Block::kNoG) != 0) return -1;
+  return (block.flags & Block::kSecondG) != 0 ? first + 1 : first;
+}
+
+CNCSUB_ALWAYS_INLINE inline bool linear(Run& run, const Block& block) {
+  bool moved = false;
+  const Cell* values = run.code->cells.data() + block.data;
+  if (!run.motion.linear(block.mask, values, written_g(block, 0), run.step(), run.moves(), moved))
+    return execute_words(run, block);
+  run.state.changes += moved ? 1 : 0;
+  if (run.state.modals.empty()) {
+    after_plain_move(run, block);
+    return true;
+  }
+  run.state.last_n = block.n >= 0 ? block.n : run.state.last_n;
+  run.block.outcome = {};
+  run.block.outcome.moved = moved;
+  run.block.outcome.axis_word = (block.mask & kEndWords) != 0;
+  return after_words(run);
+}
+
+bool arc(Run& run, const Block& block) {
+  const Cell* values = run.code->cells.data() + block.data;
+  if (!run.motion.arc(block.mask, values, written_g(block, 2), run.step(), run.moves()))
+    return execute_words(run, block);
+  ++run.state.changes;
+  after_plain_move(run, block);
+  return true;
+}
+
+/// Executes macro statements from the present block on, and a block of another kind that stands
+/// after them or after THEN.
+inline bool statements(Run& run, bool one) {
+  const Block* instead = nullptr;
+  return run_statements(run, one, instead) && (instead == nullptr || dispatch(run, *instead));
+}
+
+/// Executes the block at State::pc and records it. What it decides is where the run goes on. Of
+/// macro statements those behind it are executed too, but where `one` block is asked for.
+inline bool execute(Run& run, const Block& block, bool one) {
+  run.block.next = run.state.pc + 1;
+  run.block.words_done = false;
+  if (run.state.modals.empty()) {
+    if (block.op == Op::Linear) return linear(run, block);
+    if (block.op == Op::Arc) return arc(run, block);
+    if (block.op >= kFirstStatement && block.op <= kLastStatement) return statements(run, one);
+  }
+  run.block.follows_moves = false;
+  return dispatch(run, block);
+}
+
+/// The same of one block, without the short ways.
+bool execute_generally(Run& run, const Block& block) {
+  run.block.next = run.state.pc + 1;
+  run.block.words_done = false;
+  run.block.follows_moves = false;
+  return dispatch(run, block);
+}
+
+/// Whether a block-skip switch passes over the block at State::pc. A program of nothing but such
+/// blocks that starts over and over is stopped: no limit counts it.
+bool passes_over(Run& run, const Block& block) {
+  State& s = run.state;
+  if ((block.skip & run.options.skips) == 0) return false;
+  if (s.skipped_behind != s.executed) s.skipped = 0;
+  s.skipped_behind = s.executed;
+  if (static_cast<std::size_t>(++s.skipped) > run.code->blocks.size() + kManySkipped)
+    end_run(run, Stop::Limit);
+  ++s.pc;
+  return true;
+}
+
+/// Executes a block that assigns and says something, besides its words if it has any.
+bool run_together(Run& run, const Block& block) {
+  const Together& all = run.code->together[block.aux];
+  run.block.together = &all;
+  bool done = false;
+  if (all.words != Labelled::kNone) {
+    done = dispatch(run, run.code->variants[all.words]);
+  } else if (set_together(run)) {
+    if (block.n >= 0) run.state.last_n = block.n;
+    record_step(run);
+    run.state.pc = run.block.next;
+    done = true;
+  }
+  run.block.together = nullptr;
+  run.block.before_together.forget();
+  return done;
+}
+
+bool statement(Run& run, const Block& block) {
+  const Block* instead = nullptr;
+  return run_statement(run, block, instead) && (instead == nullptr || dispatch(run, *instead));
+}
+
+/// Which of two blocks this one is, by the skip switches or by who called.
+bool choose(Run& run, const Block& block) {
+  const Variant& variant = run.code->choices[block.aux];
+  bool second = (variant.skip & run.options.skips) != 0;
+  const char letter = run.frame().code_letter;
+  if (variant.address != 0 && letter != 0) {
+    switch (run.control().macros.code_cascade.value) {
+      case CodeCascade::None:
+        second = true;
+        break;
+      case CodeCascade::OtherKind:
+        second = (variant.address == 'G') == (letter == 'G');
+        break;
+      case CodeCascade::All:
+        break;
+    }
+  }
+  return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
+}
+
+/// One block by the way of its library, and what it made of the variables that are watched.
+void execute_alone(Run& run, const Block& block) {
+  const std::int64_t before = run.state.executed;
+  const Address at = run.state.pc;
+  const Reach reach = reach_of(run, block);
+  if (run.code->general_only)
+    execute_generally(run, block);
+  else
+    execute(run, block, true);
+  if (run.state.executed != before) note_changes(run, run.state.executed - 1, at, reach);
+}
+
+/// Blocks and nothing else, until the run is to look around. False where it is to `pause`. Whether
+/// variables are watched is asked by the caller, not in every pass.
+template <bool watched>
+inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_t& passed) {
+  State& s = run.state;
+  const Block* blocks = run.code->blocks.data();
+  while (s.executed < run.watch.look_at && s.stop == Stop::Running) {
+    const Block& block = blocks[s.pc];
+    if ((block.skip & run.options.skips) != 0) [[unlikely]] {
+      passes_over(run, block);
+      if (++passed % kLookSkipped == 0) look_soon(run);
+      continue;
+    }
+    if (pause && pause()) return false;
+    if constexpr (watched)
+      execute_alone(run, block);
+    else
+      execute(run, block, static_cast<bool>(pause));
+  }
+  return true;
+}
+
+/// Whether a part of a stream has rows enough.
+bool is_full(const Trace& trace) {
+  return trace.moves.size() > kPartRows || trace.changes.size() > kPartRows;
+}
+
+/// A run that was interrupted goes on.
+bool goes_on(State& s) {
+  if (s.stop == Stop::Interrupted) s.stop = Stop::Running;
+  return s.stop == Stop::Running;
+}
+
+}  // namespace
+
+bool run_one(Run& run, const std::function<bool()>& interrupted) {
+  State& s = run.state;
+  if (!goes_on(s)) return false;
+  const AtWork at_work(run, interrupted);
+  const std::int64_t before = s.executed;
+  const Stop& broken_off = run.watch.broken_off;
+  while (s.stop == Stop::Running && s.executed == before && broken_off == Stop::Running) {
+    if (s.executed >= run.options.max_blocks) return end_run(run, Stop::Limit);
+    const Block& block = run.code->blocks[s.pc];
+    if (!passes_over(run, block)) execute_alone(run, block);
+  }
+  const bool limited = broken_off == Stop::Limit || stops(run) == Stop::Limit;
+  if (s.stop == Stop::Running && limited) end_run(run, Stop::Limit);
+  return s.executed != before;
+}
+
+void run_on(Run& run, const std::function<bool()>& interrupted, const std::function<bool()>& pause,
+            std::int64_t until) {
+  State& s = run.state;
+  std::int64_t passed = 0;
+  const std::int64_t last = std::min(until, run.options.max_blocks);
+  goes_on(s);
+  const AtWork at_work(run, interrupted);
+  if (s.stop == Stop::Running && stops(run) == Stop::Limit) end_run(run, Stop::Limit);
+  while (s.stop == Stop::Running) {
+    // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
+    look_later(run, last);
+    const bool quickly = run.watched.empty() && !run.code->general_only;
+    const bool on =
+        quickly ? run_blocks<false>(run, pause, passed) : run_blocks<true>(run, pause, passed);
+    if (!on || s.stop != Stop::Running) return;
+    const Stop broken_off = run.watch.broken_off;
+    const Stop why = broken_off != Stop::Running ? broken_off : stops(run);
+    if (why != Stop::Running)
+      end_run(run, why);
+    else if (s.executed >= run.options.max_blocks)
+      end_run(run, Stop::Limit);
+    else if (s.executed >= until || (until != kAllBlocks && is_full(run.trace)))
+      return;
+  }
+}
+
+// A line for each operation: shorter would be harder to read.
+// NOLINTNEXTLINE(readability-function-size)
+bool dispatch(Run& run, const Block& block) {
+  if (block.length > kLongText) look_soon(run);
+  if (takes_words(run)) {
+    if (is_words(block.op) && has_words(block)) return every_block(run, block);
+    run.block.follows_moves = true;
+  }
+  if (run.heard != nullptr && is_words(block.op)) run.heard->words = &block;
+  switch (block.op) {
+    case Op::Linear:
+      return linear(run, block);
+    case Op::Arc:
+      return run.state.modals.empty() ? arc(run, block) : execute_words(run, block);
+    case Op::Words:
+      return execute_words(run, block);
+    case Op::Call:
+      return call(run, block);
+    case Op::MacroCall:
+      return macro_call(run, block);
+    case Op::ModalCall:
+      return modal_call(run, block);
+    case Op::CancelModal:
+      return cancel_modal(run, block);
+    case Op::Return:
+      return return_from_call(run, block);
+    case Op::Jump:
+      return jump(run, block);
+    case Op::EndProgram:
+      return end_program(run, block);
+    case Op::Labelled:
+      return run_labelled(run, block);
+    case Op::Together:
+      return run_together(run, block);
+    case Op::Choose:
+      return choose(run, block);
+    case Op::Fault:
+      return alarm(run, run.code->faults[block.aux]);
+    case Op::EndOfRecord:
+      return end_of_record(run);
+    case Op::IfGoto:
+    case Op::While:
+    case Op::Do:
+    case Op::EndDo:
+      return statements(run, true);
+    case Op::Set:
+    case Op::Assign:
+    case Op::Goto:
+    case Op::IfThen:
+    case Op::If:
+    case Op::Else:
+    case Op::EndIf:
+    case Op::HCode:
+    case Op::Print:
+    case Op::OpenOutput:
+    case Op::CloseOutput:
+    case Op::NameVariables:
+      return statement(run, block);
+  }
+  return true;
+}
+
+}  // namespace cncsub

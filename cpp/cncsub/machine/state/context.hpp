@@ -1,0 +1,160 @@
+// A run under way: what it runs, its state, what it leaves behind, and the little that is known of
+// the running block only. The functions of this room work on it.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/machine/state/heard.hpp"
+#include "cncsub/machine/state/options.hpp"
+#include "cncsub/machine/state/state.hpp"
+#include "cncsub/motion/motion.hpp"
+#include "cncsub/system/compiler.hpp"
+#include "cncsub/trace/trace.hpp"
+
+namespace cncsub {
+
+/// What a block assigned and said that does something else besides, as it was before: it may alarm
+/// behind that.
+struct BeforeTogether {
+  struct Variable {
+    bool local = false;  // or a common
+    std::size_t index = 0;
+    double value = 0;
+    std::uint8_t programmed = 0;  // of a local
+  };
+  struct System {
+    std::vector<double> locals;  // which images of levels write
+    std::map<std::int64_t, double> variables;
+    Motion motion;
+  };
+  std::vector<Variable> variables;
+  std::optional<System> system;         // from the first assignment to a variable of the system on
+  std::optional<std::size_t> messages;  // how many there were
+
+  void forget() { *this = {}; }
+};
+
+/// Between two blocks nothing of this counts.
+struct RunningBlock {
+  Address next = 0;               // where the run goes on behind it; or one of the two below
+  bool words_done = false;        // its words are executed: what alarms now leaves a step
+  Motion::Outcome outcome;        // of its words
+  bool is_step = false;           // it waited for a modal macro, and was recorded before that:
+  std::int64_t step = 0;          // as this step
+  bool waiting_is_due = false;    // the frame is left for which the last of State::waiting waited
+  bool failed = false;            // its condition did not hold (labelled statements)
+  bool follows_moves = false;     // it has no words to be the arguments of G66.1, whose macro then
+                                  // follows its move as that of G66 does
+  std::vector<double> arguments;  // the locals of the level that it is about to open,
+  std::vector<std::uint8_t> programmed;  // and how they were programmed
+  const Together* together = nullptr;    // what it does besides its words, and has not done yet
+  std::int64_t took = -1;  // `before` is what had been taken when that many blocks were executed
+  Taken before;
+  BeforeTogether before_together;
+
+  // Instead of the address of a block: an M code starts the main program over, or M#1 ends it.
+  static constexpr Address kRestart = kNowhere, kEnd = kNowhere - 1;
+};
+
+/// Who may stop the run, and when it looks around for a reason to stop.
+struct Watch {
+  using Clock = std::chrono::steady_clock;
+
+  const std::function<bool()>* interrupted = nullptr;  // while it runs: whether to stop
+  Stop broken_off = Stop::Running;                     // why the running block was, in the middle
+  Clock::time_point begun;                             // while it runs: when it began to
+  double spent = 0, asked = 0;  // seconds at work before, and until it asked `interrupted`
+  std::uint64_t in_block = 0;   // bytes that the running block takes besides what it records
+  std::int64_t look_at = 0;     // when that many blocks are executed the run looks around,
+  std::int64_t look_moves = 0;  // or when it has made so many moves since the last time
+  std::int64_t moves = 0;       // which are these
+};
+
+/// What is watched, laid out so that a step pays for what it changes, however much that is. The
+/// numbers are places in Trace::watched.
+struct Watched {
+  /// Locals of the present level, or commons, that lie side by side.
+  struct Range {
+    bool local;
+    std::size_t first, count;
+    std::size_t seen;  // into `seen`
+  };
+
+  std::vector<VariablePlace> places;  // of Trace::watched, one by one
+  std::vector<Range> ranges;
+  std::vector<double> seen;                   // what stood in the ranges behind the step before
+  std::vector<std::uint32_t> seen_at;         // of each place: into `seen`
+  std::vector<std::int32_t> locals, commons;  // by their index: what is watched of them, or -1
+  std::vector<std::uint32_t> system;          // neither local nor common,
+  std::vector<std::uint32_t> moving;          // of those what follows from moves, time or locals
+
+  bool empty() const { return places.empty(); }
+};
+
+struct Run {
+  /// In no program yet.
+  Run(std::shared_ptr<const Code> of, Options how);
+
+  std::shared_ptr<const Code> code;
+  Options options;
+  double largest_word = 0;           // no computed word of a block reaches it
+  std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
+  bool jumps_refused = false;        // in the main program, which was typed in MDI
+  State state;
+  std::shared_ptr<const CodeMeanings> meanings;  // of the codes, on this kind of machine
+  BlockCodes codes;                              // of a block that computes them
+  Motion motion;
+  Trace trace;
+  RunningBlock block;
+  Watch watch;
+  Watched watched;
+  Heard* heard = nullptr;  // who listens, or nobody
+
+  const Control& control() const { return *code->control; }
+  /// Whether this is something that the control refuses.
+  bool refuses(Cause cause) const { return control().common.refuses.value.has(cause); }
+  const OpenFrame& frame() const { return state.frames.back(); }
+  OpenFrame& frame() { return state.frames.back(); }
+  /// The program that is running.
+  const Program& program() const {
+    return code->programs[static_cast<std::size_t>(frame().program)];
+  }
+  /// Where the moves go; nowhere when they are not recorded.
+  Moves* moves() { return trace.depth == Trace::Depth::Moves ? &trace.moves : nullptr; }
+  /// Of the block, for the rows of its moves.
+  std::uint32_t step() const { return static_cast<std::uint32_t>(state.executed); }
+  /// The place of a local variable of a level.
+  std::size_t local_at(int level, std::int32_t index) const {
+    return static_cast<std::size_t>(level) * static_cast<std::size_t>(code->locals) +
+           static_cast<std::size_t>(index);
+  }
+};
+
+/// `failed`: the block has a condition, and it did not hold.
+CNCSUB_ALWAYS_INLINE inline void record_step(Run& run, bool failed = false) {
+  if (run.trace.depth >= Trace::Depth::Blocks)
+    run.trace.steps.push(
+        {run.state.pc & 0x7fffffffU, failed ? 1U : 0U, run.frame().call, run.frame().repeat});
+  ++run.state.executed;
+}
+
+/// Of a block that may be a step already.
+inline void record_block(Run& run, bool failed = false) {
+  if (!run.block.is_step) record_step(run, failed);
+}
+
+/// To be called before the clock, a random number or a skip signal is taken.
+inline void about_to_take(Run& run) {
+  if (run.block.took == run.state.executed) return;
+  run.block.took = run.state.executed;
+  run.block.before = run.state.taken;
+}
+
+}  // namespace cncsub

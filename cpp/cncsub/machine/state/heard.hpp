@@ -1,0 +1,65 @@
+// What the running block did, told to somebody who writes it down: the words as they were executed,
+// with their values, and what was assigned and said. A run that nobody listens to pays a look at a
+// pointer for it, and plain moves not even that.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/motion/state/outside.hpp"
+
+namespace cncsub {
+
+struct Heard {
+  /// To a variable that is neither a local nor a common: an offset, an output, #3000, #3006.
+  struct Assigned {
+    std::int64_t number = 0;
+    double value = 0;
+    std::string comment;
+  };
+
+  // The block, or the variant of it, whose words were executed. Plain moves of programs without
+  // modal calls are not told: they are the words of their block.
+  const Block* words = nullptr;
+  bool computed = false;  // some of its words are computed: these are their values
+  NcWords values;
+  BlockCodes codes;
+  bool returned = false;          // M99 of the main program
+  const HCode* raised = nullptr;  // G65 H99, with the value of its P
+  double raised_number = 0;
+  std::vector<Assigned> assigned;
+  Op device = Op::Words;  // OpenOutput or CloseOutput
+  const Print* print = nullptr;
+  std::vector<double> printed;  // the values of its fields, in order
+  std::optional<Profile> profile;
+
+  bool any() const {
+    return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words ||
+           !assigned.empty();
+  }
+  void forget() {
+    words = nullptr;
+    device = Op::Words;
+    print = nullptr;
+    raised = nullptr;
+    computed = returned = false;
+    assigned.clear();
+    printed.clear();
+    profile.reset();
+  }
+  /// Keeps the words of a block; `of_run` are codes that do not outlive it.
+  void keep(const Block& block, const NcWords& decoded, const BlockCodes& of_run) {
+    words = &block;
+    computed = true;
+    values = decoded;
+    if (decoded.codes != &of_run) return;
+    codes = of_run;
+    values.codes = &codes;
+  }
+};
+
+}  // namespace cncsub

@@ -1,0 +1,156 @@
+// The state of a run between two blocks: plain values, so that a copy is a snapshot.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+#include "cncsub/motion/saved_modes.hpp"
+#include "cncsub/motion/state/signals.hpp"
+
+namespace cncsub {
+
+enum class Stop : std::uint8_t { Running, End, Alarm, Cycles, Limit, Waiting, Interrupted };
+std::string_view to_string(Stop stop);
+
+/// A program that was entered and not left yet: the main program, or what a call opened.
+struct OpenFrame {
+  std::int32_t program = 0;
+  std::int32_t call = -1;                // its number in the trace, -1 for the main program
+  std::int32_t repeat = 1, repeats = 1;  // the pass that runs, of how many
+  Address return_to = 0;                 // in the caller
+  Address called_at = 0;                 // the caller's block, for the list of open calls
+  Address restart = 0;                   // where each pass begins
+  CallKind kind = CallKind::Subprogram;
+  bool macro = false;             // it counts as a macro, not as a subprogram
+  bool own_locals = false;        // it opened a level of local variables
+  bool external = false;          // it, or a frame below it, is on the external device
+  char code_letter = 0;           // 'G' or 'M': a code called it, or a frame below it
+  std::int32_t modal = -1;        // the modal call that it is the macro of
+  std::int32_t modal_limit = 0;   // only modal calls below this one follow its moves
+  std::uint32_t loops = 0;        // how many of the open loops belong to frames below
+  std::uint32_t label = 0;        // by which it was called, 0 = by none
+  std::int32_t passes_left = -1;  // of the M98 L that it is at
+  bool shares_locals = false;     // of its level, those with a number are the caller's
+  bool interrupts = false;        // behind it the caller's block does what it waits with
+
+  bool operator==(const OpenFrame&) const = default;
+};
+
+/// A modal macro call in force: G66, G66.1 and codes that call as they do.
+struct ModalCall {
+  std::uint32_t record = 0;    // into Code::calls
+  Target target;               // looked up at the first call
+  std::vector<double> locals;  // its arguments, or what the macro left in them
+  std::int32_t program = 0;    // where it was declared
+  bool every_block = false;    // G66.1: it follows blocks, not moves
+};
+
+/// What a block has left to do - its call, return or jump - when a modal macro follows its move.
+struct WaitingBlock {
+  Op op = Op::Call;                 // Op::Call for every kind of call, Op::Return or Op::Jump
+  std::uint32_t aux = 0;            // of the block
+  Address at = 0;                   // the block
+  std::int64_t step = 0;            // it is a step already: which
+  Target target;                    // of a call
+  double p = kVacant, l = kVacant;  // of a return or a jump
+  std::vector<double> arguments;    // of a call
+  std::vector<std::uint8_t> programmed;
+};
+
+/// What blocks take from the world outside, which goes on with every look: a block that alarms
+/// gives it back.
+struct Taken {
+  double clock_ms = 0;                            // #3001, besides the time of the moves
+  std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
+  std::minstd_rand random{1};
+  bool time = false;  // a program asked for the time of the moves since this was cleared
+  // The last variable that it read and the world outside sets, or kSkipSignal; 0: none since.
+  std::int64_t asked = 0;
+  static constexpr std::int64_t kSkipSignal = -1;
+
+  bool operator==(const Taken&) const = default;
+};
+
+/// What is known of labels: subprograms by their own, all else by the subprogram it was met in.
+struct Labels {
+  struct Met {
+    Address address = kNowhere;
+    LabelledKind kind = LabelledKind::Sub;
+    std::int32_t repeats = -1;  // that are left, -1: to be counted anew
+
+    bool operator==(const Met&) const = default;
+  };
+  std::unordered_map<std::uint64_t, Met> met;
+  bool defining = false;   // the head of a subprogram was met: it is passed over
+  bool searching = false;  // a call goes to a head that nobody has met
+  bool passing = false;    // the block was reached by passing over others
+  bool entered = false;    // a branch of the innermost IF
+  bool back = false;       // the main program was returned to, and defined nothing since
+  // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
+  // WHILE is still there when the next DO ends]
+  bool breaks = false, continues = false;
+
+  bool operator==(const Labels&) const = default;
+};
+
+struct State {
+  // Where the run is.
+  Address pc = 0;                   // the block to be executed next
+  std::vector<OpenFrame> frames;    // the main program first
+  int subprograms = 0, macros = 0;  // how many of the open calls are which
+  Labels labels;
+  std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
+  std::vector<ModalCall> modals;      // in the order they were declared
+  std::vector<WaitingBlock> waiting;  // one for each frame that `interrupts`
+  struct Saved {
+    std::size_t depth = 0;    // how many frames were open
+    bool valid = false;       // nobody said to forget them
+    bool for_return = false;  // they come back when the program returns
+    SavedModes modes;
+  };
+  std::vector<Saved> saved;  // modes, the innermost program's last
+  Address moved_at = 0;      // the block behind whose move a modal call comes, or that called last
+
+  // Variables.
+  int level = 0;                          // the present level of locals
+  std::vector<double> locals;             // level after level, Code::locals each
+  std::vector<std::uint8_t> programmed;   // of each local how its word was programmed, for AR[]; or
+                                          // nothing where the control does not ask
+  std::vector<double> commons;            // by their place, see Code::place
+  std::map<std::int64_t, double> system;  // what was written to system variables
+  // Written variables that the control sets too, each with its place in MotionState::set_anew.
+  std::map<std::int64_t, std::size_t> written_over;
+  std::map<std::int32_t, double> signals;     // of the machine, as they are now
+  std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
+
+  // What was done so far.
+  std::int64_t executed = 0;              // blocks
+  std::int64_t cycles = 0;                // of the main program
+  std::int64_t last_m = -1, last_n = -1;  // the last M code and sequence number; -1: none yet
+  std::int64_t skipped = 0;               // blocks passed over by block skip in a row
+  std::int64_t skipped_behind = -1;       // since that many blocks were executed
+  Taken taken;
+  std::size_t next_write = 0;   // of Inputs::writes
+  std::size_t next_answer = 0;  // of Inputs::operator_starts
+
+  // A jump back that is reached twice while nothing changed can only wait for the world outside.
+  std::uint64_t changes = 0;                // counts what changes anything
+  std::uint64_t changes_at_jump = ~0ULL;    // as it was at the last jump back
+  Address jumped_from = kNowhere;           // that jump
+  std::uint32_t last_condition = kNowhere;  // the expression that was asked since; or none
+
+  // Why the run has stopped.
+  Stop stop = Stop::Running;
+  std::optional<Alarm> alarm;
+  std::string waiting_for;  // "#1000", or "cycle start after M00"
+};
+
+}  // namespace cncsub

@@ -1,0 +1,368 @@
+#include "cncsub/machine/statements/statements.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/statements/h_codes.hpp"
+#include "cncsub/machine/statements/output.hpp"
+#include "cncsub/machine/values/expressions.hpp"
+#include "cncsub/machine/values/variables.hpp"
+#include "cncsub/system/compiler.hpp"
+
+namespace cncsub {
+
+namespace {
+
+// ---- assignments ----
+
+/// The number that an expression gives to a variable.
+std::int64_t to_number(double value) {
+  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
+}
+
+/// A variable that is neither written as a local nor as a common takes a value.
+bool set_other(Run& run, const Block& block, const Assigned& assigned, const Places& places,
+               double value) {
+  if (assigned.target != Statement::Target::Indirect || std::fabs(value) > kLargest)
+    return store(run, assignment_of(*run.code, block), value);
+  double number = 0;
+  if (!evaluate(run, run.code->expression(block.aux - assigned.index), places, number))
+    return false;
+  const std::int64_t variable = to_number(number);
+  double* const place = places.near(*run.code, variable, true);
+  if (place == nullptr || !run.state.programmed.empty())
+    return store_number(run, variable, value, assignment_of(*run.code, block));
+  *place = value;
+  ++run.state.changes;
+  return true;
+}
+
+inline bool set(Run& run, const Block& block, const Places& places) {
+  double value = 0;
+  if (!evaluate(run, run.code->expression(block.aux), places, value)) return false;
+  const std::uint32_t kind = Assigned::kind_of(block);
+  if (kind > 1) return set_other(run, block, Assigned::of(block), places, value);
+  if (!run.state.programmed.empty() || std::fabs(value) > kLargest)
+    return store(run, assignment_of(*run.code, block), value);
+  double& place = places.of[kind][Assigned::index_of(block)];
+  run.state.changes += place == value ? 0 : 1;
+  place = value;
+  return true;
+}
+
+bool assign(Run& run, const Statement& statement) {
+  double value = 0;
+  return evaluate(run, statement.expression, value) && store(run, statement, value);
+}
+
+/// #3000 = n (TEXT). The block is a step: the alarm is what it does.
+bool user_alarm(Run& run, double n, const Statement& statement) {
+  const Control& control = run.control();
+  const double number = std::round(n);
+  const int last = control.macros.user_alarm_last.value;
+  if (number < 0 || number > last)
+    return alarm(run, {Cause::IllegalUserAlarm, statement.at, statement.width,
+                       "a program may raise alarms 0 to " + std::to_string(last)});
+  const std::string text = comment_of(run, statement);
+  std::string shown =
+      std::to_string(control.macros.user_alarm_offset.value + to_whole<std::int64_t>(number));
+  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
+  return alarm_of_program(run, statement, text,
+                          control.user_alarm_number.empty() ? control.user_alarm_prefix + shown
+                                                            : control.user_alarm_number);
+}
+
+// ---- jumps and loops ----
+
+/// Where a loop only waits for something outside: for what its condition reads, if another program
+/// does not write it now.
+bool waits_for(Run& run, std::uint32_t condition) {
+  State& s = run.state;
+  const Expression of = run.code->expression(condition);
+  auto at = of.begin();
+  const auto reads = [](Ins op) {
+    return op == Ins::Common || op == Ins::CommonRaw || op == Ins::Variable ||
+           op == Ins::VariableRaw;
+  };
+  while (at != Expression::end() && !reads((*at).op)) ++at;
+  if (at == Expression::end()) return false;
+  if (s.next_write < run.options.inputs.writes.size()) {
+    for (const auto& [number, value] : run.options.inputs.writes[s.next_write++])
+      set_from_outside(run, number, value);
+    ++s.changes;
+    return false;
+  }
+  s.waiting_for = "#" + std::to_string(to_whole<std::int64_t>((*at).value));
+  record_step(run);
+  end_run(run, Stop::Waiting);
+  return true;
+}
+
+/// A jump back that is reached twice with nothing changed in between can only wait for the world
+/// outside. Asked in every pass of a loop, it is part of it.
+CNCSUB_ALWAYS_INLINE inline bool waits_here(Run& run) {
+  State& s = run.state;
+  const bool idle =
+      s.jumped_from == s.pc && s.changes_at_jump == s.changes && s.last_condition != kNowhere;
+  const std::uint32_t condition = s.last_condition;
+  s.jumped_from = s.pc;
+  s.changes_at_jump = s.changes;
+  s.last_condition = kNowhere;  // the next pass must ask again
+  return idle && waits_for(run, condition);
+}
+
+/// GOTO 10, GOTO #1.
+bool jump_by_goto(Run& run, const Statement& statement) {
+  if (!may_jump(run, statement)) return false;
+  if (compensating(run.motion.state()) && run.refuses(Cause::JumpInCompensation))
+    return alarm(run, {Cause::JumpInCompensation, statement.at, statement.width,
+                       "a jump while the radius offset is on"});
+  Address to = statement.to;
+  std::int64_t n = statement.number;
+  if (n < 0) {
+    double value = 0;
+    if (!evaluate(run, statement.variable, value)) return false;
+    const double rounded = is_vacant(value) ? 0 : std::round(value);
+    const int most = run.control().calls.max_jump_number.value;
+    if (rounded < 1 || rounded > most)
+      return alarm(run, {Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
+                         "GOTO takes 1 to " + std::to_string(most)});
+    n = to_whole<std::int64_t>(rounded);
+    to = run.code->jump_target(run.program(), n, run.state.pc);
+  }
+  if (to == kNowhere)
+    return alarm(run, {Cause::JumpTargetNotFound, statement.variable_at, statement.variable_width,
+                       run.code->no_block(n, run.program())});
+  return jump_to(run, to);
+}
+
+bool open_loop(Run& run, const Statement& statement) {
+  const MacroRules& rules = run.control().macros;
+  if (rules.loops_count_across_calls.value &&
+      run.state.loops.size() >= static_cast<std::size_t>(rules.max_loops.value))
+    return alarm(run, {Cause::LoopsTooDeep, statement.at, statement.width,
+                       "more loops inside each other than the control takes"});
+  run.state.loops.push_back(run.state.pc);
+  return true;
+}
+
+/// A WHILE whose condition is known, or a DO, whose condition always holds.
+inline bool loop(Run& run, const Statement& statement, bool holds) {
+  std::vector<Address>& loops = run.state.loops;
+  const bool inside = loops.size() > run.frame().loops && loops.back() == run.state.pc;
+  if (!holds) {
+    if (inside) loops.pop_back();
+    run.block.next = statement.to;
+    return true;
+  }
+  return inside || open_loop(run, statement);
+}
+
+bool end_loop(Run& run, const Statement& statement) {
+  std::vector<Address>& loops = run.state.loops;
+  while (loops.size() > run.frame().loops && loops.back() != statement.to) loops.pop_back();
+  if (loops.size() == run.frame().loops)
+    return alarm(run,
+                 {Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
+  if (waits_here(run)) return false;
+  run.block.next = statement.to;
+  return true;
+}
+
+/// SETVN.
+bool name_variables(Run& run, const Statement& statement) {
+  for (std::uint32_t i = 0; i < statement.variable_width; ++i) {
+    if (i % kLongText == kLongText - 1 && breaks_off(run)) return false;
+    const std::string& name = run.code->names[static_cast<std::size_t>(statement.index) + i];
+    run.state.names[name] = statement.number + i;
+  }
+  return true;
+}
+
+/// The condition of IF or WHILE.
+inline bool condition(Run& run, std::uint32_t expression, const Places& places, bool& holds) {
+  double value = 0;
+  run.state.last_condition = expression;
+  if (!evaluate(run, run.code->expression(expression), places, value)) return false;
+  holds = value != 0;
+  return true;
+}
+
+/// One of the statements that fill most loops, whether its condition `holds`. Others are left.
+enum class Ran : std::uint8_t { Yes, Stopped, Other };
+CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Places& places,
+                                        bool& holds) {
+  const auto ran = [](bool runs) { return runs ? Ran::Yes : Ran::Stopped; };
+  if (block.op == Op::Set) return ran(set(run, block, places));
+  if (block.op < Op::Assign || block.op > Op::EndDo) return Ran::Other;  // it has no statement
+  const Statement& statement = run.code->statements[block.aux];
+  switch (block.op) {
+    case Op::Assign:
+      return ran(assign(run, statement));
+    case Op::IfGoto:
+      return ran(condition(run, statement.expression, places, holds) &&
+                 (!holds || jump_by_goto(run, statement)));
+    case Op::While:
+      return ran(may_jump(run, statement) && condition(run, statement.expression, places, holds) &&
+                 loop(run, statement, holds));
+    case Op::Do:
+      return ran(may_jump(run, statement) && loop(run, statement, true));
+    case Op::EndDo:
+      return ran(end_loop(run, statement));
+    default:
+      return Ran::Other;
+  }
+}
+
+}  // namespace
+
+bool run_statements(Run& run, bool one, const Block*& instead) {
+  State& s = run.state;
+  const Block* const blocks = run.code->blocks.data();
+  const Places places = cncsub::places(run);  // no statement opens or closes a level
+  for (;;) {
+    const Block& block = blocks[s.pc];
+    run.block.next = s.pc + 1;
+    bool holds = true;
+    const Ran ran = run_one(run, block, places, holds);
+    if (ran == Ran::Other) {
+      instead = &block;
+      return true;
+    }
+    if (ran == Ran::Stopped) return false;
+    record_step(run, !holds);
+    s.pc = run.block.next;
+    if (one || s.executed >= run.watch.look_at || (blocks[s.pc].skip & run.options.skips) != 0)
+      return true;
+  }
+}
+
+namespace {
+
+/// A statement that has done what it says is a step.
+bool end_statement(Run& run, const Block& block, bool holds) {
+  const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
+  if (device && run.heard != nullptr) run.heard->device = block.op;
+  record_step(run, !holds);
+  run.state.pc = run.block.next;
+  return true;
+}
+
+}  // namespace
+
+bool run_statement(Run& run, const Block& block, const Block*& instead) {
+  const bool other = block.op == Op::Print || block.op == Op::HCode || block.op == Op::Set;
+  const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;
+  bool runs = true, holds = true;
+  switch (block.op) {
+    case Op::Goto:
+      runs = jump_by_goto(run, *statement);
+      break;
+    case Op::Set:
+      runs = set(run, block, places(run));
+      break;
+    case Op::Assign:
+      runs = assign(run, *statement);
+      break;
+    case Op::IfThen:
+    case Op::If:
+      runs = condition(run, statement->expression, places(run), holds);
+      if (runs && holds && block.op == Op::IfThen) {
+        instead = &run.code->variants[statement->then];
+        return true;
+      }
+      if (!holds && block.op == Op::If) run.block.next = statement->to;
+      break;
+    case Op::Else:
+      run.block.next = statement->to;
+      break;
+    case Op::HCode:
+      runs = h_code(run, run.code->h_codes[block.aux], holds);
+      break;
+    case Op::Print:
+      runs = print(run, run.code->prints[block.aux]);
+      break;
+    case Op::NameVariables:
+      runs = name_variables(run, *statement);
+      break;
+    default:  // ENDIF, POPEN, PCLOS
+      break;
+  }
+  return runs && end_statement(run, block, holds);
+}
+
+bool store(Run& run, const Statement& statement, double value) {
+  State& s = run.state;
+  if (std::fabs(value) > kLargest)  // a vacant value compares false
+    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto put = [&](double& place) {
+    if (!(place == value)) ++s.changes;
+    place = value;
+  };
+  switch (statement.target) {
+    case Statement::Target::Local:
+      put(s.locals[run.local_at(s.level, statement.index)]);
+      if (!s.programmed.empty()) s.programmed[run.local_at(s.level, statement.index)] = 0;
+      return true;
+    case Statement::Target::Common:
+      put(s.commons[static_cast<std::size_t>(statement.index)]);
+      return true;
+    case Statement::Target::Variable:
+      return store_number(run, statement.index, value, statement);
+    case Statement::Target::Indirect: {
+      double number = 0;
+      if (!evaluate(run, statement.variable, number)) return false;
+      return store_number(run, to_number(number), value, statement);
+    }
+    case Statement::Target::None:
+      break;
+  }
+  return true;
+}
+
+bool store_number(Run& run, std::int64_t number, double value, const Statement& statement) {
+  const VariablePlace place = run.code->place(number);
+  if (run.heard != nullptr && !place.is_local() && !place.is_common())
+    run.heard->assigned.push_back({number, value, comment_of(run, statement)});
+  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
+    return user_alarm(run, is_vacant(value) ? 0 : value, statement);
+  if (place.range != nullptr && place.kind == VariableKind::Message) {
+    say(run, comment_of(run, statement));
+    return wait_for_operator(run, "#" + std::to_string(number));
+  }
+  if (auto fault = write_variable(run, number, value)) {
+    fault->at = statement.variable_at;
+    fault->width = statement.variable_width;
+    return alarm(run, *fault);
+  }
+  ++run.state.changes;
+  return true;
+}
+
+bool may_jump(Run& run, const Statement& statement) {
+  return !run.jumps_refused || run.state.frames.size() > 1 ||
+         alarm(run, {Cause::JumpInMdi, statement.at, statement.width, "a jump or a loop in MDI"});
+}
+
+void leave_loops(Run& run, Address to) {
+  std::vector<Address>& loops = run.state.loops;
+  while (loops.size() > run.frame().loops) {
+    const Address start = loops.back();
+    if (to >= start && to <= run.code->statements[run.code->blocks[start].aux].end) break;
+    loops.pop_back();
+  }
+}
+
+bool jump_to(Run& run, Address to) {
+  leave_loops(run, to);
+  if (to <= run.state.pc && waits_here(run)) return false;
+  run.block.next = to;
+  return true;
+}
+
+bool waits(Run& run) { return waits_here(run); }
+
+}  // namespace cncsub

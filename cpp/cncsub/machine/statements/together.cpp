@@ -1,0 +1,66 @@
+#include "cncsub/machine/statements/together.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "cncsub/machine/statements/output.hpp"
+#include "cncsub/machine/statements/statements.hpp"
+#include "cncsub/machine/values/expressions.hpp"
+
+namespace cncsub {
+
+namespace {
+
+void remember(Run& run, bool local, std::size_t index) {
+  const State& s = run.state;
+  const bool told = local && !s.programmed.empty();
+  const double value = local ? s.locals[index] : s.commons[index];
+  run.block.before_together.variables.push_back(
+      {local, index, value, told ? s.programmed[index] : std::uint8_t{0}});
+}
+
+/// A variable of the system may be an offset, the clock, an image of locals.
+void remember_system(Run& run) {
+  std::optional<BeforeTogether::System>& system = run.block.before_together.system;
+  if (!system) system = {run.state.locals, run.state.system, run.motion};
+}
+
+/// What the assignment is about to change; `number` is that of its variable where it is computed.
+void remember(Run& run, const Statement& statement, double number) {
+  const auto index = static_cast<std::size_t>(statement.index);
+  if (statement.target == Statement::Target::Local)
+    return remember(run, true, run.local_at(run.state.level, statement.index));
+  if (statement.target == Statement::Target::Common) return remember(run, false, index);
+  const bool indirect = statement.target == Statement::Target::Indirect;
+  const VariablePlace place =
+      run.code->place(indirect ? to_whole<std::int64_t>(number) : statement.index);
+  if (place.is_local()) return remember(run, true, run.local_at(run.state.level, place.index));
+  if (place.is_common()) return remember(run, false, static_cast<std::size_t>(place.index));
+  remember_system(run);
+}
+
+}  // namespace
+
+bool set_together(Run& run) {
+  const Together& all = *std::exchange(run.block.together, nullptr);
+  const Statement* statements = run.code->statements.data() + all.first_statement;
+  std::vector<double> values(all.statements), numbers(all.statements);
+  for (std::uint32_t i = 0; i < all.statements; ++i) {
+    const bool indirect = statements[i].target == Statement::Target::Indirect;
+    if (indirect && !evaluate(run, statements[i].variable, numbers[i])) return false;
+    if (!evaluate(run, statements[i].expression, values[i])) return false;
+  }
+  run.block.before_together.messages = run.trace.messages.size();
+  for (std::uint32_t i = 0; i < all.statements; ++i) {
+    const Statement& statement = statements[i];
+    const bool indirect = statement.target == Statement::Target::Indirect;
+    remember(run, statement, numbers[i]);
+    const bool stored =
+        indirect ? store_number(run, to_whole<std::int64_t>(numbers[i]), values[i], statement)
+                 : store(run, statement, values[i]);
+    if (!stored) return false;
+  }
+  return all.print == Labelled::kNone || print(run, run.code->prints[all.print]);
+}
+
+}  // namespace cncsub

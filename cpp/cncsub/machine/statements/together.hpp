@@ -1,0 +1,12 @@
+// Blocks that assign and say something besides executing words.
+#pragma once
+
+#include "cncsub/machine/state/context.hpp"
+
+namespace cncsub {
+
+/// Its assignments, all with the values from before, and its message. The words have their values
+/// already, and are executed behind it.
+bool set_together(Run& run);
+
+}  // namespace cncsub

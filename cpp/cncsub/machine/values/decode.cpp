@@ -1,0 +1,121 @@
+#include "cncsub/machine/values/decode.hpp"
+
+#include <bit>
+#include <cmath>
+#include <string>
+
+#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/values/expressions.hpp"
+
+namespace cncsub {
+
+namespace {
+
+struct Place {
+  std::uint32_t at, width;
+};
+
+/// Where a code is written that is an expression; that of other codes is their block.
+Place place_of(const Run& run, const Block& block, const Cell& cell) {
+  if (cell.value >= 0) return {block.text, block.length};
+  const auto expression = run.code->expression(to_whole<std::uint32_t>(-1.0 - cell.value));
+  return {expression.at(), expression.width()};
+}
+
+/// A G or M code in its cell: a number, or an expression, of which a vacant value (-1) is no code.
+bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, double factor,
+                 int& code) {
+  double value = cell.value;
+  if (value < 0) {
+    const auto expression = to_whole<std::uint32_t>(-1.0 - value);
+    if (!evaluate(run, expression, value, of)) return false;
+    if (is_vacant(value)) {
+      code = -1;
+      return true;
+    }
+    value = std::round(value * factor);
+  }
+  if (const auto [at, width] = place_of(run, block, cell); value < 0 || value > kLargestCode)
+    return alarm(run, {Cause::ValueOutOfRange, at, width, "the code is out of range", of});
+  code = to_whole<int>(value);
+  return true;
+}
+
+/// Codes of which one is an expression, or of which a library has too many lists.
+bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, NcWords& words) {
+  CodeList list;
+  for (unsigned i = 0; i < block.g_count; ++i) {
+    const Place place = place_of(run, block, *cell);
+    int g = 0;
+    if (!decode_code(run, block, of, *cell++, 10, g)) return false;
+    if (g > 10000 || (g >= 0 && !run.code->g_codes.test(static_cast<std::size_t>(g))))
+      return alarm(run, {.cause = Cause::GCodeNotAvailable,
+                         .at = place.at,
+                         .width = place.width,
+                         .detail = "the control has no such G code",
+                         .block = of,
+                         .address = 'G',
+                         .code = g});
+    if (g >= 0) list.add_g(g);
+  }
+  for (unsigned i = 0; i < block.m_count; ++i) {
+    int m = 0;
+    if (!decode_code(run, block, of, *cell++, 1, m)) return false;
+    if (m >= 0) list.add_m(m);
+  }
+  run.codes = {list, *run.meanings};
+  words.codes = &run.codes;
+  return true;
+}
+
+/// A word whose value is an expression.
+bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t place,
+                     NcWords& words) {
+  double value = 0;
+  if (!evaluate(run, expression, value, of)) return false;
+  if (std::fabs(value) >= run.largest_word) {  // a vacant value compares false
+    const Expression e = run.code->expression(expression);
+    if (std::fabs(value) > kLargest)
+      return alarm(run, {Cause::Overflow, e.at(), e.width(), "the result is too large", of});
+    return alarm(
+        run,
+        {Cause::ValueOutOfRange, e.at(), e.width(),
+         "the value has more than " + std::to_string(most_digits(run.control())) + " digits", of});
+  }
+  if (is_vacant(value)) {
+    if (run.control().macros.vacant_address.value == VacantAddress::Ignored)
+      words.mask &= ~(1u << place);
+    value = 0;
+  }
+  words.value[place] = (run.computed_whole >> place & 1) != 0 ? std::round(value) : value;
+  words.computed |= 1u << place;
+  return true;
+}
+
+}  // namespace
+
+bool decode(Run& run, const Block& block, Address at, NcWords& words) {
+  const Cell* cell = run.code->cells.data() + block.data;
+  std::uint32_t expressions = 0;
+  if ((block.flags & Block::kHasExtra) != 0) {
+    expressions = cell->extra.expressions;
+    words.whole = cell->extra.whole;
+    ++cell;
+  }
+  words.at = at;
+  if ((block.flags & Block::kListed) != 0)
+    words.codes = &run.meanings->blocks[block.list];
+  else if (block.has_codes() && !decode_codes(run, block, at, cell, words))
+    return false;
+  words.mask = block.mask;
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const auto place = static_cast<std::size_t>(std::countr_zero(left));
+    if ((expressions & (1u << place)) == 0)
+      words.value[place] = cell->value;
+    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), at, place, words))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,267 @@
+// A block from its words to its effect.
+#include "cncsub/motion/block/block.hpp"
+
+#include <algorithm>
+
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/path.hpp"
+#include "cncsub/motion/state/modes.hpp"
+
+namespace cncsub {
+namespace {
+
+/// Whether a code stands for a cycle of moves.
+bool makes_cycle(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+    case Meaning::MultipleThread:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// G70 to G76 of lathes.
+Result multiple_cycle(MotionContext& m, BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+      return contour(m, block, block.meaning(Group::OneShot));
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+      return grooving(m, block, block.meaning(Group::OneShot));
+    case Meaning::MultipleThread:
+      return multiple_thread(m, block);
+    default:
+      return std::nullopt;
+  }
+}
+
+Result one_shot(MotionContext& m, BlockWords& block) {
+  switch (block.meaning(Group::OneShot)) {
+    case Meaning::Dwell:
+      return dwell(m, block);
+    case Meaning::SetData:
+      return set_data(m, block);
+    case Meaning::CheckReference:
+      return check_reference(m, block);
+    case Meaning::Reference:
+    case Meaning::SecondReference:
+      return reference(m, block, block.meaning(Group::OneShot) == Meaning::Reference ? 1 : 2);
+    case Meaning::FromReference:
+      return from_reference(m, block);
+    case Meaning::Skip:
+      return skip(m, block);
+    case Meaning::MeasureTool:
+      return measure_tool(m, block);
+    case Meaning::OneWay:
+      return one_way(m, block);
+    case Meaning::Local:
+      return set_local(m, block);
+    case Meaning::Machine:
+      return machine_move(m, block);
+    case Meaning::SetCoordinate:
+      return set_coordinate(m, block);
+    case Meaning::ClearCoordinate:
+      return clear_coordinate(m, block);
+    case Meaning::SetShift:
+    case Meaning::ClearShift:
+    case Meaning::SuspendShift:
+    case Meaning::RestoreShift:
+      return change_shift(m, block, block.meaning(Group::OneShot));
+    case Meaning::StoreReference:
+      return store_reference(m, block);
+    default:
+      return multiple_cycle(m, block);
+  }
+}
+
+void take_motion_code(MotionContext& m, const BlockWords& block) {
+  if (!block.has(Group::Motion)) return;
+  // The taper of a turning cycle ends with it. [TA 6 note 2]
+  if (block.meaning(Group::Motion) != m.state.modal[at(Group::Motion)].meaning) m.state.turn = {};
+  m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
+  m.state.no_motion = false;
+  end_cycles(m.facts, m.state);
+}
+
+/// Whether a block has words that a motion is made of, or the code of one.
+bool has_motion(const BlockWords& block) {
+  return block.has(Group::Motion) || block.has(Group::Cycle) ||
+         (block.words.mask & (kAxisWords | kCentreWords)) != 0;
+}
+
+/// Whether a block would move, while no motion code is in force.
+bool lacks_motion(MotionView m, const BlockWords& block) {
+  return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
+}
+
+Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
+  if (double angle = 0; angle_word(m, block, angle)) return angled(m, block, meaning, angle);
+  std::uint32_t named = 0;
+  const Axes end = end_point(m, block, named);
+  const bool bare = named == 0;
+  if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
+  if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  if (bare) return std::nullopt;
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+  if (!may_have_corner(m, block)) return move(m, block, kind, end, named);
+  Piece piece = make_piece(m, block, kind, end, named);
+  if (auto wrong = corner_words(m, block, piece)) return wrong;
+  return move(m, block, piece);
+}
+
+Result make_motion(MotionContext& m, BlockWords& block) {
+  // It holds for its block; the mode before it goes on. [rs274 2.9: convert_spline]
+  if (block.meaning(Group::Motion) == Meaning::Spline) return spline(m, block);
+  take_motion_code(m, block);
+  if (block.has(Group::Cycle)) {
+    if (auto wrong = enter_cycle(m, block)) return wrong;
+  }
+  if (lacks_motion(m, block)) return fault(Cause::NoMotionCode, block);
+  const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
+  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  switch (meaning) {
+    case Meaning::Cw:
+    case Meaning::Ccw:
+      return arc(m, block, meaning);
+    case Meaning::ThreePoints:
+    case Meaning::ThreePointsAbsolute:
+      return arc_by_points(m, block, meaning);
+    case Meaning::TurnCycle:
+    case Meaning::ThreadCycle:
+    case Meaning::FaceCycle:
+    case Meaning::TapCycle:
+      return turning_cycle(m, block, meaning);
+    case Meaning::Thread:
+      if (m.state.modal[at(Group::Motion)].which != 0) return thread_by_k(m, block);
+      [[fallthrough]];
+    case Meaning::VariableThread:
+      return thread(m, block, meaning);
+    case Meaning::Skip:
+      return skip(m, block);
+    case Meaning::DriveLineThread:
+      return drive_line_thread(m, block);
+    default:
+      return straight(m, block, meaning);
+  }
+}
+
+/// G92.1 to G92.3 beside another code that holds for one block.
+Result change_shift_beside(MotionContext& m, BlockWords& block) {
+  for (const Meaning meaning : {Meaning::ClearShift, Meaning::SuspendShift, Meaning::RestoreShift})
+    if (block.words.codes->all.test(at(meaning)) && block.meaning(Group::OneShot) != meaning)
+      return change_shift(m, block, meaning);
+  return std::nullopt;
+}
+
+/// The axis words are those of another code: a motion code beside it moves by what is left.
+Result leave_axes(MotionContext& m, BlockWords& block) {
+  if (auto wrong = one_shot(m, block)) return wrong;
+  if (auto wrong = change_shift_beside(m, block)) return wrong;
+  return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
+}
+
+/// What the block does with its axis words.
+Result act(MotionContext& m, BlockWords& block) {
+  const Meaning once = block.meaning(Group::OneShot);
+  if (once == Meaning::Ignored) return std::nullopt;
+  if (leaves_axes(m.facts, block)) return leave_axes(m, block);
+  if (goes_with_motion(m.state, block))
+    return block.consumed ? std::nullopt : make_motion(m, block);
+  take_motion_code(m, block);  // it holds for the blocks behind, as the end of a cycle does
+  if (block.meaning(Group::Cycle) == Meaning::CycleOff)
+    if (auto wrong = enter_cycle(m, block)) return wrong;
+  block.cycle = block.cycle || makes_cycle(once);
+  if (once == Meaning::Machine)  // it moves, after the shift is changed
+    if (auto wrong = change_shift_beside(m, block)) return wrong;
+  if (auto wrong = one_shot(m, block)) return wrong;
+  return once == Meaning::Machine ? std::nullopt : change_shift_beside(m, block);
+}
+
+/// Whether a block may change where things lie: it has T or H, or a code of another group than
+/// these.
+bool sets_frame(const NcWords& words) {
+  constexpr std::uint32_t kOthers = bit(Group::Motion) | bit(Group::Plane) | bit(Group::Distance) |
+                                    bit(Group::Return) | bit(Group::Feed) | bit(Group::Radius) |
+                                    bit(Group::Cycle);
+  return (words.codes->groups & ~kOthers) != 0 || (words.mask & (bit('T') | bit('H'))) != 0;
+}
+
+/// Whether everything that a move may let grow from block to block is still a number that can be
+/// meant.
+bool moved_in_range(const MotionState& s) {
+  return in_range(s.work) && in_range(s.feed, s.polar_angle);
+}
+
+/// The same of what other blocks change.
+bool all_in_range(const MotionState& s, bool with_frame) {
+  return moved_in_range(s) && in_range(s.speed, s.surface_speed, s.max_speed) &&
+         (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
+}
+
+/// What a block does first: it is looked over, and its modes hold.
+Result begin_block(MotionContext& m, BlockWords& block) {
+  if (auto wrong = read_codes(m, block)) return wrong;
+  if (auto wrong = check_block(m, block)) return wrong;
+  if (const int code = block.words.codes->uncomputed; code >= 0)
+    return fault_of(code, Cause::CodeNotComputed, block);
+  if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
+    m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
+  return set_modes(m, block);
+}
+
+/// Takes H, D and G45 to G48, and does what the block does. A length moves its axis at once.
+Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
+  const bool length = block.has(Group::Length) || block.words.has('H');
+  const Axes before = length ? m.state.length : Axes{};
+  if (length)
+    if (auto wrong = set_length(m, block)) return wrong;
+  if (block.has(Group::Radius) || (block.words.has('D') && !takes_word(m, block, 'D')))
+    if (auto wrong = set_radius(m, block)) return wrong;
+  if (block.has(Group::OneShot))
+    if (auto wrong = set_longer(m, block)) return wrong;
+  if (auto wrong = act(m, block)) return wrong;
+  return length ? move_by_length(m, block, before) : std::nullopt;
+}
+
+/// What is left when a block has done what it does.
+Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool in_range) {
+  if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
+  // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
+  const Meaning once = block.meaning(Group::OneShot);
+  if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||
+      once == Meaning::Local)
+    m.state.moved_before = true;
+  if (!in_range) return out_of_range(block.words.at);
+  return count_idle(m.sink, block.words.at);
+}
+
+}  // namespace
+
+Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle) {
+  m.state.row_moves = nullptr;  // the modes change
+  BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
+  const bool frame = sets_frame(words);
+  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
+  if (auto wrong = begin_block(m, block)) return wrong;
+  if (auto wrong = set_offsets_and_act(m, block)) return wrong;
+  if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
+  return end_block(m, block, corner_waits, all_in_range(m.state, frame));
+}
+
+}  // namespace cncsub

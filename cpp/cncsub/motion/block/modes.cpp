@@ -1,0 +1,163 @@
+// The meanings of a block's words, and the modes that they set.
+#include "cncsub/motion/state/modes.hpp"
+
+#include <utility>
+
+#include "cncsub/motion/block/block.hpp"
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/values.hpp"
+
+namespace cncsub {
+
+Result set_feed(MotionContext& m, const BlockWords& block) {
+  const Control& c = *m.facts.control;
+  if (!block.words.has('F')) {
+    if (feed_of_each_cut(m)) m.state.feed = 0;
+    return std::nullopt;
+  }
+  if (takes_word(m, block, 'F')) return std::nullopt;
+  if (c.turning.lead_apart.value && cuts_thread(m.state, block)) return std::nullopt;
+  const Meaning once = block.meaning(Group::OneShot);
+  if (c.motion.skip_own_feed.value && (once == Meaning::Skip || once == Meaning::MeasureTool))
+    return std::nullopt;
+  return feed_of(m, block, m.state.feed);
+}
+
+namespace {
+
+/// M codes. After a change of the tool a control whose compensation G40 let go counts on from where
+/// the tool stands. [rs274 2.9]
+void take_codes(MotionContext& m, const BlockWords& block) {
+  if (block.words.has(Role::ToolChange)) change_tool(*m.facts.control, m.state);
+  for (const int code : block.words.codes->m())
+    take_spindle(m.state, m.facts.control->calls.roles.value.of_m(code));
+  if (m.state.held.ended && block.words.has(Role::ToolChange))
+    m.state.work = m.state.tool_at - m.state.offset - m.state.length;
+}
+
+void set_spindle(MotionContext& m, const BlockWords& block) {
+  const SpeedLimit limit = m.facts.control->motion.speed_limit.value;
+  if (limit == SpeedLimit::OfSurface && block.meaning(Group::Surface) == Meaning::SurfaceSpeed)
+    m.state.max_speed = block.words['D'];  // without D it has no limit
+  if (block.words.has('S') && !takes_word(m, block, 'S')) {
+    const double value = block.words['S'];
+    if (limit == SpeedLimit::OfCoordinates &&
+        block.meaning(Group::OneShot) == Meaning::SetCoordinate)
+      m.state.max_speed = value;
+    else
+      (m.state.surface ? m.state.surface_speed : m.state.speed) = value;
+  }
+  take_codes(m, block);
+  if (block.words.has(Role::RigidTapping)) m.state.rigid_waits = m.facts.refuses(Cause::RigidMove);
+  if (block.has(Group::Cycle)) m.state.rigid = std::exchange(m.state.rigid_waits, false);
+}
+
+}  // namespace
+
+Result read_codes(MotionContext& m, const BlockWords& block) {
+  const BlockCodes& codes = *block.words.codes;
+  m.outcome.dropped_codes |= codes.dropped;
+  if (codes.data_end >= 0 && !m.state.data_set)
+    return fault_of(codes.data_end, Cause::DataEndFirst, block);
+  return codes.wrong < 0 ? Result() : fault_of(codes.wrong, codes.why, block);
+}
+
+Result check_block(MotionView m, const BlockWords& block) {
+  const Control& c = *m.facts.control;
+  if ((block.words.whole >> kPointedH & 1) != 0 && m.facts.machine != MachineType::LatheA)
+    return fault_at('H', Cause::IllegalDecimalPoint, block, "H takes no decimal point");
+  if (block.has(Group::Units) && c.motion.unit_change.value != UnitChange::Anywhere) {
+    const bool shares =
+        c.motion.unit_change.value == UnitChange::Alone && block.words.codes->g_count > 1;
+    if (m.state.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
+      return fault(Cause::UnitChangeLate, block);
+  }
+  if ((block.words.mask & kPolarWords) != 0)
+    if (auto wrong = check_polar_words(m, block)) return wrong;
+  if (!m.state.held.corner.empty() && block.has(Group::Plane))
+    return fault(Cause::CornerPlane, block);
+  if (compensating(m.state) && block.has(Group::Plane) &&
+      plane_of(block.meaning(Group::Plane)) != m.state.plane)
+    return fault(Cause::CompensationPlane, block);
+  return check_conflicts(m, block);
+}
+
+namespace {
+
+/// G93, G94 and G95.
+void set_feed_mode(MotionContext& m, const BlockWords& block) {
+  if (!block.has(Group::Feed)) return;
+  const Meaning before = m.state.modal[at(Group::Feed)].meaning;
+  remember(m.state, *block.words.codes, bit(Group::Feed));
+  if (m.facts.control->motion.feed_mode_change.value != FeedModeChange::EndsFeed) return;
+  if (block.meaning(Group::Feed) != Meaning::InverseTime)
+    m.state.feed_before = 0;
+  else if (before != Meaning::InverseTime)
+    m.state.feed_before = m.state.feed;
+  m.state.feed = 0;
+}
+
+}  // namespace
+
+Result set_modes(MotionContext& m, BlockWords& block) {
+  constexpr std::uint32_t kRemembered =
+      bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Units) |
+      bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) | bit(Group::Path) |
+      bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) | bit(Group::Centre) |
+      bit(Group::Diameter);
+  const bool feed_first =
+      block.has(Group::Units) && m.facts.control->motion.feed_unit.value == FeedUnit::BeforeBlock;
+  set_feed_mode(m, block);
+  if (feed_first)
+    if (auto wrong = set_feed(m, block)) return wrong;
+  remember(m.state, *block.words.codes, kRemembered);
+  if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
+  const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
+  // G97 without S keeps the speed that there is. [TDi 25 note 4]
+  if (m.state.surface && !surface && (m.state.work[0] != 0 || m.state.max_speed > 0))
+    if (const double last = spindle_at(move_state(m.state), std::fabs(m.state.work[0])); last > 0)
+      m.state.speed = last;
+  m.state.surface = surface;
+  m.state.unit = unit_of(m.facts, m.state.modal[at(Group::Units)].meaning);
+  m.state.incremental = m.state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
+  if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
+    if (auto wrong = set_area(m, block)) return wrong;
+  }
+  if (!feed_first)
+    if (auto wrong = set_feed(m, block)) return wrong;
+  set_lead(m, block);
+  if (auto wrong = set_tool(m, block)) return wrong;  // T1 M06 changes to tool 1 [source 003]
+  set_spindle(m, block);
+  if (auto wrong = select_work(m, block)) return wrong;
+  if (block.has(Group::Polar)) {
+    m.state.modal[at(Group::Polar)] = block.code(Group::Polar);
+    m.state.polar_known = false;
+  }
+  constexpr std::uint32_t kTurning =
+      bit(Group::Rotation) | bit(Group::Scaling) | bit(Group::Mirror);
+  return (block.words.codes->groups & kTurning) != 0 ? set_turned(m, block) : std::nullopt;
+}
+
+void change_tool(const Control& control, MotionState& state) {
+  state.tool = state.t;
+  if (control.motion.spindle_at_change.value == SpindleAtChange::Stopped) state.turns = false;
+}
+
+void take_spindle(MotionState& state, Role role) {
+  switch (role) {
+    case Role::SpindleForward:
+    case Role::SpindleBackward:
+      state.turns = true;
+      state.backward = role == Role::SpindleBackward;
+      break;
+    case Role::SpindleStop:
+      state.turns = false;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace cncsub

@@ -1,0 +1,153 @@
+// Reference points and machine coordinates: G53, G27 to G30, G60.
+#include "cncsub/motion/block/block.hpp"
+#include "cncsub/motion/cycle/cycles.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
+
+namespace cncsub {
+namespace {
+
+/// The tool length is taken away on an axis that goes to a machine coordinate, but where it shifts
+/// the work coordinates: there it stays, and this is it.
+double length_left(MotionContext& m, int axis) {
+  double& length = m.state.length[static_cast<std::size_t>(axis)];
+  if (m.facts.control->motion.length_type.value == LengthType::Shift) return length;
+  return length = 0;
+}
+
+/// G53 in a turned work system: an axis without a word stays where it is in the machine.
+Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
+  Axes machine = in_machine(m.state, machine_point(m.state));
+  std::uint32_t named = 0;
+  for (int i = 0; i < kAxes; ++i)
+    if (const char name = kAxisNames[static_cast<std::size_t>(i)]; block.words.has(name)) {
+      named |= i < 2 ? 3u : axis_bit(i);
+      machine[static_cast<std::size_t>(i)] = number(m, block, name);
+    }
+  if (named == 0) return std::nullopt;
+  if (kind == MoveKind::Feed)
+    if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  const Axes end = in_frame(m.state, machine) - m.state.offset - m.state.length;
+  return move(m, block, make_piece(m, block, kind, end, named));
+}
+
+/// Where G53 leads without a turned frame, along the axes that it names.
+Axes machine_target(MotionContext& m, const BlockWords& block, std::uint32_t& named) {
+  Axes end = m.state.work;
+  for (int i = 0; i < kAxes; ++i) {
+    const char name = kAxisNames[static_cast<std::size_t>(i)];
+    if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
+    named |= axis_bit(i);
+    end[i] = number(m, block, name) +
+             (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
+  }
+  return end;
+}
+
+}  // namespace
+
+Result machine_move(MotionContext& m, BlockWords& block) {
+  const Control& c = *m.facts.control;
+  const bool modal = c.motion.machine_move.value != MachineMove::Rapid;
+  if (!m.facts.homed && m.facts.refuses(Cause::NotHomed)) return fault(Cause::NotHomed, block);
+  if (m.state.incremental && !modal) return std::nullopt;
+  if (m.state.incremental && c.motion.machine_move.value == MachineMove::ModalAbsolute)
+    return fault(Cause::MachineMoveIncremental, block);
+  const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
+  if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
+  std::uint32_t named = 0;
+  const Axes end = machine_target(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (kind == MoveKind::Feed)
+    if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
+  return move(
+      m, block,
+      modal ? make_piece(m, block, kind, end, named) : uncompensated(m, block, kind, end, named));
+}
+
+Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
+  if (number_of_point == 2) {
+    const double p = block.words.has('P') ? counted(m, block.words, 'P') : 2;
+    if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
+    if (!m.facts.homed && m.facts.refuses(Cause::ReferenceNotHomed))
+      return fault(Cause::ReferenceNotHomed, block);
+    number_of_point = to_whole<int>(p);
+  }
+  std::uint32_t named = 0;
+  const Axes middle = linear_target(m, block, named);
+  const auto found = m.state.tables.reference.find(number_of_point);
+  if (named == 0) {
+    if (block.code(Group::OneShot).which == 0) return std::nullopt;
+    named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
+  } else if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named))) {
+    return wrong;
+  }
+  m.state.middle_known |= named;
+  const Axes point =
+      in_frame(m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
+  Axes end = m.state.work;
+  for (int i = 0; i < kAxes; ++i) {
+    if ((named >> i & 1) == 0) continue;
+    m.state.middle[i] = middle[i] + m.state.offset[i];
+    end[i] = point[static_cast<std::size_t>(i)] - m.state.offset[i] - length_left(m, i);
+  }
+  return move(m, block, uncompensated(m, block, MoveKind::Rapid, end, named));
+}
+
+Result store_reference(MotionContext& m, BlockWords& block) {
+  if (compensating(m.state)) return fault(Cause::CompensationShift, block);
+  const Axes machine = in_machine(m.state, machine_point(m.state));
+  Axes& point = m.state.tables.reference[block.code(Group::OneShot).which];
+  for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
+  return std::nullopt;
+}
+
+Result from_reference(MotionContext& m, BlockWords& block) {
+  std::uint32_t named = 0;
+  linear_target(m, block, named);
+  if (m.state.middle_known == 0) return fault(Cause::NoIntermediate, block);
+  if (named == 0) return std::nullopt;
+  Axes middle = m.state.work;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0 && (m.state.middle_known >> i & 1) != 0)
+      middle[i] = m.state.middle[i] - m.state.offset[i];
+  if (auto wrong = move(m, block, MoveKind::Rapid, middle, named)) return wrong;
+  const Axes end = linear_target(m, block, named);
+  return move(m, block, MoveKind::Rapid, end, named);
+}
+
+Result check_reference(MotionContext& m, BlockWords& block) {
+  std::uint32_t named = 0;
+  const Axes end = linear_target(m, block, named);
+  if (named == 0) return std::nullopt;
+  if (auto wrong = move(m, block, MoveKind::Rapid, end, named)) return wrong;
+  const auto& points = m.state.tables.reference;
+  const auto found = points.find(1);
+  const Axes machine = machine_point(m.state);
+  for (int i = 0; i < kAxes; ++i) {
+    const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
+    if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
+      m.outcome.missed_reference = true;
+  }
+  return std::nullopt;
+}
+
+Result one_way(MotionContext& m, BlockWords& block) {
+  if (block.has(Group::Motion)) m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
+  end_cycles(m.facts, m.state);
+  std::uint32_t named = 0;
+  const Axes end = target(m, block, named);
+  if (named == 0) return std::nullopt;
+  const double overrun = m.facts.control->motion.one_way_overrun.value * 1e-3;
+  Axes past = end;
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0) past[i] -= overrun;
+  if (overrun != 0)
+    if (auto wrong = move(m, block, MoveKind::Rapid, past, named)) return wrong;
+  return move(m, block, MoveKind::Rapid, end, named);
+}
+
+}  // namespace cncsub

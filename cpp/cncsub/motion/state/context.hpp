@@ -1,0 +1,68 @@
+// A block that is carried out, and what each part of the motion may touch.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cncsub/motion/state/facts.hpp"
+#include "cncsub/motion/state/outside.hpp"
+#include "cncsub/motion/state/state.hpp"
+#include "cncsub/motion/state/undo.hpp"
+
+namespace cncsub {
+
+/// What is wrong, or nothing.
+using Result = std::optional<Fault>;
+
+/// The words of a block by their meaning, and how far it has come.
+struct BlockWords {
+  const NcWords& words;
+  std::uint32_t step;
+  bool was_cycle = false;  // a canned cycle was active before this block
+  bool cycle = false;      // a cycle makes its moves
+  bool submitted = false;  // a piece went out
+  bool consumed = false;   // the axis words belong to G68, G51 and the like
+  double longer = 0;       // G45 to G48: how much longer the move gets on each axis
+
+  bool has(Group group) const { return words.codes->has(group); }
+  const GCode& code(Group group) const { return words.codes->of[at(group)]; }
+  Meaning meaning(Group group) const { return words.codes->meaning(group); }
+};
+
+/// Whether one of the G codes of a block, ten times its number, is such.
+template <class Test>
+bool any_code(const NcWords& words, const Test& test) {
+  return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);
+}
+
+/// Where moves go: they change the state, and leave rows in a table.
+struct MoveSink {
+  const MotionFacts& facts;
+  MotionState& state;
+  Moves* table = nullptr;
+  std::vector<Piece>* captured = nullptr;  // keeps the pieces of a profile that is tried out
+
+  operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
+};
+
+/// What the words of a block may touch.
+struct MotionContext {
+  const MotionFacts& facts;
+  MotionState& state;
+  OffsetLog& log;  // the offset tables are changed through it
+  MoveSink sink;
+  MotionOutcome& outcome;
+  Outside& outside;
+
+  operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
+};
+
+// Faults of a block: of the whole, of a word, of a G code (ten times its number).
+Fault fault(Cause cause, const BlockWords& block, std::string detail = {});
+Fault fault_at(char address, Cause cause, const BlockWords& block, std::string detail = {});
+Fault fault_of(int code, Cause cause, const BlockWords& block);
+
+}  // namespace cncsub

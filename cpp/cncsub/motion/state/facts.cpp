@@ -1,0 +1,92 @@
+// What a control and a setup say about the motion, once and for all.
+#include "cncsub/motion/state/facts.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "cncsub/motion/state/values.hpp"
+
+namespace cncsub {
+namespace {
+
+void number_groups(MotionFacts& facts) {
+  for (const GroupName& g : kGroupNames)
+    facts.group_numbers[at(g.group)] = facts.lathe() ? g.lathe : g.mill;
+  for (const auto& own : facts.control->motion.modal_groups.value)
+    facts.group_numbers[at(own.group)] = own.number;
+}
+
+/// The place of a corner word in a block's mask, -1 where the machine has none of that name.
+int place_of(CornerLetters::Entry word, bool lathe) {
+  if (word.comma)
+    return word.letter == 'C'   ? kCommaC
+           : word.letter == 'R' ? kCommaR
+           : word.letter == 'A' ? kCommaA
+                                : -1;
+  const bool of_lathes = word.letter == 'A' || word.letter == 'C' || word.letter == 'R';
+  return of_lathes && !lathe ? -1 : word.letter - 'A';
+}
+
+}  // namespace
+
+void fill(Axes& axes, const std::map<char, double>& values) {
+  for (const auto& [name, value] : values)
+    if (const int axis = axis_of(name); axis >= 0) axes[static_cast<std::size_t>(axis)] = value;
+}
+
+int system_of(const std::string& name) {
+  if (name == "EXT") return 0;
+  if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
+    return name[2] - '3';
+  const auto p = name.find('P');
+  if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
+  int number = 0;
+  std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
+  return number > 0 && number <= 9999 ? 100 + number : -1;
+}
+
+MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
+                         std::shared_ptr<const CodeMeanings> of, bool general)
+    : control(std::move(c)),
+      meanings(std::move(of)),
+      machine(meanings->machine),
+      codes(meanings->g),
+      path_codes{codes.of(Meaning::Rapid), codes.of(Meaning::Line), codes.of(Meaning::Cw),
+                 codes.of(Meaning::Ccw)},
+      axis_order(machine == MachineType::Mill ? "XYZABCUVW" : "XZYCABUVW"),
+      diameters(machine == MachineType::Mill ? 0 : 1),
+      increment(setup.increment > 0 ? setup.increment : 0.001),
+      chamfers(control->motion.chamfer_words.value, lathe()),
+      rounds(control->motion.round_words.value, lathe()),
+      angles(control->motion.angle_words.value, lathe()),
+      general_only(general) {
+  number_groups(*this);
+  constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
+  const std::uint32_t corners = chamfers.mask | rounds.mask | angles.mask;
+  if (!lathe()) other_axes = kOthers & ~corners;
+  if (machine == MachineType::LatheA) increments = (bit('U') | bit('W')) & ~corners;
+  rapid.fill(control->motion.rapid_rate.value);
+  fill(rapid, setup.rapid);
+  for (const auto& [number, values] : setup.reference) fill(reference[number], values);
+  list_conflicts();
+  homed = !setup.reference.empty();
+  for (const auto& [name, range] : setup.limits)
+    if (axis_of(name) >= 0) limits.push_back({axis_of(name), range.first, range.second});
+}
+
+CornerWords::CornerWords(const CornerLetters& words, bool lathe) {
+  for (const auto& word : words) {
+    const int place = place_of(word, lathe);
+    if (place < 0) continue;
+    places.push_back(place);
+    mask |= 1u << place;
+  }
+}
+
+int CornerWords::find(std::uint32_t words) const {
+  if ((words & mask) == 0) return -1;
+  const auto has = [&](int place) { return (words >> place & 1) != 0; };
+  return *std::find_if(places.begin(), places.end(), has);
+}
+
+}  // namespace cncsub

@@ -1,0 +1,68 @@
+// Questions about the modes in force, and about what a block does to them.
+#pragma once
+
+#include <bit>
+
+#include "cncsub/motion/state/context.hpp"
+
+namespace cncsub {
+
+inline bool in_cycle(const MotionState& state) { return state.cycle.cycle != Meaning::CycleOff; }
+inline bool compensating(const MotionState& state) {
+  const Meaning radius = state.modal[at(Group::Radius)].meaning;
+  return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
+}
+/// -1 to the left, 1 to the right, 0 where nothing is compensated.
+inline int side_of(const MotionState& state) {
+  const Meaning radius = state.modal[at(Group::Radius)].meaning;
+  return radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
+}
+inline bool g20(const MotionState& state) {
+  return state.modal[at(Group::Units)].meaning == Meaning::Inch;
+}
+inline bool polar(const MotionState& state) {
+  return state.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
+}
+/// I, J and K are coordinates of the centre.
+inline bool centre_is_absolute(const MotionState& state) {
+  return state.modal[at(Group::Centre)].meaning == Meaning::CentreAbsolute;
+}
+/// Rotation, scaling or mirror is on.
+inline bool turned(const MotionState& state) {
+  return state.turned.rotation || state.turned.scaling || state.turned.mirror;
+}
+inline bool is_by_own_normal(const MotionFacts& facts) {
+  return facts.control->motion.start_up.value == StartUp::OwnNormal;
+}
+
+/// The codes of these groups that a block has are in force from here on.
+inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t groups) {
+  for (std::uint32_t left = codes.groups & groups; left != 0; left &= left - 1) {
+    const auto group = static_cast<std::size_t>(std::countr_zero(left));
+    state.modal[group] = codes.of[group];
+  }
+}
+/// Whether a code of the block takes a word for itself, which then sets no mode: F of G04 may be
+/// its time, D of G96 the limit of the spindle.
+bool takes_word(MotionView m, const BlockWords& block, char letter);
+/// F of a block as a feed.
+Result feed_of(MotionView m, const BlockWords& block, double& feed);
+/// What F1 without a point is. [general knowledge]
+double feed_increment(const MotionState& state);
+/// Whether every cut has an F of its own: under G93, where the control says so.
+bool feed_of_each_cut(MotionView m);
+Result need_feed(MotionView m, const BlockWords& block, Meaning meaning);
+/// Whether a cut would wait for a spindle that was never told how fast to turn.
+bool lacks_speed(MotionView m);
+/// Whether the axis words of a block are those of a motion, which is made after its one-shot code.
+inline bool leaves_axes(const MotionFacts& facts, const BlockWords& block) {
+  return block.has(Group::OneShot) &&
+         facts.control->motion.codes_that_move.value.has(block.code(Group::OneShot).code);
+}
+/// Whether a radius is compensated when a block's codes behind G40 to G42 are carried out: where
+/// moves end by their own normals these come first. [rs274 2.9]
+bool compensates_behind(MotionView m, const BlockWords& block);
+/// Whether a block's motion is made in spite of its one-shot code.
+bool goes_with_motion(const MotionState& state, const BlockWords& block);
+
+}  // namespace cncsub

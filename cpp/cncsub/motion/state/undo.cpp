@@ -1,0 +1,69 @@
+#include "cncsub/motion/state/undo.hpp"
+
+#include "cncsub/motion/state/values.hpp"
+
+namespace cncsub {
+
+ToolOffsets& OffsetLog::change(std::map<int, ToolOffsets>& tools, int number) {
+  const auto found = tools.find(number);
+  tools_.emplace_back(number, found == tools.end() ? std::nullopt : std::optional(found->second));
+  return tools[number];
+}
+
+void OffsetLog::put_back(OffsetTables& tables) {
+  for (; !offsets_.empty(); offsets_.pop_back()) *offsets_.back().first = offsets_.back().second;
+  for (; !tools_.empty(); tools_.pop_back()) {
+    const auto& [number, before] = tools_.back();
+    if (before)
+      tables.tools[number] = *before;
+    else
+      tables.tools.erase(number);
+  }
+}
+
+void OffsetLog::clear() {
+  offsets_.clear();
+  tools_.clear();
+}
+
+namespace {
+
+/// Takes pieces over, of which there are none nearly always.
+void take_pieces(std::vector<Piece>& to, const std::vector<Piece>& from) {
+  if (!to.empty() || !from.empty()) to = from;
+}
+
+void take_held(Held& to, const Held& from) {
+  static_cast<HeldValues&>(to) = from;
+  take_pieces(to.corner, from.corner);
+  take_pieces(to.radius, from.radius);
+}
+
+/// Takes over everything modal.
+void take_modal(ModalState& to, const ModalState& from) {
+  static_cast<ModalValues&>(to) = from;
+  to.angled.angle = from.angled.angle;
+  to.angled.idle = from.angled.idle;
+  take_pieces(to.angled.line, from.angled.line);
+  take_held(to.held, from.held);
+}
+
+}  // namespace
+
+Undo::Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves)
+    : state_(state),
+      before_(before),
+      log_(log),
+      moves_(moves),
+      rows_(moves != nullptr ? moves->size() : 0) {
+  take_modal(before_, state_);
+  log_.clear();
+}
+
+void Undo::put_back() {
+  take_modal(state_, before_);
+  log_.put_back(state_.tables);
+  if (moves_ != nullptr) moves_->truncate(rows_);
+}
+
+}  // namespace cncsub
