@@ -94,10 +94,10 @@ def write_inputs(out: Writer, inputs: Mapping[str, Any]) -> None:
     for write in out.each(writes, 4):
         out.values(write, 2)
     skips = inputs.get("skips", ())
-    told = [(0, skip) for skip in skips]  # of any signal
+    reported = [(0, skip) for skip in skips]  # of any signal
     if isinstance(skips, Mapping):
-        told = [(skip_signal("skips", of), skip) for of, those in skips.items() for skip in those]
-    for signal, skip in out.each(told, 4):
+        reported = [(skip_signal("skips", of), skip) for of, those in skips.items() for skip in those]
+    for signal, skip in out.each(reported, 4):
         out.byte(signal)
         out.byte(round(skip * 255) if isinstance(skip, int | float) and 0 <= skip <= 1 else 255)
 

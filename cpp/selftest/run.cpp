@@ -87,15 +87,15 @@ void tell_moves(std::vector<Line>& lines, const Machine& machine) {
   }
 }
 
-bool same(const std::string& told, const Field& found) {
-  if (const auto* word = std::get_if<std::string>(&found)) return *word == told;
-  const double a = number_of(told), b = std::get<double>(found);
+bool same(const std::string& reported, const Field& found) {
+  if (const auto* word = std::get_if<std::string>(&found)) return *word == reported;
+  const double a = number_of(reported), b = std::get<double>(found);
   if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
   return a == b || std::fabs(a - b) <= kApart * std::max({1.0, std::fabs(a), std::fabs(b)});
 }
 
-bool same(const Fields& told, const Line& found) {
-  return std::equal(told.begin(), told.end(), found.begin(), found.end(),
+bool same(const Fields& reported, const Line& found) {
+  return std::equal(reported.begin(), reported.end(), found.begin(), found.end(),
                     [](const std::string& a, const Field& b) { return same(a, b); });
 }
 
@@ -131,10 +131,10 @@ std::string difference(Row row) {
   tell_calls(lines, machine);
   tell_moves(lines, machine);
   for (std::size_t i = 0; i < std::max(lines.size(), row.outcome.size()); ++i) {
-    const Fields& told = i < row.outcome.size() ? row.outcome[i] : Fields{};
+    const Fields& reported = i < row.outcome.size() ? row.outcome[i] : Fields{};
     const Line& found = i < lines.size() ? lines[i] : Line{};
-    if (!same(told, found))
-      return "expected " + shown(plain(told)) + "\n  got      " + shown(found);
+    if (!same(reported, found))
+      return "expected " + shown(plain(reported)) + "\n  got      " + shown(found);
   }
   return {};
 }

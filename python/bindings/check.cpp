@@ -50,7 +50,7 @@ struct Told {
 
 constexpr std::size_t kMostPlaces = 1000;  // that are told of one finding
 
-Told told(const Code& code, const Finding& finding, InterruptCheck& interrupt) {
+Told reported(const Code& code, const Finding& finding, InterruptCheck& interrupt) {
   Told row{.check = finding.check,
            .place = alarm_of(
                code, finding.block,
@@ -109,7 +109,7 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
   work_away([&](InterruptCheck& interrupt) {
     for (const Finding& finding : check(code, main, machine, interrupt)) {
       if (interrupt.requested(InterruptCheck::kLook / 64)) break;
-      all.push_back(told(code, finding, interrupt));
+      all.push_back(reported(code, finding, interrupt));
     }
   });
   py::list rows;
@@ -166,7 +166,7 @@ py::tuple flow(const Flows& flows, const ProgramData& program) {
       return of == own.anywhere() ? py::object(py::none()) : py::int_(of - own.first());
     };
     for (const Exit* exit = own.begin(at); exit != own.end(at); ++exit)
-      edges.append(py::make_tuple(place(at), place(exit->to), std::string(to_string(exit->way))));
+      edges.append(py::make_tuple(place(at), place(exit->to), std::string(to_string(exit->kind))));
     if (own.returns(at)) returns.append(place(at));
     if (own.ends(at)) ends.append(place(at));
   }

@@ -111,7 +111,7 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
   for (const py::handle& row : rows) add_row(files, row);
   std::shared_ptr<const Code> code;
   {
-    Away away;
+    GilRelease away;
     code = compile(
         control, std::move(files), external_device,
         [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); }, sharing,
@@ -227,7 +227,7 @@ void add_code(py::module_& m) {
           [](const Code& c, const std::string& text) {
             std::shared_ptr<const Code> with;
             {
-              Away away;
+              GilRelease away;
               with = compile_mdi(
                   c, text, [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
             }

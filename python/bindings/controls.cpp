@@ -206,8 +206,9 @@ py::object whole_of(const RuleView& rule) {
 /// The entries of a list or a set that have a source of their own: entry -> (source, evidence).
 py::dict entries_of(const RuleView& rule) {
   py::dict rows;
-  for (const EntrySource& told : rule.entries)
-    rows[py::str(told.entry)] = py::make_tuple(told.source, std::string(to_string(told.evidence)));
+  for (const EntrySource& reported : rule.entries)
+    rows[py::str(reported.entry)] =
+        py::make_tuple(reported.source, std::string(to_string(reported.evidence)));
   return rows;
 }
 
@@ -314,13 +315,14 @@ std::shared_ptr<Control> control_of(const py::tuple& state) {
                           state[5].cast<std::vector<OwnParameterRow>>(),
                           state[6].cast<std::vector<OwnAlarmRow>>());
   for (const auto& [key, change] : py::dict(state[2])) {
-    const auto told = change.cast<py::tuple>();
-    if (told.size() != 3) throw py::value_error("this is no Control");
-    if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(told[0]),
-                              told[1].cast<std::string>(), own ? kBySomebody : Evidence::Inferred))
+    const auto reported = change.cast<py::tuple>();
+    if (reported.size() != 3) throw py::value_error("this is no Control");
+    if (auto wrong =
+            set_rule(*control, key.cast<std::string>(), rule_value(reported[0]),
+                     reported[1].cast<std::string>(), own ? kBySomebody : Evidence::Inferred))
       throw py::value_error(*wrong);
     std::vector<EntrySource> entries;
-    for (const auto& [entry, origin] : py::dict(told[2])) {
+    for (const auto& [entry, origin] : py::dict(reported[2])) {
       const auto pair = origin.cast<std::pair<std::string, std::string>>();
       entries.push_back({entry.cast<std::string>(), pair.first, evidence_of(pair.second)});
     }

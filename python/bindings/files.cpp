@@ -92,14 +92,14 @@ py::list read_found(const py::str& before, const py::list& names, std::size_t la
   for (const py::handle& name : names) paths.push_back(folder + system_name(name));
   std::vector<ReadFile> files = read_all(paths, {largest, true});
   py::list found;
-  Texts together;
+  Texts parallel_assign;
   const auto give = [&] {
-    if (!together.files.empty()) found.append(py::cast(std::exchange(together, {})));
+    if (!parallel_assign.files.empty()) found.append(py::cast(std::exchange(parallel_assign, {})));
   };
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string_view name = std::string_view(paths[i]).substr(folder.size());
     if (as_utf8 && files[i].fault == FileFault::None && files[i].utf8 && is_text(paths[i])) {
-      together.files.push_back({paths[i], stem_of(name), std::move(files[i].text), false});
+      parallel_assign.files.push_back({paths[i], stem_of(name), std::move(files[i].text), false});
       continue;
     }
     give();

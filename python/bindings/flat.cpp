@@ -56,7 +56,7 @@ py::object next(Flattening& self) {
   FlatOrigins origins;
   bool more = false;
   {
-    Away away;
+    GilRelease away;
     const auto interrupted = [] { return PyErr_CheckSignals() != 0; };
     more = run->next([&] { return away.ask(interrupted); }, text, origins);
   }

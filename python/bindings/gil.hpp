@@ -16,19 +16,19 @@ namespace cncsub::bindings {
 /// When Python ends, a thread of a daemon that wants the GIL back is ended on the spot: with glibc
 /// the stack is unwound as by an exception, through functions that throw none and with objects of
 /// Python in them. Such a thread sleeps here instead until the process is gone.
-class Away {
+class GilRelease {
  public:
-  Away() : state_(PyEval_SaveThread()) {}
-  Away(const Away&) = delete;
-  Away& operator=(const Away&) = delete;
-  ~Away() { come_back(); }
+  GilRelease() : state_(PyEval_SaveThread()) {}
+  GilRelease(const GilRelease&) = delete;
+  GilRelease& operator=(const GilRelease&) = delete;
+  ~GilRelease() { come_back(); }
 
   /// Takes the GIL for a question to Python.
   template <class Question>
   auto ask(Question&& question) {
     come_back();
     const struct Leave {
-      Away& away;
+      GilRelease& away;
       ~Leave() { away.state_ = PyEval_SaveThread(); }
     } leave{*this};
     return std::forward<Question>(question)();
@@ -51,7 +51,7 @@ class Away {
 template <class Job>
 void work_away(Job&& job) {
   {
-    Away away;
+    GilRelease away;
     InterruptCheck interrupt(
         [&away] { return away.ask([] { return PyErr_CheckSignals() != 0; }); });
     std::forward<Job>(job)(interrupt);

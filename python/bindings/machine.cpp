@@ -41,12 +41,12 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
                         code->name_of(program));
   const auto variables = options.variables;
   const auto watch = options.watch;
-  const Inputs around = options.inputs;
+  const Inputs inputs = options.inputs;
   auto live = std::make_shared<Live>(code, main, std::move(options));
   for (const auto& [number, value] : variables)
     if (auto fault = live->machine.write(number, 0, value))
       refuse("variables", "variables: " + fault->detail);
-  check_inputs(*code, around);
+  check_inputs(*code, inputs);
   check_watch(live->machine, watch);
   return live;
 }
@@ -57,7 +57,7 @@ template <class... Extent>
 void run_released(Machine& machine, const Extent&... extent) {
   std::optional<py::error_already_set> other;
   {
-    Away away;
+    GilRelease away;
     const auto interrupted = [&other] {
       if (PyErr_CheckSignals() == 0) return false;
       if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)

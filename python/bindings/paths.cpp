@@ -89,7 +89,7 @@ py::object thinned(const py::buffer& x, const py::buffer& y, const py::buffer& z
   const auto* const keys = numbers<std::int32_t>(of_key, count);
   const Array<std::uint8_t> keep(count);
   work_away([&](InterruptCheck& interrupt) {
-    thin(along_x, along_y, along_z, keys, count, tolerance, keep.data, &interrupt);
+    simplify(along_x, along_y, along_z, keys, count, tolerance, keep.data, &interrupt);
   });
   return keep.object.attr("view")("?");
 }

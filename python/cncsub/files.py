@@ -100,7 +100,7 @@ class Reading:
 def read_paths(
     paths: Sequence[StrPath],
     *,
-    beside: Sequence[StrPath] = (),
+    siblings: Sequence[StrPath] = (),
     encoding: str | None = None,
     without: StrPath | None = None,
 ) -> Reading:
@@ -118,7 +118,7 @@ def read_paths(
             reading.folders.add(_real(without))
             reading.left_out.add(_real(without))
         _read_path(path, encoding, reading)
-    for path in map(Path, beside):
+    for path in map(Path, siblings):
         folder = os.path.realpath(path.parent)
         fault = refused_entry(path, Path(folder))
         if fault is None:

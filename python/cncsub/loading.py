@@ -49,7 +49,7 @@ def load(
 
 def load_with(
     paths: Sequence[StrPath],
-    beside: Sequence[StrPath],
+    siblings: Sequence[StrPath],
     control: str | Control,
     external: StrPath | None = None,
     encoding: str | None = None,
@@ -60,7 +60,7 @@ def load_with(
     known = control_of(control)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
-    reading = read_paths(paths, beside=beside, encoding=encoding, without=external)
+    reading = read_paths(paths, siblings=siblings, encoding=encoding, without=external)
     names = reading.names
     outside, skipped = _external_files(external, encoding)
     rows = reading.rows(False) + outside

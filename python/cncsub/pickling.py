@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import ClassVar, NoReturn
 
 
-class Stays:
+class NotPicklable:
     """Something whose state lies in the engine: pickling it is a `TypeError` that tells what can be
     sent to another process instead.
     """

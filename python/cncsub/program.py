@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, overload
 
 from cncsub import _core
 from cncsub.files import clean
-from cncsub.pickling import Stays
+from cncsub.pickling import NotPicklable
 
 if TYPE_CHECKING:
     from cncsub.references import CallTo, JumpTo, References, VariableUse
@@ -98,7 +98,7 @@ class Block:
         return references_of(self._program.data, self._index)
 
 
-class Blocks(Stays, Sequence[Block]):
+class Blocks(NotPicklable, Sequence[Block]):
     """The blocks of a program, from 0."""
 
     _instead = "send the library"
@@ -134,7 +134,7 @@ def block_at(code: _core.Code, address: int) -> Block:
     return Program(code.program(program), program).blocks[index]
 
 
-class Program(Stays):
+class Program(NotPicklable):
     """One program of a library.
 
     >>> import cncsub

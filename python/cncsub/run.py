@@ -12,7 +12,7 @@ from cncsub import _core
 from cncsub._core import Alarm, Frame
 from cncsub.analysis import assertions
 from cncsub.controls import did_you_mean
-from cncsub.pickling import Stays
+from cncsub.pickling import NotPicklable
 from cncsub.program import Block, find_program
 from cncsub.tables.of_runs import Calls, Codes, Moves, Steps, Watch
 from cncsub.tables.rows import Dropped, MissedSkip, Step
@@ -67,7 +67,7 @@ class AlarmError(Exception):
         return AlarmError, (self.alarm,)
 
 
-class Recorded(Stays):
+class Recorded(NotPicklable):
     """What was recorded, in a run, by a machine so far, or in one part of a stream."""
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
@@ -176,7 +176,7 @@ class Recorded(Stays):
         return self.recorded.t_codes
 
 
-class State(Stays):
+class State(NotPicklable):
     """Where a machine stands."""
 
     def __init__(self, core: _core.Machine) -> None:

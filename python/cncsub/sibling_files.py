@@ -27,7 +27,7 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
     `load` takes the file and those beside it. They are files of a folder that was not named: what
     is left out of a folder, such as a link that leads out of it, is left out here.
     """
-    beside: dict[str, None] = {}
+    siblings: dict[str, None] = {}
     library = load([path], [])
     for _ in range(MOST_ROUNDS):
         found: dict[str, None] = {}
@@ -38,12 +38,12 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
                 for file, fault in files_named(folder, name, library)
                 if fault is None
             ]
-            if len(files) == 1 and files[0] not in beside:
+            if len(files) == 1 and files[0] not in siblings:
                 found[files[0]] = None
         if not found:
             break
-        beside |= found
-        library = load([path], list(beside))
+        siblings |= found
+        library = load([path], list(siblings))
     return library
 
 

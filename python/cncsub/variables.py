@@ -8,10 +8,10 @@ from typing import Any
 
 from cncsub import _core
 from cncsub.inputs import checked_variables
-from cncsub.pickling import Stays
+from cncsub.pickling import NotPicklable
 
 
-class Variables(Stays, Mapping[int, float | None]):
+class Variables(NotPicklable, Mapping[int, float | None]):
     """Variables by number: a mapping of those that hold a value. `variables[100]` of any other
     number that the control has is `None`, the vacant value.
 
@@ -139,7 +139,7 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         return MachineVariables(self._core, level)
 
 
-class Signals(Stays, MutableMapping[int, float]):
+class Signals(NotPicklable, MutableMapping[int, float]):
     """The interface inputs of a machine by variable number, to read and to set. One that nobody set
     is 0; iteration tells those that were set.
 

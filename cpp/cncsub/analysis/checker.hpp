@@ -139,13 +139,13 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
   look(block);
   if (block.op == Op::IfThen)
     each_variant(code, code.variants[code.statements[block.aux].then], look);
-  if (block.op == Op::Choose) {
-    const Variant& variant = code.choices[block.aux];
+  if (block.op == Op::Select) {
+    const Select& variant = code.selects[block.aux];
     each_variant(code, code.variants[variant.first], look);
     if (variant.address == 0) each_variant(code, code.variants[variant.second], look);
   }
-  if (block.op == Op::Together && code.together[block.aux].words != Labelled::kNone)
-    each_variant(code, code.variants[code.together[block.aux].words], look);
+  if (block.op == Op::ParallelAssign && code.parallel_assigns[block.aux].words != OWord::kNone)
+    each_variant(code, code.variants[code.parallel_assigns[block.aux].words], look);
 }
 
 /// Whether a block, or one that it may be, calls with the locals of its program.
@@ -161,8 +161,8 @@ int plain_code(const Checker& c, const Block& block);
 
 /// Whether a program that begins at a block is one of a label, which endsub and return end.
 inline bool begins_with_label(const Code& code, Address first) {
-  return code.blocks[first].op == Op::Labelled &&
-         code.labelled[code.blocks[first].aux].kind == LabelledKind::Sub;
+  return code.blocks[first].op == Op::OWord &&
+         code.o_words[code.blocks[first].aux].kind == OWordKind::Sub;
 }
 
 /// Whether a program that nothing else ends has G99 alone as its last block, which means M99.

@@ -119,7 +119,7 @@ class CountingCheck {
   /// A loop from one block up to another, which asks in a third whether it goes on.
   void loop(Address at, std::uint32_t expression, Address from, Address to);
   /// A while of a language of labels, and the end that it has.
-  void labelled(Address at);
+  void o_word(Address at);
   /// A loop that a jump back closes, and that blocks in it leave where a condition holds.
   void leaving(Address from, Address to);
   bool assigns(Address at, const Counter& counter) const;
@@ -261,19 +261,19 @@ void CountingCheck::ask(Address at, const Asked& asked, const Expression& writte
   const auto begins = start(asked.counter, head);
   const auto limit = value(asked.limit, head, to);
   const std::string sums = "the control adds up fractions that it holds in binary: ";
-  std::string told;
+  std::string reported;
   if (limit && begins) {
     const auto real = passes(asked.op, *limit, *begins, *by, 0);
     const auto meant = passes(asked.op, *limit, *begins, *by, kDigits);
     if (!meant || real == meant) return;
-    told = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
-                              std::to_string(*meant) + " are written"
-                        : "the counter never has this value, and the loop never ends");
+    reported = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
+                                  std::to_string(*meant) + " are written"
+                            : "the counter never has this value, and the loop never ends");
   } else if (asked.op == Ins::NotEqual) {
-    told = sums + "the counter may never have this value, and the loop never ends";
+    reported = sums + "the counter may never have this value, and the loop never ends";
   }
-  if (told.empty()) return;
-  c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(told));
+  if (reported.empty()) return;
+  c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(reported));
 }
 
 /// The blocks of the loop that the block at `at` begins, or closes with a jump back; empty where it
@@ -289,26 +289,24 @@ CountingCheck::Body CountingCheck::body(Address at) const {
   return target < flow_.first() ? Body{} : Body{target, at};
 }
 
-void CountingCheck::labelled(Address at) {
-  const Labelled& own = c_.code.labelled[c_.code.blocks[at].aux];
-  if (own.kind == LabelledKind::Sub || own.kind == LabelledKind::Head ||
-      own.kind == LabelledKind::EndSub)
+void CountingCheck::o_word(Address at) {
+  const OWord& own = c_.code.o_words[c_.code.blocks[at].aux];
+  if (own.kind == OWordKind::Sub || own.kind == OWordKind::Head || own.kind == OWordKind::EndSub)
     open_.clear();  // a label means something in its subprogram
-  const auto kind_of = [&](Address of) { return c_.code.labelled[c_.code.blocks[of].aux].kind; };
-  const bool ends = own.kind == LabelledKind::While || own.kind == LabelledKind::EndWhile;
+  const auto kind_of = [&](Address of) { return c_.code.o_words[c_.code.blocks[of].aux].kind; };
+  const bool ends = own.kind == OWordKind::While || own.kind == OWordKind::EndWhile;
   const auto begun = ends ? open_.find(own.label) : open_.end();
   if (begun == open_.end()) {
-    if (own.kind == LabelledKind::While || own.kind == LabelledKind::Do) open_[own.label] = at;
+    if (own.kind == OWordKind::While || own.kind == OWordKind::Do) open_[own.label] = at;
     return;
   }
   const Address from = begun->second;
-  const bool of_do = kind_of(from) == LabelledKind::Do;
+  const bool of_do = kind_of(from) == OWordKind::Do;
   const Address asks = of_do ? at : from;
-  const std::uint32_t value = c_.code.labelled[c_.code.blocks[asks].aux].value;
+  const std::uint32_t value = c_.code.o_words[c_.code.blocks[asks].aux].value;
   looked_at_ += at - from;
   open_.erase(begun);
-  if (of_do == (own.kind == LabelledKind::While) && value != Labelled::kNone)
-    loop(asks, value, from, at);
+  if (of_do == (own.kind == OWordKind::While) && value != OWord::kNone) loop(asks, value, from, at);
 }
 
 /// Check the loops of the program. Loops inside loops are gone over again: a bound keeps the work
@@ -318,7 +316,7 @@ void CountingCheck::run() {
   for (Address at = flow_.first(); at < flow_.last() && !c_.over(); ++at) {
     const Block& block = c_.code.blocks[at];
     if (looked_at_ > most) return;
-    if (block.op == Op::Labelled) labelled(at);
+    if (block.op == Op::OWord) o_word(at);
     const Body of = body(at);
     if (of.from >= of.to) continue;
     looked_at_ += of.to - of.from;

@@ -62,29 +62,29 @@ struct OpenLabels {
   std::unordered_map<std::uint32_t, Address> loops;
   std::unordered_map<std::uint32_t, Address> dos;
 
-  Branch meet(const Labelled& own, Address at, std::unordered_map<Address, Address>& ends) {
+  Branch meet(const OWord& own, Address at, std::unordered_map<Address, Address>& ends) {
     switch (own.kind) {
-      case LabelledKind::If:
+      case OWordKind::If:
         return Branch::If;
-      case LabelledKind::ElseIf:
+      case OWordKind::ElseIf:
         return Branch::ElseIf;
-      case LabelledKind::Do:
+      case OWordKind::Do:
         dos[own.label] = at;
         return Branch::None;
-      case LabelledKind::While:
+      case OWordKind::While:
         if (dos.erase(own.label) != 0) return Branch::DoWhile;
         loops[own.label] = at;
         return Branch::While;
-      case LabelledKind::Repeat:
+      case OWordKind::Repeat:
         loops[own.label] = at;
         return Branch::Repeat;
-      case LabelledKind::EndWhile:
-      case LabelledKind::EndRepeat:
+      case OWordKind::EndWhile:
+      case OWordKind::EndRepeat:
         if (const auto found = loops.find(own.label); found != loops.end())
           ends[found->second] = at;
         return Branch::None;
-      case LabelledKind::Sub:
-      case LabelledKind::Head:
+      case OWordKind::Sub:
+      case OWordKind::Head:
         *this = {};
         return Branch::None;
       default:
@@ -196,10 +196,10 @@ class Skips {
       case Op::If:
       case Op::Else:
       case Op::EndDo:
-      case Op::Labelled:
+      case Op::OWord:
       case Op::IfThen:
-      case Op::Choose:
-      case Op::Together:
+      case Op::Select:
+      case Op::ParallelAssign:
         return last_.address < step.address ? last_.address + 1 : step.address;
       default:
         return last_.address + 1;
@@ -260,9 +260,9 @@ Branches::Branches(const Code& code) : of(code.blocks.size(), Branch::None) {
   for (Address a = 0; a < code.blocks.size(); ++a) {
     const Block* block = &code.blocks[a];
     // What stands behind a skip mark inside the block makes it no other statement.
-    if (block->op == Op::Choose) block = &code.variants[code.choices[block->aux].first];
-    if (block->op == Op::Labelled) {
-      of[a] = labels.meet(code.labelled[block->aux], a, ends);
+    if (block->op == Op::Select) block = &code.variants[code.selects[block->aux].first];
+    if (block->op == Op::OWord) {
+      of[a] = labels.meet(code.o_words[block->aux], a, ends);
     } else {
       of[a] = branch_of(code, *block);
       if (block->op == Op::While) ends[a] = code.statements[block->aux].end;

@@ -7,13 +7,13 @@
 
 namespace cncsub {
 
-std::string_view to_string(Way way) {
-  switch (way) {
-    case Way::Jump:
+std::string_view to_string(ExitKind kind) {
+  switch (kind) {
+    case ExitKind::Jump:
       return "jump";
-    case Way::Computed:
+    case ExitKind::Computed:
       return "computed";
-    case Way::Returned:
+    case ExitKind::Returned:
       return "returned";
     default:
       return "next";
@@ -36,18 +36,18 @@ class FlowReader {
 
  private:
   void variant(const Block& block);
-  void next() { exit(at_ + 1, Way::Next); }
-  void exit(Address to, Way way);
+  void next() { exit(at_ + 1, ExitKind::Next); }
+  void exit(Address to, ExitKind kind);
   void mark(std::uint8_t mark) { marks_ = static_cast<std::uint8_t>(marks_ | mark); }
   void jump(const Operand& number);
   void go_to(const Statement& statement);
   void back(const CallRecord& record);
   void call(const Block& block);
   void h_code(const HCode& h);
-  void labelled(const Block& block, const Labelled& own);
-  void call_label(const Block& block, const Labelled& own);
-  bool passes_over(const Labelled& own);
-  void choose(const Variant& choice);
+  void o_word(const Block& block, const OWord& own);
+  void call_label(const Block& block, const OWord& own);
+  bool passes_over(const OWord& own);
+  void select(const Select& choice);
   void words_call_or_assignment(const Block& block);
   void words(const Block& block);
   bool raises_alarm(const Statement& statement) const;
@@ -60,25 +60,25 @@ class FlowReader {
   std::vector<Exit> found_;
 };
 
-void FlowReader::exit(Address to, Way way) {
+void FlowReader::exit(Address to, ExitKind kind) {
   if (to == kNowhere || to < to_.first_ || to > to_.anywhere()) return;
   const bool known = std::any_of(found_.begin(), found_.end(),
-                                 [&](const Exit& of) { return of.to == to && of.way <= way; });
-  if (!known) found_.push_back({to, way});
+                                 [&](const Exit& of) { return of.to == to && of.kind <= kind; });
+  if (!known) found_.push_back({to, kind});
 }
 
 /// A jump to the block of a number; where it is computed, to any that has one.
 void FlowReader::jump(const Operand& number) {
   if (number.kind != Operand::Kind::Expression) {
-    exit(code_.jump_target(program_, to_whole<std::int64_t>(number.value), at_), Way::Jump);
+    exit(code_.jump_target(program_, to_whole<std::int64_t>(number.value), at_), ExitKind::Jump);
     return;
   }
-  exit(to_.anywhere(), Way::Computed);
+  exit(to_.anywhere(), ExitKind::Computed);
 }
 
 void FlowReader::go_to(const Statement& statement) {
   if (statement.number >= 0 || statement.to != kNowhere) {
-    exit(statement.to, Way::Jump);
+    exit(statement.to, ExitKind::Jump);
     return;
   }
   Operand computed;
@@ -113,7 +113,7 @@ void FlowReader::call(const Block& block) {
   }
   const Target& target = record.target;
   if (target.skipped) return next();
-  if (target.jump) return exit(target.start, Way::Jump);
+  if (target.jump) return exit(target.start, ExitKind::Jump);
   next();
   to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
   if (target.program == to_.program_) to_.entries_.push_back(target.start);
@@ -129,7 +129,7 @@ void FlowReader::h_code(const HCode& h) {
 
 /// A call of a subprogram that has a label, or of a file of that name. What stands in a subprogram
 /// is told by its own flow.
-void FlowReader::call_label(const Block& block, const Labelled& own) {
+void FlowReader::call_label(const Block& block, const OWord& own) {
   mark(ProgramFlow::kCallsComputed);
   if (code_.program_at(at_) != to_.program_) return;
   for (const CallReference& call : references_of(code_, block, to_.program_).calls)
@@ -140,40 +140,40 @@ void FlowReader::call_label(const Block& block, const Labelled& own) {
 
 /// The head of a subprogram, which the program that it stands in passes over; false where nobody
 /// knows how far.
-bool FlowReader::passes_over(const Labelled& own) {
+bool FlowReader::passes_over(const OWord& own) {
   if (code_.program_at(at_) == to_.program_) return false;
-  const Labelled* at = &own;
+  const OWord* at = &own;
   Address end = at_;
-  while (at->kind != LabelledKind::EndSub) {  // past each return
-    if (at->next == Labelled::kNone || at->next >= to_.last_ || at->next <= end) return false;
+  while (at->kind != OWordKind::EndSub) {  // past each return
+    if (at->next == OWord::kNone || at->next >= to_.last_ || at->next <= end) return false;
     end = at->next;
-    if (code_.blocks[end].op != Op::Labelled) return false;
-    at = &code_.labelled[code_.blocks[end].aux];
+    if (code_.blocks[end].op != Op::OWord) return false;
+    at = &code_.o_words[code_.blocks[end].aux];
   }
   to_.entries_.push_back(at_ + 1);
-  exit(end + 1, Way::Jump);
+  exit(end + 1, ExitKind::Jump);
   return true;
 }
 
 /// What a label leads to is found while it runs: both ways count.
-void FlowReader::labelled(const Block& block, const Labelled& own) {
+void FlowReader::o_word(const Block& block, const OWord& own) {
   mark(ProgramFlow::kLabels);
   switch (own.kind) {
-    case LabelledKind::Sub:
+    case OWordKind::Sub:
       if (passes_over(own)) return;
       to_.entries_.push_back(at_);
       break;
-    case LabelledKind::Head:  // a call may lead there from anywhere
+    case OWordKind::Head:  // a call may lead there from anywhere
       to_.entries_.push_back(at_);
       break;
-    case LabelledKind::EndSub:
+    case OWordKind::EndSub:
       return mark(ProgramFlow::kReturns);
-    case LabelledKind::Return:
-    case LabelledKind::Back:
+    case OWordKind::Return:
+    case OWordKind::Back:
       mark(ProgramFlow::kReturns);
       break;
-    case LabelledKind::Call:
-    case LabelledKind::Call98:
+    case OWordKind::Call:
+    case OWordKind::Call98:
       call_label(block, own);
       break;
     default:
@@ -182,9 +182,9 @@ void FlowReader::labelled(const Block& block, const Labelled& own) {
   next();
   // The head of the program that is looked at is entered, not passed over.
   const bool entered =
-      own.kind == LabelledKind::Sub && at_ == to_.first_ && code_.program_at(at_) == to_.program_;
-  const bool known = own.next != Labelled::kNone && own.next < to_.last_;
-  if (known && !entered) exit(own.next, Way::Jump);
+      own.kind == OWordKind::Sub && at_ == to_.first_ && code_.program_at(at_) == to_.program_;
+  const bool known = own.next != OWord::kNone && own.next < to_.last_;
+  if (known && !entered) exit(own.next, ExitKind::Jump);
 }
 
 void FlowReader::variant(const Block& block) {
@@ -204,10 +204,10 @@ void FlowReader::variant(const Block& block) {
     case Op::If:
     case Op::While:
       next();
-      return exit(statement().to, Way::Jump);
+      return exit(statement().to, ExitKind::Jump);
     case Op::Else:
     case Op::EndDo:
-      return exit(statement().to, Way::Jump);
+      return exit(statement().to, ExitKind::Jump);
     case Op::IfThen:
       next();
       return variant(code_.variants[statement().then]);
@@ -216,11 +216,11 @@ void FlowReader::variant(const Block& block) {
       return jump(code_.jumps[block.aux].p);
     case Op::HCode:
       return h_code(code_.h_codes[block.aux]);
-    case Op::Choose:
-      return choose(code_.choices[block.aux]);
-    case Op::Together:
-      if (code_.together[block.aux].words == Labelled::kNone) return next();
-      return variant(code_.variants[code_.together[block.aux].words]);
+    case Op::Select:
+      return select(code_.selects[block.aux]);
+    case Op::ParallelAssign:
+      if (code_.parallel_assigns[block.aux].words == OWord::kNone) return next();
+      return variant(code_.variants[code_.parallel_assigns[block.aux].words]);
     default:
       return words_call_or_assignment(block);
   }
@@ -228,7 +228,7 @@ void FlowReader::variant(const Block& block) {
 
 /// The two blocks that one may be. A code that calls is a fault only where no code calls, and that
 /// might not have been a call of another program.
-void FlowReader::choose(const Variant& choice) {
+void FlowReader::select(const Select& choice) {
   variant(code_.variants[choice.first]);
   const Block& second = code_.variants[choice.second];
   if (choice.address != 0 && second.op == Op::Fault) return next();
@@ -241,8 +241,8 @@ void FlowReader::words_call_or_assignment(const Block& block) {
     case Op::MacroCall:
     case Op::ModalCall:
       return call(block);
-    case Op::Labelled:
-      return labelled(block, code_.labelled[block.aux]);
+    case Op::OWord:
+      return o_word(block, code_.o_words[block.aux]);
     case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
       mark(ProgramFlow::kCallsComputed);
       return next();
@@ -268,7 +268,7 @@ void FlowReader::words(const Block& block) {
   const Roles& roles = code_.control->calls.roles.value;
   const CodeList codes = block.m_count > 0 ? code_.codes_of(block) : CodeList{};
   for (const int code : codes.m())
-    if (roles.of_m(code) == Role::StartOver) return exit(to_.first_, Way::Jump);
+    if (roles.of_m(code) == Role::StartOver) return exit(to_.first_, ExitKind::Jump);
   next();
 }
 
@@ -301,7 +301,7 @@ ProgramFlow::ProgramFlow(const Code& code, std::int32_t program, InterruptCheck&
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));
   for (std::uint32_t i = own.first_entry; i < own.last_entry; ++i)
     if (code.sequence[i].address < last_)
-      exits_.push_back({code.sequence[i].address, Way::Computed});
+      exits_.push_back({code.sequence[i].address, ExitKind::Computed});
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));
   marks_.insert(marks_.end(), 2, 0);
 }

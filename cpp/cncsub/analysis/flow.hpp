@@ -14,17 +14,17 @@
 namespace cncsub {
 
 /// Why one block follows another.
-enum class Way : std::uint8_t {
+enum class ExitKind : std::uint8_t {
   Next,      // the block behind it
   Jump,      // GOTO, M97, a branch or a loop
   Computed,  // a jump whose number is computed: every block with a number may be meant
   Returned   // M99 P of a program that the block calls
 };
-std::string_view to_string(Way way);
+std::string_view to_string(ExitKind kind);
 
 struct Exit {
   Address to = kNowhere;
-  Way way = Way::Next;
+  ExitKind kind = ExitKind::Next;
 };
 
 /// Whether a call says something that is known only when it runs.

@@ -45,12 +45,12 @@ void CallWays::add(const CallEdge& edge) {
     entries.push_back(edge.start);
   if (numbers.empty()) return;
   if (numbers.size() > kManyReturns || added_ > kMostWays)
-    return caller.add(edge.from, {caller.anywhere(), Way::Returned});
+    return caller.add(edge.from, {caller.anywhere(), ExitKind::Returned});
   const Program& program = code_.programs[static_cast<std::size_t>(edge.caller)];
   added_ += numbers.size();
   for (const std::int64_t n : numbers) {
     const Address found = n < 0 ? caller.anywhere() : code_.return_target(program, n, edge.from);
-    if (found != kNowhere) caller.add(edge.from, {found, Way::Returned});
+    if (found != kNowhere) caller.add(edge.from, {found, ExitKind::Returned});
   }
 }
 
@@ -58,11 +58,11 @@ void CallWays::add(const CallEdge& edge) {
 void add_main(const Code& code, ProgramFlow& flow) {
   if (code.control->calls.main_return.value != MainReturn::Restarts) return;
   for (Address at = flow.first(); at < flow.last(); ++at)
-    if (flow.returns(at)) flow.add(at, {flow.first(), Way::Jump});
+    if (flow.returns(at)) flow.add(at, {flow.first(), ExitKind::Jump});
   const Program& program = code.programs[static_cast<std::size_t>(flow.program())];
   for (const ProgramFlow::ReturnTo& to : flow.return_numbers()) {
     const Address found = to.n < 0 ? flow.anywhere() : code.first_of(program, to.n);
-    if (found != kNowhere) flow.add(to.from, {found, Way::Jump});
+    if (found != kNowhere) flow.add(to.from, {found, ExitKind::Jump});
   }
 }
 

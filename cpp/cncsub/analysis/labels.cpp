@@ -14,30 +14,30 @@ namespace cncsub {
 namespace {
 
 /// What ends a statement, the statement itself where nothing has to.
-LabelledKind end_of(LabelledKind kind) {
+OWordKind end_of(OWordKind kind) {
   switch (kind) {
-    case LabelledKind::If:
-      return LabelledKind::EndIf;
-    case LabelledKind::While:
-      return LabelledKind::EndWhile;
-    case LabelledKind::Do:
-      return LabelledKind::While;
-    case LabelledKind::Repeat:
-      return LabelledKind::EndRepeat;
+    case OWordKind::If:
+      return OWordKind::EndIf;
+    case OWordKind::While:
+      return OWordKind::EndWhile;
+    case OWordKind::Do:
+      return OWordKind::While;
+    case OWordKind::Repeat:
+      return OWordKind::EndRepeat;
     default:
       return kind;
   }
 }
 
-bool begins(LabelledKind kind) { return end_of(kind) != kind; }
+bool begins(OWordKind kind) { return end_of(kind) != kind; }
 
-const char* word_of(LabelledKind kind) {
+const char* word_of(OWordKind kind) {
   switch (kind) {
-    case LabelledKind::EndIf:
+    case OWordKind::EndIf:
       return "endif";
-    case LabelledKind::EndWhile:
+    case OWordKind::EndWhile:
       return "endwhile";
-    case LabelledKind::EndRepeat:
+    case OWordKind::EndRepeat:
       return "endrepeat";
     default:
       return "while";
@@ -54,16 +54,16 @@ class LabelCheck {
   using Key = std::pair<std::uint32_t, std::uint32_t>;  // subprogram, label
 
   void look_ahead();
-  void head(Address at, const Labelled& own);
-  void end_sub(Address at, const Labelled& own);
+  void head(Address at, const OWord& own);
+  void end_sub(Address at, const OWord& own);
   void never_ended();
   bool ends_later(Address at) const;
   void breaks(const std::vector<Address>& all);
   void statements(const std::vector<Address>& all);
   void crossings(std::uint32_t sub);
   std::string refused_label(Address at) const;
-  const Labelled& labelled(Address at) const { return c_.code.labelled[c_.code.blocks[at].aux]; }
-  TextPlace place(Address at) const { return {labelled(at).at, labelled(at).width}; }
+  const OWord& o_word(Address at) const { return c_.code.o_words[c_.code.blocks[at].aux]; }
+  TextPlace place(Address at) const { return {o_word(at).at, o_word(at).width}; }
 
   Checker& c_;
   const ProgramFlow& flow_;
@@ -75,7 +75,7 @@ class LabelCheck {
   std::map<Key, std::vector<Address>> statements_;
 };
 
-void LabelCheck::head(Address at, const Labelled& own) {
+void LabelCheck::head(Address at, const OWord& own) {
   const auto [first, added] = heads_.try_emplace(own.label, at);
   if (!added)
     c_.found(Check::Duplicate, at, place(at),
@@ -86,18 +86,18 @@ void LabelCheck::head(Address at, const Labelled& own) {
     c_.found(Check::SubInSub, at, place(at),
              "the subprogram of line " + std::to_string(c_.code.blocks[open_.back()].line) +
                  " has not ended");
-  if (own.kind == LabelledKind::Sub) open_.push_back(at);
+  if (own.kind == OWordKind::Sub) open_.push_back(at);
 }
 
 /// Whether the innermost open subprogram ends behind a block.
 bool LabelCheck::ends_later(Address at) const {
-  const auto end = last_ends_.find(labelled(open_.back()).label);
+  const auto end = last_ends_.find(o_word(open_.back()).label);
   return end != last_ends_.end() && end->second > at;
 }
 
-void LabelCheck::end_sub(Address at, const Labelled& own) {
+void LabelCheck::end_sub(Address at, const OWord& own) {
   const auto ended = std::find_if(open_.rbegin(), open_.rend(),
-                                  [&](Address head) { return labelled(head).label == own.label; });
+                                  [&](Address head) { return o_word(head).label == own.label; });
   if (ended == open_.rend()) {
     c_.found(Check::LoopUnclosed, at, place(at), "no sub before it has this label");
     return;
@@ -140,26 +140,26 @@ std::string LabelCheck::refused_label(Address at) const {
 void LabelCheck::look_ahead() {
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     if (std::string label = refused_label(at); !label.empty()) refused_.insert(std::move(label));
-    if (c_.code.blocks[at].op != Op::Labelled) continue;
-    if (labelled(at).kind == LabelledKind::EndSub) last_ends_[labelled(at).label] = at;
-    if (labelled(at).kind == LabelledKind::Do) last_do_ = at;
+    if (c_.code.blocks[at].op != Op::OWord) continue;
+    if (o_word(at).kind == OWordKind::EndSub) last_ends_[o_word(at).label] = at;
+    if (o_word(at).kind == OWordKind::Do) last_do_ = at;
   }
 }
 
 void LabelCheck::run() {
   look_ahead();
-  std::uint32_t sub = Labelled::kNone;
+  std::uint32_t sub = OWord::kNone;
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
-    if (c_.code.blocks[at].op != Op::Labelled) continue;
-    const Labelled& own = labelled(at);
-    if (own.label == Labelled::kNone) continue;
-    if (own.kind == LabelledKind::Sub || own.kind == LabelledKind::Head) {
+    if (c_.code.blocks[at].op != Op::OWord) continue;
+    const OWord& own = o_word(at);
+    if (own.label == OWord::kNone) continue;
+    if (own.kind == OWordKind::Sub || own.kind == OWordKind::Head) {
       head(at, own);
       sub = own.label;
-    } else if (own.kind == LabelledKind::EndSub) {
+    } else if (own.kind == OWordKind::EndSub) {
       end_sub(at, own);
-      sub = Labelled::kNone;
-    } else if (own.kind >= LabelledKind::If) {
+      sub = OWord::kNone;
+    } else if (own.kind >= OWordKind::If) {
       statements_[{sub, own.label}].push_back(at);
     }
   }
@@ -176,9 +176,9 @@ void LabelCheck::run() {
 
 /// A break out of a while loop, of which the next do loop hears.
 void LabelCheck::breaks(const std::vector<Address>& all) {
-  if (labelled(all.front()).kind != LabelledKind::While || last_do_ == kNowhere) return;
+  if (o_word(all.front()).kind != OWordKind::While || last_do_ == kNowhere) return;
   for (const Address at : all)
-    if (labelled(at).kind == LabelledKind::Break && at < last_do_)
+    if (o_word(at).kind == OWordKind::Break && at < last_do_)
       c_.found(Check::BreakLeftOver, at, place(at),
                "a do loop behind it, as that of line " +
                    std::to_string(c_.code.blocks[last_do_].line) + ", ends after its first pass");
@@ -191,8 +191,8 @@ void LabelCheck::crossings(std::uint32_t sub) {
        at != statements_.end() && at->first.first == sub; ++at) {
     Address open = kNowhere;
     for (const Address each : at->second) {
-      const LabelledKind kind = labelled(each).kind;
-      if (open != kNowhere && kind == end_of(labelled(open).kind)) {
+      const OWordKind kind = o_word(each).kind;
+      if (open != kNowhere && kind == end_of(o_word(open).kind)) {
         from_to.emplace_back(open, each);
         open = kNowhere;
       } else if (begins(kind)) {
@@ -215,21 +215,21 @@ void LabelCheck::crossings(std::uint32_t sub) {
 
 /// Those of one label in one subprogram, in their order.
 void LabelCheck::statements(const std::vector<Address>& all) {
-  LabelledKind open = LabelledKind::Sub;  // none
+  OWordKind open = OWordKind::Sub;  // none
   for (const Address at : all) {
-    const LabelledKind kind = labelled(at).kind;
-    const bool of_do = open == LabelledKind::Do && kind == LabelledKind::While;
+    const OWordKind kind = o_word(at).kind;
+    const bool of_do = open == OWordKind::Do && kind == OWordKind::While;
     if (begins(kind) && !of_do) open = kind;
-    if (open != LabelledKind::Sub) continue;
-    Fault fault{Cause::LabelNotFound, labelled(at).at, labelled(at).width,
+    if (open != OWordKind::Sub) continue;
+    Fault fault{Cause::LabelNotFound, o_word(at).at, o_word(at).width,
                 "no statement before it has this label"};
     c_.refused(Check::LoopUnclosed, at, std::move(fault));
     return;
   }
-  const Labelled& first = labelled(all.front());
-  const LabelledKind end = end_of(first.kind);
+  const OWord& first = o_word(all.front());
+  const OWordKind end = end_of(first.kind);
   for (const Address at : all)
-    if (labelled(at).kind == end) return;
+    if (o_word(at).kind == end) return;
   c_.found(Check::LoopUnclosed, all.front(), place(all.front()),
            "no " + std::string(word_of(end)) + " behind it has this label");
 }

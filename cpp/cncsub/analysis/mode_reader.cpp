@@ -80,7 +80,7 @@ Modes ModeReader::set_by(int g, const Block& block) const {
 
 /// A computed code puts back what was found, as it is written to do: `G#3` behind `#3=#4003`; so
 /// does M72.
-void ModeReader::take_back(Modes& modes, const Block& block, bool sometimes) const {
+void ModeReader::restore(Modes& modes, const Block& block, bool sometimes) const {
   if (block.g_count != 0 && (block.flags & Block::kCodeExpression) != 0)
     put(modes, all(kFound), sometimes);
   each_m(c_.code, block, [&](int m) {
@@ -104,14 +104,14 @@ bool ModeReader::keeps(const ProgramFlow& flow) const {
 Modes ModeReader::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
   Modes modes = before;
-  const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Choose;
+  const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Select;
   each_variant(c_.code, block, [&](const Block& each) {
     const bool plain = each.op == Op::Linear || each.op == Op::Arc;
     if (plain && (each.flags & Block::kNoG) == 0)
       put(modes, set_by(Meaning::Line, Group::Motion), sometimes);
     if (plain) return;
     each_g(c_.code, each, [&](int g) { put(modes, set_by(g, each), sometimes); });
-    take_back(modes, each, sometimes);
+    restore(modes, each, sometimes);
     if (each.op == Op::ModalCall) put(modes, of(Macro, kOther), sometimes);
     if (each.op == Op::CancelModal) put(modes, of(Macro, kUsual), sometimes);
   });

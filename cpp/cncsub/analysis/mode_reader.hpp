@@ -101,7 +101,7 @@ class ModeReader {
   static std::vector<Meant> meant(bool lathe);
   Modes set_by(Meaning meaning, Group group) const;
   Modes set_by(int g, const Block& block) const;
-  void take_back(Modes& modes, const Block& block, bool sometimes) const;
+  void restore(Modes& modes, const Block& block, bool sometimes) const;
 
   const Checker& c_;
   std::vector<Meant> meant_;

@@ -37,7 +37,7 @@ class ModeCheck {
   void leaks(const ProgramFlow& flow);
   void leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
             const std::vector<std::uint32_t>& moving,
-            std::set<std::tuple<std::int32_t, int>>& told);
+            std::set<std::tuple<std::int32_t, int>>& reported);
 
   Checker& c_;
   ModeReader modes_;
@@ -222,7 +222,7 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
   const std::vector<Modes>& before = before_[static_cast<std::size_t>(flow.program())];
   std::map<std::int32_t, std::vector<Modes>> without;  // a called program, in a loop
   std::vector<std::uint32_t> moving;
-  std::set<std::tuple<std::int32_t, int>> told;
+  std::set<std::tuple<std::int32_t, int>> reported;
   for (const CallEdge& edge : flow.calls()) {
     if (c_.over()) return;
     const Modes left = left_[static_cast<std::size_t>(edge.called)];
@@ -238,14 +238,14 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
       }
       found = &own;
     }
-    leak(flow, edge, modes_.after((*found)[edge.from - flow.first()], edge.from), moving, told);
+    leak(flow, edge, modes_.after((*found)[edge.from - flow.first()], edge.from), moving, reported);
   }
 }
 
 /// What one call leaves on that its caller had not: told where it is called first.
 void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
                      const std::vector<std::uint32_t>& moving,
-                     std::set<std::tuple<std::int32_t, int>>& told) {
+                     std::set<std::tuple<std::int32_t, int>>& reported) {
   const Modes left = left_[static_cast<std::size_t>(edge.called)];
   std::uint32_t with = 0;  // the modes with which what stands behind the call moves
   for (const Exit* exit = flow.begin(edge.from); exit != flow.end(edge.from); ++exit)
@@ -253,7 +253,7 @@ void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
   for (int mode = 0; mode < kModes; ++mode) {
     const Modes leak = value(left, mode) & counted(mode) & ~value(own, mode);
     if (leak == 0 || (with >> mode & 1) == 0 || (value(own, mode) & kFound) != 0 ||
-        !told.insert({edge.called, mode}).second)
+        !reported.insert({edge.called, mode}).second)
       continue;
     const CallRecord& record = c_.code.calls[edge.record];
     const TextPlace place{record.at, record.width};

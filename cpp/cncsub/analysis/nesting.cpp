@@ -30,7 +30,7 @@ void check_self_calls(Checker& c) {
     for (const CallEdge& edge : flow.calls()) {
       if (c.over()) return;
       const Block& block = c.code.blocks[edge.from];
-      const bool code = block.op == Op::Choose && c.code.choices[block.aux].address != 0;
+      const bool code = block.op == Op::Select && c.code.selects[block.aux].address != 0;
       if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
       std::string names = c.code.name_of(edge.called);
@@ -122,7 +122,7 @@ class CallOrder {
         groups_(tree.groups()),
         state_(tree.size(), Walked::New),
         times_open_(c.flows.size(), 0),
-        told_(c.code.blocks.size() + 1, false) {
+        reported_(c.code.blocks.size() + 1, false) {
     for (std::size_t i = 0; i < state_.size(); ++i)
       if (state_[i] == Walked::New) walk(i);
     std::reverse(order_.begin(), order_.end());
@@ -160,7 +160,7 @@ class CallOrder {
   std::vector<Open> open_;
   std::vector<std::size_t> order_;
   std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
-  std::vector<bool> told_;  // blocks
+  std::vector<bool> reported_;  // blocks
   std::size_t looked_at_ = 0;
 };
 
@@ -189,9 +189,9 @@ bool CallOrder::is_avoided(const Open& open) {
 
 /// Whether something was told of a block before.
 bool CallOrder::is_told(Address at) {
-  const bool told = told_[at];
-  told_[at] = true;
-  return told;
+  const bool reported = reported_[at];
+  reported_[at] = true;
+  return reported;
 }
 
 /// What is open from a place on: its names, but for those in the middle of a long circle, and the
@@ -201,11 +201,11 @@ void CallOrder::circle_from(std::vector<Open>::const_iterator first, std::string
   const auto count = static_cast<std::size_t>(open_.end() - first);
   for (std::size_t i = 0; i < count; ++i) {
     const Open& at = *(first + static_cast<std::ptrdiff_t>(i));
-    const bool told = count <= kMostNamed || i < kMostNamed / 2 || i + kMostNamed / 2 >= count;
-    if (told) names += name(at.place) + " > ";
-    if (!told && i == kMostNamed / 2)
+    const bool reported = count <= kMostNamed || i < kMostNamed / 2 || i + kMostNamed / 2 >= count;
+    if (reported) names += name(at.place) + " > ";
+    if (!reported && i == kMostNamed / 2)
       names += "... " + std::to_string(count - kMostNamed) + " more ... > ";
-    if (told && i + 1 < count) path.push_back(tree_.calls(at.place)[at.call - 1].edge->from);
+    if (reported && i + 1 < count) path.push_back(tree_.calls(at.place)[at.call - 1].edge->from);
   }
 }
 
@@ -214,7 +214,7 @@ void CallOrder::circle(const CallTree::Call& call) {
   closing_.emplace_back(open_.back().place, &edge);
   // A code does not call in the program that it calls.
   const Block& block = c_.code.blocks[edge.from];
-  const bool code = block.op == Op::Choose && c_.code.choices[block.aux].address != 0;
+  const bool code = block.op == Op::Select && c_.code.selects[block.aux].address != 0;
   // A call of the own program without what it drops, such as where it begins.
   const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
   if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
@@ -300,7 +300,7 @@ class NestingCheck {
         limits_{limits(false), limits(true)},
         deepest_(tree.size()),
         from_(tree.size()),
-        told_(c.code.blocks.size() + 1, false) {}
+        reported_(c.code.blocks.size() + 1, false) {}
 
   void call(std::size_t from, const CallTree::Call& call);
 
@@ -325,7 +325,7 @@ class NestingCheck {
   std::array<std::vector<Limit>, 2> limits_;  // of subprograms, of macros
   std::vector<Depth> deepest_;
   std::vector<std::array<By, 3>> from_;
-  std::vector<bool> told_;  // blocks
+  std::vector<bool> reported_;  // blocks
 };
 
 std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {
@@ -361,8 +361,8 @@ void NestingCheck::call(std::size_t from, const CallTree::Call& call) {
   ++deeper[2];
   for (const Limit& limit : limits_[record.macro ? 1 : 0]) {
     const auto measure = static_cast<std::size_t>(limit.measure);
-    if (deeper[measure] != limit.most + 1 || told_[edge.from]) continue;
-    told_[edge.from] = true;
+    if (deeper[measure] != limit.most + 1 || reported_[edge.from]) continue;
+    reported_[edge.from] = true;
     c_.refused(Check::TooDeep, edge.from,
                {limit.cause, record.at, record.width,
                 "the control allows " + std::to_string(limit.most) + limit.what})

@@ -107,7 +107,7 @@ bool does_something(const Block& block) {
     case Op::EndDo:
     case Op::Else:
     case Op::EndIf:
-    case Op::Labelled:
+    case Op::OWord:
       return false;
     default:
       return true;
@@ -202,13 +202,13 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   if (flow.entries().empty() || c.is_called_by_another(flow.program())) return;
   const std::vector<bool> reached = flow.reached_from(flow.first());
   std::vector<bool> back;  // looked for where it is asked
-  std::set<Address> told;
+  std::set<Address> reported;
   for (const CallEdge& edge : flow.calls()) {
     const Address start = edge.start;
     const bool part = edge.called == flow.program() && start > flow.first() && start < flow.last();
-    if (!part || !reached[start - 1 - flow.first()] || !told.insert(start).second) continue;
+    if (!part || !reached[start - 1 - flow.first()] || !reported.insert(start).second) continue;
     const bool falls = std::any_of(flow.begin(start - 1), flow.end(start - 1), [&](const Exit& of) {
-      return of.to == start && of.way == Way::Next;
+      return of.to == start && of.kind == ExitKind::Next;
     });
     if (!falls) continue;
     if (back.empty()) back = leading_back(flow);
@@ -249,9 +249,9 @@ void check_never_called(Checker& c, const ProgramFlow& flow) {
 void check_tape_ends(Checker& c, const ProgramFlow& flow, const std::vector<bool>& reached) {
   if (!flow.has_labels()) return;
   for (Address at = flow.first(); at < flow.last(); ++at) {
-    if (!reached[at - flow.first()] || c.code.blocks[at].op != Op::Labelled) continue;
-    const Labelled& own = c.code.labelled[c.code.blocks[at].aux];
-    if (own.kind == LabelledKind::TapeEnd && own.refused != Labelled::kNone)
+    if (!reached[at - flow.first()] || c.code.blocks[at].op != Op::OWord) continue;
+    const OWord& own = c.code.o_words[c.code.blocks[at].aux];
+    if (own.kind == OWordKind::FileEnd && own.refused != OWord::kNone)
       c.refused(Check::Refused, at, c.code.faults[own.refused]);
   }
 }

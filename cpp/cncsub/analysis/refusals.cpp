@@ -216,7 +216,7 @@ void check_block(Checker& c, Address at, std::int32_t program, bool structure_re
     if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);
     if (plain_code(c, of) >= 0) c.unsure.push_back({program, at});
   });
-  if (block.op == Op::Labelled) check_labelled(c, at, program, block);
+  if (block.op == Op::OWord) check_labelled(c, at, program, block);
   if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);
 }
 

@@ -108,13 +108,13 @@ class TargetCheck {
   const Program& program_;
   const Loops& loops_;
   AllLoops& all_;
-  std::set<std::pair<std::int32_t, std::int64_t>> told_;
+  std::set<std::pair<std::int32_t, std::int64_t>> reported_;
   std::size_t looked_up_ = 0;
 };
 
 void TargetCheck::ambiguous(Address at, const Program& program, std::int64_t n, TextPlace place) {
   const auto index = static_cast<std::int32_t>(&program - c_.code.programs.data());
-  if (!told_.insert({index, n}).second) return;
+  if (!reported_.insert({index, n}).second) return;
   const std::string lines = lines_of(c_.code, program, n);
   if (!lines.empty())
     c_.found(Check::Ambiguous, at, place, "N" + std::to_string(n) + " stands in " + lines);
@@ -224,11 +224,11 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     into_loop(to.from, to.place, end).path = {edge->from};
   }
   if (lacks == nullptr) return;
-  Finding& told = no_return_block(to, c_.program(lacks->caller));
-  told.path = {lacks->from};
-  if (lacking < 2 || !told.alarm) return;
-  told.detail += ", nor in " + std::to_string(lacking - 1) + " more that call";
-  told.alarm->detail = told.detail;
+  Finding& reported = no_return_block(to, c_.program(lacks->caller));
+  reported.path = {lacks->from};
+  if (lacking < 2 || !reported.alarm) return;
+  reported.detail += ", nor in " + std::to_string(lacking - 1) + " more that call";
+  reported.alarm->detail = reported.detail;
 }
 
 void TargetCheck::returns() {

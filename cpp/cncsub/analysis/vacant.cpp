@@ -27,12 +27,12 @@ class VacantCheck {
   std::vector<Vacant> vacant(const ProgramFlow& flow) const;
   void pass(const ProgramFlow& flow, Address at, Vacant& state) const;
   void take_conditions(const ProgramFlow& flow);
-  bool is_lonely(Address at) const;
+  bool must_be_alone(Address at) const;
   bool omits_on_purpose(const ProgramFlow& flow) const;
   void tell_vacant(const ProgramFlow& flow);
   void tell_vacant(const ProgramFlow& flow, Address at, Bits locals, Check check);
   void tell_unread();
-  void tell_unread(const CallEdge& edge, Bits& told);
+  void tell_unread(const CallEdge& edge, Bits& reported);
 
   Checker& c_;
   const VariableUses& uses_;
@@ -104,17 +104,17 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
     set |= (called.any ? ~Bits{0} : called.writes) & ~uses_.named();
   }
   const Op op = c_.code.blocks[at].op;
-  if (op == Op::Labelled || op == Op::Choose || op == Op::Fault ||  // what it would have set
+  if (op == Op::OWord || op == Op::Select || op == Op::Fault ||  // what it would have set
       (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
     set |= ~uses_.named();
   state.always &= ~set;
   // A variable that is set only where a condition holds, and read where it holds again, has one.
-  if (is_lonely(at)) set &= uses_.of_program(flow.program()).again;
+  if (must_be_alone(at)) set &= uses_.of_program(flow.program()).again;
   state.sometimes &= ~set;
 }
 
 /// Whether a block sets something under a condition that no other block asks again.
-bool VacantCheck::is_lonely(Address at) const {
+bool VacantCheck::must_be_alone(Address at) const {
   const VariableUse* own = uses_.of(at);
   if (c_.code.blocks[at].op != Op::IfThen || own == nullptr || own->any) return false;
   return std::all_of(own->reads.begin(), own->reads.end(), [&](std::int32_t number) {
@@ -190,7 +190,7 @@ bool VacantCheck::omits_on_purpose(const ProgramFlow& flow) const {
 }
 
 void VacantCheck::tell_vacant(const ProgramFlow& flow) {
-  Bits told = uses_.of_program(flow.program()).tested;
+  Bits reported = uses_.of_program(flow.program()).tested;
   const std::vector<Vacant> before = vacant(flow);
   const auto callers = c_.callers_of(flow.program());
   const bool macro =
@@ -200,44 +200,44 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
     const VariableUse* own = uses_.of(at);
     const Vacant& state = before[at - flow.first()];
     if (own == nullptr || !state.reached || own->read_locals == 0) continue;
-    const Bits always = own->read_locals & state.always & ~told;
+    const Bits always = own->read_locals & state.always & ~reported;
     const Bits arguments = macro ? always & ~uses_.named() : 0;
     const Bits missing = arguments & ~(on_purpose ? own->word_locals : 0);
     tell_vacant(flow, at, missing, Check::ArgumentMissing);
     tell_vacant(flow, at, always & ~arguments, Check::Vacant);
-    told |= missing | (always & ~arguments);
+    reported |= missing | (always & ~arguments);
     const Bits sometimes =
-        own->read_locals & ~own->word_locals & state.sometimes & ~told & ~uses_.named();
+        own->read_locals & ~own->word_locals & state.sometimes & ~reported & ~uses_.named();
     tell_vacant(flow, at, sometimes, Check::MaybeVacant);
-    told |= sometimes;
+    reported |= sometimes;
   }
 }
 
 /// Arguments of one call that its macro, and the subprograms that share its locals, never read;
 /// each is told at the first call that gives it.
-void VacantCheck::tell_unread(const CallEdge& edge, Bits& told) {
+void VacantCheck::tell_unread(const CallEdge& edge, Bits& reported) {
   const LocalUse& of = uses_.of_program(edge.called);
   const CallRecord& record = c_.code.calls[edge.record];
   for (std::uint32_t i = 0; i < record.arguments; ++i) {
     const Argument& argument = c_.code.arguments[record.first_argument + i];
     if (argument.variable <= 0 || argument.variable >= kMostBits) continue;
     const Bits own = Bits{1} << argument.variable;
-    if (((of.reads | told) & own) != 0) continue;
-    told |= own;
+    if (((of.reads | reported) & own) != 0) continue;
+    reported |= own;
     c_.found(Check::ArgumentUnread, edge.from, {argument.operand.at, argument.operand.width},
              c_.code.name_of(edge.called) + " never reads #" + std::to_string(argument.variable));
   }
 }
 
 void VacantCheck::tell_unread() {
-  std::vector<Bits> told(c_.flows.size(), 0);
+  std::vector<Bits> reported(c_.flows.size(), 0);
   for (const ProgramFlow& flow : c_.flows)
     for (const CallEdge& edge : flow.calls()) {
       if (c_.over()) return;
       const bool known = edge.macro && edge.start != kNowhere &&
                          !uses_.of_program(edge.called).any &&
                          !c_.flow(edge.called).calls_computed();
-      if (known) tell_unread(edge, told[static_cast<std::size_t>(edge.called)]);
+      if (known) tell_unread(edge, reported[static_cast<std::size_t>(edge.called)]);
     }
 }
 

@@ -37,10 +37,10 @@ enum class Op : std::uint8_t {
   Print,  // DPRNT, BPRNT (aux: print)
   OpenOutput,
   CloseOutput,
-  NameVariables,  // SETVN (aux: statement)
-  Labelled,       // aux: labelled
-  Together,       // aux: together: assignments, a message, and words
-  Choose,  // aux: variant: which of two blocks this one is, by the skip switches or by who called
+  NameVariables,   // SETVN (aux: statement)
+  OWord,           // aux: labelled
+  ParallelAssign,  // aux: together: assignments, a message, and words
+  Select,  // aux: variant: which of two blocks this one is, by the skip switches or by who called
   Fault,   // aux: fault
   EndOfRecord,  // behind the last block of every program
 };
@@ -163,7 +163,7 @@ static_assert(static_cast<int>(Statement::Target::Common) ==
               static_cast<int>(Statement::Target::Indirect) ==
                   static_cast<int>(Statement::Target::Local) + 3);
 
-struct Variant {
+struct Select {
   std::uint16_t skip = 0;  // != 0: `second` when one of these switches is on
   char address = 0;  // != 0: `second` when the frame was entered by a code that keeps this address
                      // from calling

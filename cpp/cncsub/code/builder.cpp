@@ -89,15 +89,15 @@ void assign(Builder& to, Block& block, const Statement& statement) {
   to.become(block, Op::Assign, statement);
 }
 
-void Builder::together(Block& block, const std::vector<Statement>& statements, const Print* print,
-                       const Block* words) {
-  Together all;
+void Builder::parallel_assign(Block& block, const std::vector<Statement>& statements,
+                              const Print* print, const Block* words) {
+  ParallelAssign all;
   all.first_statement = static_cast<std::uint32_t>(code_.statements.size());
   all.statements = static_cast<std::uint32_t>(statements.size());
   code_.statements.insert(code_.statements.end(), statements.begin(), statements.end());
   if (print != nullptr) all.print = keep(*print);
   if (words != nullptr) all.words = keep(*words);
-  become(block, Op::Together, all);
+  become(block, Op::ParallelAssign, all);
 }
 
 // ---- words ----

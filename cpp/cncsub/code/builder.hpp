@@ -129,8 +129,8 @@ class Builder {
   /// The control refuses the block when it is reached.
   void refuse(Block& block, Fault fault) { become(block, Op::Fault, std::move(fault)); }
   /// Assignments beside a message and words.
-  void together(Block& block, const std::vector<Statement>& statements, const Print* print,
-                const Block* words);
+  void parallel_assign(Block& block, const std::vector<Statement>& statements, const Print* print,
+                       const Block* words);
   /// The place of the next argument; those of one call follow each other.
   std::uint32_t next_argument() const { return static_cast<std::uint32_t>(code_.arguments.size()); }
 
@@ -160,14 +160,14 @@ class Builder {
       return code_.statements;
     else if constexpr (std::is_same_v<Record, HCode>)
       return code_.h_codes;
-    else if constexpr (std::is_same_v<Record, Labelled>)
-      return code_.labelled;
-    else if constexpr (std::is_same_v<Record, Together>)
-      return code_.together;
+    else if constexpr (std::is_same_v<Record, OWord>)
+      return code_.o_words;
+    else if constexpr (std::is_same_v<Record, ParallelAssign>)
+      return code_.parallel_assigns;
     else if constexpr (std::is_same_v<Record, Print>)
       return code_.prints;
-    else if constexpr (std::is_same_v<Record, Variant>)
-      return code_.choices;
+    else if constexpr (std::is_same_v<Record, Select>)
+      return code_.selects;
     else if constexpr (std::is_same_v<Record, Fault>)
       return code_.faults;
   }

@@ -19,7 +19,7 @@ enum class CallKind : std::uint8_t {
   Subprogram,       // M98
   External,         // M198: a program of the external device
   Local,            // M97: blocks of the own program
-  Labelled,         // o100 call
+  OWord,            // o100 call
   Named,            // the name of a program alone: L100, SUB
   Macro,            // G65
   Modal,            // G66
@@ -38,7 +38,7 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
     case CallKind::Subprogram:
     case CallKind::External:
     case CallKind::Local:
-    case CallKind::Labelled:
+    case CallKind::OWord:
     case CallKind::Named:
       return false;
     case CallKind::Macro:
@@ -79,7 +79,7 @@ struct JumpRecord {
 };
 
 /// What few calls have.
-struct SeldomInCall {
+struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
@@ -91,7 +91,7 @@ class SeldomValue {
  public:
   SeldomValue() = default;
   SeldomValue(const SeldomValue& other)
-      : value_(other.value_ ? std::make_unique<SeldomInCall>(*other.value_) : nullptr) {}
+      : value_(other.value_ ? std::make_unique<CallExtras>(*other.value_) : nullptr) {}
   SeldomValue(SeldomValue&&) noexcept = default;
   SeldomValue& operator=(SeldomValue other) noexcept {
     value_ = std::move(other.value_);
@@ -99,18 +99,18 @@ class SeldomValue {
   }
   ~SeldomValue() = default;
 
-  const SeldomInCall& get() const {
-    static const SeldomInCall nothing;
+  const CallExtras& get() const {
+    static const CallExtras nothing;
     return value_ ? *value_ : nothing;
   }
-  SeldomInCall* find() { return value_.get(); }
-  SeldomInCall& make() {
-    if (!value_) value_ = std::make_unique<SeldomInCall>();
+  CallExtras* find() { return value_.get(); }
+  CallExtras& make() {
+    if (!value_) value_ = std::make_unique<CallExtras>();
     return *value_;
   }
 
  private:
-  std::unique_ptr<SeldomInCall> value_;
+  std::unique_ptr<CallExtras> value_;
 };
 
 struct CallRecord {
@@ -127,14 +127,14 @@ struct CallRecord {
   std::int32_t variable = 0;         // takes the code's value
   std::int32_t program_number = -1;  // a call by code: the program it is registered for
   Operand p, l;
-  SeldomValue seldom;
+  SeldomValue extras;
   std::uint32_t first_argument = 0, arguments = 0;
   std::uint32_t at = 0, width = 1;  // the calling word
   Target target;
 
-  const Operand& start() const { return seldom.get().start; }
-  const Operand& device() const { return seldom.get().device; }
-  const std::string& name() const { return seldom.get().name; }
+  const Operand& start() const { return extras.get().start; }
+  const Operand& device() const { return extras.get().device; }
+  const std::string& name() const { return extras.get().name; }
 };
 
 }  // namespace cncsub

@@ -72,7 +72,7 @@ std::int32_t Code::program_at(Address address) const {
 
 std::uint32_t Code::label(std::int64_t number) const {
   const auto found = label_places.find(std::to_string(number));
-  return found == label_places.end() ? Labelled::kNone : found->second;
+  return found == label_places.end() ? OWord::kNone : found->second;
 }
 
 namespace {

@@ -23,7 +23,7 @@
 #include "cncsub/code/call.hpp"
 #include "cncsub/code/expression.hpp"
 #include "cncsub/code/fault.hpp"
-#include "cncsub/code/labelled.hpp"
+#include "cncsub/code/o_word.hpp"
 #include "cncsub/code/open_table.hpp"
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/spelling.hpp"
@@ -65,7 +65,7 @@ struct PlacedRange {
 
 /// Locals, or some of the first commons: where they lie, and how a value that may be vacant is
 /// pushed.
-struct NearRange {
+struct DirectVariables {
   std::uint32_t first = 0, count = 0;
   Ins raw{};
   std::uint32_t base = 0;  // where the first lies
@@ -73,12 +73,12 @@ struct NearRange {
 };
 
 /// The ranges of the variables that programs use most.
-struct NearVariables {
-  std::array<NearRange, 3> ranges{};
+struct DirectVariableRanges {
+  std::array<DirectVariables, 3> ranges{};
 
   /// Null where the variable is another one.
-  const NearRange* find(std::uint32_t number) const {
-    for (const NearRange& of : ranges)
+  const DirectVariables* find(std::uint32_t number) const {
+    for (const DirectVariables& of : ranges)
       if (number - of.first < of.count) return &of;
     return nullptr;
   }
@@ -89,7 +89,7 @@ constexpr std::size_t kLookedAt = 65535;  // bytes of a block in which words are
 struct Code {
   std::shared_ptr<const Control> control;
   std::vector<PlacedRange> variables;  // by number
-  NearVariables near;
+  DirectVariableRanges direct_variables;
   ReadWord read_word = nullptr;        // of the dialect that the programs are written in
   const Spelling* spelling = nullptr;  // the same
   std::span<const WordUse>
@@ -116,7 +116,7 @@ struct Code {
   LargeVector<Argument> arguments;
   LargeVector<Statement> statements;
   std::vector<HCode> h_codes;
-  std::vector<Labelled> labelled;
+  std::vector<OWord> o_words;
   std::vector<std::string> labels{""};  // the first is none
   std::unordered_map<std::string, std::uint32_t> label_places;
   std::vector<LabelledHead> heads;  // by label, then by address
@@ -125,9 +125,9 @@ struct Code {
   std::array<std::unordered_map<std::int32_t, std::uint32_t>, 2>
       named_at;                // locals, commons by index
   std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
-  std::vector<cncsub::Together> together;
+  std::vector<cncsub::ParallelAssign> parallel_assigns;
   std::vector<Print> prints;
-  std::vector<Variant> choices;
+  std::vector<Select> selects;
   std::vector<Fault> faults;
   std::vector<Drop> drops;  // in the order of their blocks' data
   LargeVector<SequenceEntry> sequence;
@@ -154,7 +154,7 @@ struct Code {
 
   /// The innermost program that holds a block.
   std::int32_t program_at(Address address) const;
-  /// The label that is this number, Labelled::kNone where no block has it.
+  /// The label that is this number, OWord::kNone where no block has it.
   std::uint32_t label(std::int64_t number) const;
   /// The nearest head of a subprogram from an address on, in the text that its program is a part
   /// of.

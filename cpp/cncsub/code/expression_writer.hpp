@@ -49,7 +49,7 @@ class OpenInstructions {
   }
   void set_at(std::uint32_t place, std::uint32_t at) { first_[place].high = at; }
   /// Takes away the instructions from this place on.
-  void take_back(std::uint32_t from) { top_ = first_ + from; }
+  void rollback(std::uint32_t from) { top_ = first_ + from; }
   /// They become an expression, which stands there in the text: its number.
   std::uint32_t end(std::uint32_t at, std::uint32_t width);
 
@@ -93,7 +93,7 @@ class ExpressionWriter {
     put(ExpressionCell::of(instruction));
     if (held_by(instruction.op) == Holds::Value) put(ExpressionCell::of(instruction.value));
   }
-  void take_back(std::uint32_t from) { open_.take_back(from); }
+  void rollback(std::uint32_t from) { open_.rollback(from); }
   std::uint32_t end(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
   /// An expression of one instruction: its number.
   std::uint32_t one(const Instruction& only, std::uint32_t at, std::uint32_t width);
@@ -103,7 +103,7 @@ class ExpressionWriter {
     std::size_t cells;
   };
   Place place() const { return {code_.expressions.size()}; }
-  void take_back(const Place& from) { code_.expressions.keep(from.cells); }
+  void rollback(const Place& from) { code_.expressions.keep(from.cells); }
 
  private:
   void put(ExpressionCell cell) {

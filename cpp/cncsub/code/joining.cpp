@@ -74,7 +74,7 @@ class Joining {
     statements_ = append(code_.statements, from.statements);
     h_codes_ = append(code_.h_codes, from.h_codes);
     prints_ = append(code_.prints, from.prints);
-    choices_ = append(code_.choices, from.choices);
+    selects_ = append(code_.selects, from.selects);
     faults_ = append(code_.faults, from.faults);
     drops_ = append(code_.drops, from.drops);
     entries_ = append(code_.sequence, from.sequence);
@@ -90,7 +90,7 @@ class Joining {
     if (op == Op::Jump) return jumps_;
     if (op == Op::HCode) return h_codes_;
     if (op == Op::Print) return prints_;
-    if (op == Op::Choose) return choices_;
+    if (op == Op::Select) return selects_;
     if (op == Op::Fault) return faults_;
     return 0;
   }
@@ -130,8 +130,8 @@ class Joining {
     for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
       CallRecord& call = code_.calls[i];
       for (Operand* operand : {&call.p, &call.l}) move(*operand);
-      if (SeldomInCall* seldom = call.seldom.find())
-        for (Operand* operand : {&seldom->start, &seldom->device}) move(*operand);
+      if (CallExtras* extras = call.extras.find())
+        for (Operand* operand : {&extras->start, &extras->device}) move(*operand);
       call.first_argument += arguments_;
     }
     for (std::size_t i = arguments_; i < code_.arguments.size(); ++i)
@@ -142,9 +142,9 @@ class Joining {
     }
     for (std::size_t i = prints_; i < code_.prints.size(); ++i)
       for (PrintField& field : code_.prints[i].fields) field.expression += expressions_;
-    for (std::size_t i = choices_; i < code_.choices.size(); ++i) {
-      code_.choices[i].first += variants_;
-      code_.choices[i].second += variants_;
+    for (std::size_t i = selects_; i < code_.selects.size(); ++i) {
+      code_.selects[i].first += variants_;
+      code_.selects[i].second += variants_;
     }
   }
 
@@ -181,7 +181,7 @@ class Joining {
   Joined& of_;
   // Where the tables of the part begin.
   std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, expressions_ = 0, calls_ = 0, jumps_ = 0,
-                arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0, choices_ = 0,
+                arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0, selects_ = 0,
                 faults_ = 0, drops_ = 0, entries_ = 0;
 };
 
@@ -206,10 +206,10 @@ struct Joint {
 
 bool Joint::can_join(Builder& to, const Joined& of) {
   const Code& part = of.code;
-  const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.labelled.empty() ||
+  const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.o_words.empty() ||
                          !part.heads.empty() || !part.named_variables.empty() || part.returned >= 0;
   const bool looks_at_file = of.goes_on && !part.h_codes.empty();
-  return !own_names && !looks_at_file && part.together.empty() &&
+  return !own_names && !looks_at_file && part.parallel_assigns.empty() &&
          list_codes(to.code_, part, of.lists);
 }
 

@@ -25,16 +25,16 @@ class ReferenceReader {
 
   void call(const CallRecord& call);
   void target_of(const CallRecord& call, CallReference& reference);
-  void labelled(const Labelled& own);
-  void label_of(const Labelled& own, CallReference& reference) const;
+  void o_word(const OWord& own);
+  void label_of(const OWord& own, CallReference& reference) const;
   void back(const CallRecord& back, bool conditional);
   void jump(const JumpRecord& record);
   void statement(Op op, const Statement& statement, bool conditional);
   void go_to(const Statement& statement, bool conditional);
   void h_code(const HCode& h);
   void print(const Print& print);
-  void together(const Together& all, bool conditional);
-  void choose(const Variant& variant);
+  void parallel_assign(const ParallelAssign& all, bool conditional);
+  void select(const Select& variant);
 
   void operands(const CallRecord& call);
 
@@ -61,7 +61,7 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
     of = Operand{};
   };
   computed(known.l, reference.computed_repeats);
-  if (SeldomInCall* seldom = known.seldom.find()) computed(seldom->start, reference.computed_start);
+  if (CallExtras* extras = known.extras.find()) computed(extras->start, reference.computed_start);
   computed(known.p, reference.computed_program);
   if (reference.computed_program) known.program_number = 0;
   Target target;
@@ -91,11 +91,11 @@ void ReferenceReader::call(const CallRecord& call) {
 }
 
 /// Where a label leads that is known before anything runs: to a head, or to the file of its name.
-void ReferenceReader::label_of(const Labelled& own, CallReference& reference) const {
+void ReferenceReader::label_of(const OWord& own, CallReference& reference) const {
   const CallRecord& call = code_.calls[own.call];
   std::uint32_t label = own.label;
-  reference.program = label == Labelled::kNone ? "" : code_.labels[label];
-  if (label == Labelled::kNone) {
+  reference.program = label == OWord::kNone ? "" : code_.labels[label];
+  if (label == OWord::kNone) {
     if (call.p.kind == Operand::Kind::Expression) {
       reference.computed_program = place_of(call.p.expression);
       return;
@@ -107,16 +107,16 @@ void ReferenceReader::label_of(const Labelled& own, CallReference& reference) co
   const auto head =
       std::lower_bound(code_.heads.begin(), code_.heads.end(), label,
                        [](const LabelledHead& of, std::uint32_t own) { return of.label < own; });
-  if (label != Labelled::kNone && head != code_.heads.end() && head->label == label)
+  if (label != OWord::kNone && head != code_.heads.end() && head->label == label)
     reference.found = code_.program_at(head->address);
   else
     reference.found = code_.find(reference.program);
   if (reference.found != kNoProgram) reference.program = code_.name_of(reference.found);
 }
 
-void ReferenceReader::labelled(const Labelled& own) {
-  if (own.value != Labelled::kNone) used_.reads(own.value);
-  if (own.kind != LabelledKind::Call && own.kind != LabelledKind::Call98) return;
+void ReferenceReader::o_word(const OWord& own) {
+  if (own.value != OWord::kNone) used_.reads(own.value);
+  if (own.kind != OWordKind::Call && own.kind != OWordKind::Call98) return;
   const CallRecord& call = code_.calls[own.call];
   CallReference reference;
   reference.kind = call.kind;
@@ -233,14 +233,14 @@ void ReferenceReader::statement(Op op, const Statement& statement, bool conditio
   }
 }
 
-void ReferenceReader::together(const Together& all, bool conditional) {
+void ReferenceReader::parallel_assign(const ParallelAssign& all, bool conditional) {
   for (std::uint32_t i = 0; i < all.statements; ++i)
     statement(Op::Assign, code_.statements[all.first_statement + i], conditional);
-  if (all.print != Labelled::kNone) print(code_.prints[all.print]);
-  if (all.words != Labelled::kNone) read(code_.variants[all.words], conditional);
+  if (all.print != OWord::kNone) print(code_.prints[all.print]);
+  if (all.words != OWord::kNone) read(code_.variants[all.words], conditional);
 }
 
-void ReferenceReader::choose(const Variant& variant) {
+void ReferenceReader::select(const Select& variant) {
   read(code_.variants[variant.first], true);
   read(code_.variants[variant.second], true);
 }
@@ -269,12 +269,12 @@ void ReferenceReader::read(const Block& block, bool conditional) {
       return h_code(code_.h_codes[block.aux]);
     case Op::Print:
       return print(code_.prints[block.aux]);
-    case Op::Labelled:
-      return labelled(code_.labelled[block.aux]);
-    case Op::Together:
-      return together(code_.together[block.aux], conditional);
-    case Op::Choose:
-      return choose(code_.choices[block.aux]);
+    case Op::OWord:
+      return o_word(code_.o_words[block.aux]);
+    case Op::ParallelAssign:
+      return parallel_assign(code_.parallel_assigns[block.aux], conditional);
+    case Op::Select:
+      return select(code_.selects[block.aux]);
     default:
       return;
   }

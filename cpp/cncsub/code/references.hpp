@@ -57,8 +57,8 @@ constexpr bool is_call(Op op) {
 }
 /// Whether a block of this kind can call, itself or as one of its variants.
 constexpr bool may_call(Op op) {
-  return is_call(op) || op == Op::Labelled || op == Op::Choose || op == Op::IfThen ||
-         op == Op::Together;
+  return is_call(op) || op == Op::OWord || op == Op::Select || op == Op::IfThen ||
+         op == Op::ParallelAssign;
 }
 /// Those of a block of a program. Of blocks that depend on switches or callers, those of each.
 References references_of(const Code& code, const Block& block, std::int32_t program);

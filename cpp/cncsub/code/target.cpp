@@ -98,7 +98,7 @@ std::optional<Fault> CallWords::count() {
   if (!counts_in_l()) return std::nullopt;
   const double count = whole(call_.l, values_.l);
   const int most = control_.calls.max_repeats.value;
-  const char address[] = {call_.seldom.get().count, '\0'};
+  const char address[] = {call_.extras.get().count, '\0'};
   const auto illegal = [&](Cause cause) {
     return fault(
         cause, call_.l,
@@ -226,7 +226,7 @@ Fault not_found(const Code& code, const CallRecord& call, const Target& target) 
       (!target.external       ? " is not in the memory"
        : code.external_device ? " is not on the external device"
                               : " is not in the memory, and there is no external device");
-  if (named) return {cause, call.seldom.get().name_at, call.seldom.get().name_width, what};
+  if (named) return {cause, call.extras.get().name_at, call.extras.get().name_width, what};
   return call.p.present() ? fault(cause, call.p, what) : fault(cause, call, what);
 }
 

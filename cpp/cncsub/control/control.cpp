@@ -365,7 +365,7 @@ void judge(Control& c) {
   };
 #define RULE(group, type, name, value, meaning)       \
   weaken(c.group.name.source, c.group.name.evidence); \
-  for (EntrySource& told : c.group.name.entries) weaken(told.source, told.evidence);
+  for (EntrySource& reported : c.group.name.entries) weaken(reported.source, reported.evidence);
 #include "cncsub/control/rules.def"
   for (AbsentGroup& group : c.absent) weaken(group.source, group.evidence);
   for (Parameter& p : c.parameters) weaken(p.source, p.evidence);

@@ -83,7 +83,7 @@ struct Rule {
   std::vector<EntrySource> entries = {};  // NOLINT(readability-redundant-member-init)
 
   void tell(std::string_view entry, const std::string& of, Evidence how_strong) {
-    std::erase_if(entries, [&](const EntrySource& told) { return told.entry == entry; });
+    std::erase_if(entries, [&](const EntrySource& reported) { return reported.entry == entry; });
     entries.push_back({std::string(entry), of, how_strong});
   }
 };

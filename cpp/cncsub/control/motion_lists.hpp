@@ -71,9 +71,9 @@ struct GCode {
   std::int16_t code = -1;  // ten times the number
   Group group = Group::OneShot;
   Meaning meaning = Meaning::None;
-  std::int16_t which = 0;  // of several codes of one meaning: the extra work system that the code
-                           // names (0: P does), the form of G31 (1: G31.1), the axis of a lathe's
-                           // cycle or of its measuring (1: X, 0: Z)
+  std::int16_t variant = 0;  // of several codes of one meaning: the extra work system that the code
+                             // names (0: P does), the form of G31 (1: G31.1), the axis of a lathe's
+                             // cycle or of its measuring (1: X, 0: Z)
 
   bool operator==(const GCode&) const = default;
 };
@@ -83,7 +83,7 @@ struct MeaningWord {
   std::string_view word;
   Group group;
   Meaning meaning;
-  std::int16_t which = 0;
+  std::int16_t variant = 0;
 };
 inline constexpr MeaningWord kMeaningWords[] = {
     {"ignored", Group::OneShot, Meaning::Ignored},
@@ -164,7 +164,7 @@ struct MeaningEntry {
     if (!code || equals == text.size()) return std::nullopt;
     for (const MeaningWord& known : kMeaningWords)
       if (known.word == text.substr(equals + 1))
-        return GCode{static_cast<std::int16_t>(*code), known.group, known.meaning, known.which};
+        return GCode{static_cast<std::int16_t>(*code), known.group, known.meaning, known.variant};
     return std::nullopt;
   }
   static constexpr bool same(const GCode& a, const GCode& b) { return a.code == b.code; }

@@ -108,7 +108,8 @@ std::string StatementEntry::wrong(std::string_view text) {
 std::string MeaningEntry::text(const GCode& entry) {
   const auto* const word =
       std::find_if(std::begin(kMeaningWords), std::end(kMeaningWords), [&](const MeaningWord& of) {
-        return of.group == entry.group && of.meaning == entry.meaning && of.which == entry.which;
+        return of.group == entry.group && of.meaning == entry.meaning &&
+               of.variant == entry.variant;
       });
   return code_text(entry.code) + "=" + std::string(word->word);
 }

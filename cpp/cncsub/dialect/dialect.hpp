@@ -31,7 +31,7 @@ struct PieceReader {
   std::function<void(const Lines&)> read_on;
   /// Reads lines as they stand in the middle of a program, into a code without blocks that has a
   /// file without a text: how many lines. None where what stands before them decides what they are.
-  std::function<std::optional<std::uint32_t>(const Lines&)> read_apart;
+  std::function<std::optional<std::uint32_t>(const Lines&)> read_in_worker;
   /// Puts such lines behind those that were read on to. False where they have to be read once more.
   std::function<bool(Joined&, std::uint32_t lines)> join;
 };

@@ -36,12 +36,12 @@ void find_near_variables(Code& code) {
     const VariableRange& range = placed.range;
     const VariablePlace place = code.place(range.first);
     const bool near = (place.is_local() || place.is_common()) && range.access != Access::WriteOnly;
-    if (count == code.near.ranges.size() || !near) continue;
-    code.near.ranges[count++] = {static_cast<std::uint32_t>(range.first),
-                                 static_cast<std::uint32_t>(range.last - range.first + 1),
-                                 place.is_local() ? Ins::LocalRaw : Ins::CommonRaw,
-                                 static_cast<std::uint32_t>(place.index),
-                                 place.is_local() || range.access == Access::ReadWrite};
+    if (count == code.direct_variables.ranges.size() || !near) continue;
+    code.direct_variables.ranges[count++] = {
+        static_cast<std::uint32_t>(range.first),
+        static_cast<std::uint32_t>(range.last - range.first + 1),
+        place.is_local() ? Ins::LocalRaw : Ins::CommonRaw, static_cast<std::uint32_t>(place.index),
+        place.is_local() || range.access == Access::ReadWrite};
   }
 }
 
@@ -133,8 +133,8 @@ class Reading {
 
  private:
   void resolve_block(Block& block, std::int32_t own) {
-    if (block.op == Op::Choose) {
-      const Variant variant = code_.choices[block.aux];
+    if (block.op == Op::Select) {
+      const Select variant = code_.selects[block.aux];
       for (const std::uint32_t i : {variant.first, variant.second}) {
         if (seen_[i]) continue;
         seen_[i] = true;

@@ -90,15 +90,15 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
 }
 
 /// A code of its own for one job after the other, and who writes it.
-struct Apart {
-  Apart(const SharedReading& reading, const std::function<bool()>& stopped)
+struct WorkerPart {
+  WorkerPart(const SharedReading& reading, const std::function<bool()>& stopped)
       : interrupt(stopped), to(prepared(reading), interrupt) {
     read = reading.dialect.reader(to);
     pieces = reading.dialect.pieces(to);
   }
-  Apart(const Apart&) = delete;
-  Apart& operator=(const Apart&) = delete;
-  ~Apart() = default;
+  WorkerPart(const WorkerPart&) = delete;
+  WorkerPart& operator=(const WorkerPart&) = delete;
+  ~WorkerPart() = default;
 
   Code code;
   InterruptCheck interrupt;
@@ -139,7 +139,7 @@ class Pool {
 
   struct Slot {
     enum class State { Free, Taken, Done } state = State::Free;
-    std::unique_ptr<Apart> apart;  // null: nothing could be read apart
+    std::unique_ptr<WorkerPart> worker_part;  // null: nothing could be read apart
   };
 
   bool interrupted(std::size_t bytes) { return reading_.to.interrupt().requested(bytes); }
@@ -178,53 +178,54 @@ class Pool {
   /// Reads a job apart.
   void take(std::size_t number, std::unique_lock<std::mutex>& lock) {
     slots_[number].state = Slot::State::Taken;
-    std::unique_ptr<Apart> apart;
+    std::unique_ptr<WorkerPart> worker_part;
     if (!free_.empty()) {
-      apart = std::move(free_.back());
+      worker_part = std::move(free_.back());
       free_.pop_back();
     }
     lock.unlock();
-    read_apart(jobs_[number], apart);
+    read_in_worker(jobs_[number], worker_part);
     lock.lock();
-    slots_[number].apart = std::move(apart);
+    slots_[number].worker_part = std::move(worker_part);
     slots_[number].state = Slot::State::Done;
     changed_.notify_all();
   }
 
   /// Where memory runs out, whoever joins meets that too, and tells.
-  void read_apart(const Job& job, std::unique_ptr<Apart>& apart) noexcept {
+  void read_in_worker(const Job& job, std::unique_ptr<WorkerPart>& worker_part) noexcept {
     try {
-      if (!apart)
-        apart = std::make_unique<Apart>(reading_,
-                                        [this] { return stop_.load(std::memory_order_relaxed); });
+      if (!worker_part)
+        worker_part = std::make_unique<WorkerPart>(
+            reading_, [this] { return stop_.load(std::memory_order_relaxed); });
       if (job.text != nullptr)
-        read_lines(job, *apart);
+        read_lines(job, *worker_part);
       else
-        read_some(job, *apart);
+        read_some(job, *worker_part);
     } catch (...) {
-      if (job.text == nullptr && apart) give_back(job, apart->code.files);
-      apart.reset();
+      if (job.text == nullptr && worker_part) return_texts(job, worker_part->code.files);
+      worker_part.reset();
     }
   }
 
-  void read_lines(const Job& job, Apart& apart) {
-    unify(job, apart.interrupt);
-    apart.code.files.assign(1, {});
-    apart.lines = apart.pieces.read_apart(job.lines);
-    apart.code.files.clear();
+  void read_lines(const Job& job, WorkerPart& worker_part) {
+    unify(job, worker_part.interrupt);
+    worker_part.code.files.assign(1, {});
+    worker_part.lines = worker_part.pieces.read_in_worker(job.lines);
+    worker_part.code.files.clear();
   }
 
-  void read_some(const Job& job, Apart& apart) {
-    apart.code.files.reserve(job.last - job.first);
-    for (std::size_t i = job.first; i < job.last && !apart.interrupt.requested(kProgram); ++i) {
-      SourceFile& file = apart.code.files.emplace_back(std::move(files_[i]));
-      unify_line_ends(file.text.data(), file.text.data() + file.text.size(), apart.interrupt);
-      apart.read(static_cast<std::uint32_t>(apart.code.files.size() - 1));
+  void read_some(const Job& job, WorkerPart& worker_part) {
+    worker_part.code.files.reserve(job.last - job.first);
+    for (std::size_t i = job.first; i < job.last && !worker_part.interrupt.requested(kProgram);
+         ++i) {
+      SourceFile& file = worker_part.code.files.emplace_back(std::move(files_[i]));
+      unify_line_ends(file.text.data(), file.text.data() + file.text.size(), worker_part.interrupt);
+      worker_part.read(static_cast<std::uint32_t>(worker_part.code.files.size() - 1));
     }
-    apart.lines = 0;
+    worker_part.lines = 0;
   }
 
-  void give_back(const Job& job, std::vector<SourceFile>& files) noexcept {
+  void return_texts(const Job& job, std::vector<SourceFile>& files) noexcept {
     for (std::size_t i = 0; i < files.size(); ++i) files_[job.first + i] = std::move(files[i]);
     files.clear();
   }
@@ -235,21 +236,22 @@ class Pool {
 
   /// Everything before the job is in the code.
   void do_job(std::size_t number) {
-    std::unique_ptr<Apart> apart = taken(number);
+    std::unique_ptr<WorkerPart> worker_part = taken(number);
     if (stop_) return;  // somebody may still be at it
-    if (!apart || !join(number, *apart)) {
-      if (apart && jobs_[number].text == nullptr) give_back(jobs_[number], apart->code.files);
-      apart.reset();
+    if (!worker_part || !join(number, *worker_part)) {
+      if (worker_part && jobs_[number].text == nullptr)
+        return_texts(jobs_[number], worker_part->code.files);
+      worker_part.reset();
       read_itself(jobs_[number]);
     }
     const std::scoped_lock lock(mutex_);
-    if (apart) free_.push_back(std::move(apart));
+    if (worker_part) free_.push_back(std::move(worker_part));
     joined_ = number + 1;
     changed_.notify_all();
   }
 
   /// What was read of a job by somebody else; null where nobody took it.
-  std::unique_ptr<Apart> taken(std::size_t number) {
+  std::unique_ptr<WorkerPart> taken(std::size_t number) {
     std::unique_lock lock(mutex_);
     Slot& slot = slots_[number];
     if (slot.state == Slot::State::Free) {
@@ -266,20 +268,20 @@ class Pool {
       lock.lock();
       if (over) stop_ = true;
     }
-    return std::move(slot.apart);
+    return std::move(slot.worker_part);
   }
 
-  bool join(std::size_t number, Apart& apart) {
+  bool join(std::size_t number, WorkerPart& worker_part) {
     const Job& job = jobs_[number];
-    if (!apart.lines) return false;
-    Joined of{apart.to, apart.code, apart.lists};
+    if (!worker_part.lines) return false;
+    Joined of{worker_part.to, worker_part.code, worker_part.lists};
     of.to_come = static_cast<double>(jobs_.size() - number - 1) / static_cast<double>(number + 1);
     if (job.text == nullptr) {
       if (!can_join(reading_.to, of)) return false;
       cncsub::join(reading_.to, of);
       return true;
     }
-    if (!pieces_.join(of, *apart.lines)) return false;
+    if (!pieces_.join(of, *worker_part.lines)) return false;
     if (job.lines.to == job.lines.text.size())
       pieces_.read_on({job.lines.text, job.lines.to, job.lines.to});
     return true;
@@ -308,7 +310,7 @@ class Pool {
   std::mutex mutex_;  // of all that follows, and of the slots
   std::condition_variable changed_;
   std::size_t joined_ = 0;
-  std::vector<std::unique_ptr<Apart>> free_;
+  std::vector<std::unique_ptr<WorkerPart>> free_;
   std::atomic<bool> stop_ = false;
 };
 

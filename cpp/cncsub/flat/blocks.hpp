@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cncsub/flat/numbers.hpp"
-#include "cncsub/machine/state/heard.hpp"
+#include "cncsub/machine/state/observer.hpp"
 
 namespace cncsub {
 

@@ -92,7 +92,7 @@ FlatRun::FlatRun(const Machine& at_its_head, bool comments, const Machine* other
       for_(other != nullptr ? &other->code() : &machine_.code()),
       comments_(comments) {
   if (other != nullptr) other_.emplace(machine_, *other);
-  machine_.tell(&heard_);
+  machine_.tell(&observer_);
   program_ = machine_.state().frames.front().program;
   const auto& programs = machine_.code().programs;
   has_parts_ = std::any_of(programs.begin(), programs.end(),
@@ -111,8 +111,8 @@ std::int32_t FlatRun::program_at(Address at) {
   return program_;
 }
 
-const BlockCodes& codes_of(const Machine& machine, const Heard& heard, const Block& block) {
-  if (heard.computed) return *heard.values.codes;
+const BlockCodes& codes_of(const Machine& machine, const Observer& observer, const Block& block) {
+  if (observer.computed) return *observer.values.codes;
   if ((block.flags & Block::kListed) == 0) return kNoCodes;
   return machine.motion().view().facts.meanings->blocks[block.list];
 }
@@ -122,8 +122,9 @@ bool FlatRun::ends() const {
     return machine_.stop() == Stop::End || machine_.stop() == Stop::Cycles;
   // An alarm that the program may not raise ends no flat program either: it is refused.
   if (!machine_.alarm() || machine_.alarm()->cause != Cause::UserAlarm) return false;
-  if (heard_.raised != nullptr) return true;
-  return !heard_.assigned.empty() && is_user_alarm(machine_.code(), heard_.assigned.back().number);
+  if (observer_.raised != nullptr) return true;
+  return !observer_.assigned.empty() &&
+         is_user_alarm(machine_.code(), observer_.assigned.back().number);
 }
 
 // ---- the run ----
@@ -186,7 +187,7 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   coming_.call = s.frames.back().call;
   coming_.repeat = s.frames.back().repeat;
   coming_.plain = (op == Op::Linear || op == Op::Arc) && !takes_words(s);
-  heard_.forget();
+  observer_.forget();
   return refusal_ || text.size() >= kPiece;
 }
 
@@ -197,17 +198,17 @@ void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
   const bool goes_on = machine_.stop() == Stop::Running;
   if (starts_over_)
     refuse("a code starts the program over, and the flat program goes on behind it");
-  else if (goes_on && heard_.words != nullptr && heard_.words->op == Op::EndProgram)
+  else if (goes_on && observer_.words != nullptr && observer_.words->op == Op::EndProgram)
     refuse("M02 or M30 returns from a subprogram, and the flat program would end there");
-  else if (coming_.plain || heard_.any())
+  else if (coming_.plain || observer_.any())
     write_block(text, origins);
 }
 
 /// The run has stopped.
 void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
   const bool cycles = machine_.stop() == Stop::Cycles;
-  const bool returns = cycles || (machine_.stop() == Stop::End && heard_.returned);
-  const bool said = heard_.words != nullptr && heard_.words->op == Op::EndProgram;
+  const bool returns = cycles || (machine_.stop() == Stop::End && observer_.returned);
+  const bool said = observer_.words != nullptr && observer_.words->op == Op::EndProgram;
   if (returns && !starts_over_) {
     const std::string code = return_of(machine_, other_ ? &*other_ : nullptr);
     if (code.empty())
@@ -253,18 +254,18 @@ bool keeps_modes(const BlockCodes& codes) {
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   if (!write_assigned(text, origins) || !write_print(text, origins)) return false;
   write_raised(text, origins);
-  const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : heard_.words;
+  const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : observer_.words;
   if (block == nullptr) return true;
-  if (heard_.profile) return write_with_profile(text, origins, *block, *heard_.profile);
+  if (observer_.profile) return write_with_profile(text, origins, *block, *observer_.profile);
   const std::size_t before = text.size();
-  if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(machine_, heard_, *block)))
+  if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(machine_, observer_, *block)))
     return refuse(
         "what M70 to M73 keep and take back in is each call's own, and a flat program has no "
         "calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);
-  starts_over_ = codes_of(machine_, heard_, *block).has(Role::StartOver);
+  starts_over_ = codes_of(machine_, observer_, *block).has(Role::StartOver);
   return true;
 }
 
@@ -272,7 +273,7 @@ bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& 
                           const std::array<std::int64_t, 2>* profile) {
   if (other_) return write_for_other(text, origins, block, *other_);
   const std::size_t before = text.size();
-  const NcWords* values = heard_.computed ? &heard_.values : nullptr;
+  const NcWords* values = observer_.computed ? &observer_.values : nullptr;
   const std::int32_t program = program_at(coming_.at);
   const bool written = profile != nullptr
                            ? blocks_.write_cycle(text, block, program, values, *profile)
@@ -287,7 +288,7 @@ bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& 
 
 bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
                               OtherWriter& other) {
-  const NcWords words = heard_.computed ? heard_.values : constant_words(machine_, block);
+  const NcWords words = observer_.computed ? observer_.values : constant_words(machine_, block);
   std::string lines;
   if (!other.write(lines, block, words)) return refuse(other.refused());
   for (std::size_t end; (end = lines.find('\n')) != std::string::npos; lines.erase(0, end + 1)) {
@@ -302,11 +303,11 @@ bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Blo
 
 /// G65 H99.
 void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
-  if (heard_.raised == nullptr) return;
-  const HCode& h = *heard_.raised;
+  if (observer_.raised == nullptr) return;
+  const HCode& h = *observer_.raised;
   const Code& code = machine_.code();
   const Program& program = code.programs[static_cast<std::size_t>(program_at(coming_.at))];
-  text += "G65 H99 P" + std::string(NumberText(heard_.raised_number).text());
+  text += "G65 H99 P" + std::string(NumberText(observer_.raised_number).text());
   if (h.text_length > 0)
     text +=
         "(" + std::string(code.files[program.file].text.view().substr(h.text, h.text_length)) + ")";
@@ -315,7 +316,7 @@ void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
 
 bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
-  for (const Heard::Assigned& of : heard_.assigned) {
+  for (const Observer::Assigned& of : observer_.assigned) {
     if (!has_effect(code, of.number)) continue;
     const std::string name = "#" + std::to_string(of.number);
     const Code& there = *for_;
@@ -335,12 +336,12 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
 bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string& statement) {
   const Code& code = machine_.code();
   std::size_t printed = 0;
-  for (const PrintField& field : heard_.print->fields) {
+  for (const PrintField& field : observer_.print->fields) {
     if (!field.is_variable) {
       for (const char c : field.text) statement += c == ' ' ? '*' : c;
       continue;
     }
-    const double value = heard_.printed[printed++];
+    const double value = observer_.printed[printed++];
     const auto local = static_cast<std::int64_t>(printed);
     if (!code.place(local).is_local())
       return refuse("what is printed has more values than there are local variables");
@@ -348,7 +349,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
     text += name + "=" + value_text(code, value);
     end_line(text, origins);
     const int digits = field.whole_digits * 10 + field.decimals;
-    statement += name + "[" + (digits < 10 && !heard_.print->binary ? "0" : "") +
+    statement += name + "[" + (digits < 10 && !observer_.print->binary ? "0" : "") +
                  std::to_string(digits) + "]";
   }
   return true;
@@ -356,12 +357,12 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
 
 bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   const Spelling::Around& message = for_->spelling->message;
-  if (heard_.device != Op::Words) {
-    text += heard_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
+  if (observer_.device != Op::Words) {
+    text += observer_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
     end_line(text, origins);
   }
-  if (heard_.print == nullptr) return true;
-  std::string statement = heard_.print->binary ? "BPRNT[" : "DPRNT[";
+  if (observer_.print == nullptr) return true;
+  std::string statement = observer_.print->binary ? "BPRNT[" : "DPRNT[";
   if (message.before.empty()) {
     if (!print_fields(text, origins, statement)) return false;
     text += statement + "]";

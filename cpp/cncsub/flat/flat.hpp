@@ -14,7 +14,7 @@
 #include "cncsub/flat/blocks.hpp"
 #include "cncsub/flat/other.hpp"
 #include "cncsub/machine/machine.hpp"
-#include "cncsub/machine/state/heard.hpp"
+#include "cncsub/machine/state/observer.hpp"
 
 namespace cncsub {
 
@@ -43,7 +43,7 @@ struct FlatRefusal {
 };
 
 /// What the codes of the block mean that a machine executed last, and of which `heard` was kept.
-const BlockCodes& codes_of(const Machine& machine, const Heard& heard, const Block& block);
+const BlockCodes& codes_of(const Machine& machine, const Observer& observer, const Block& block);
 
 class FlatRun {
  public:
@@ -107,7 +107,7 @@ class FlatRun {
   BlockWriter blocks_;
   std::optional<OtherWriter> other_;
   const Code* for_;  // what the control that the text is for has and how it writes
-  Heard heard_;
+  Observer observer_;
   bool comments_;
   Coming coming_;
   bool has_parts_ = false;  // some programs are a part of others

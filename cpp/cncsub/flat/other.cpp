@@ -126,7 +126,7 @@ std::string OtherWriter::head(const std::string& name) const {
 int OtherWriter::code_of(const GCode& own, bool& idle) const {
   const MotionFacts& facts = facts_of(to_);
   const auto same = [&own](const GCode& there) {
-    return there.code >= 0 && there.meaning == own.meaning && there.which == own.which;
+    return there.code >= 0 && there.meaning == own.meaning && there.variant == own.variant;
   };
   if (const GCode there = facts.codes.find(own.code); same(there)) return there.code;
   if (is_neutral(own.meaning)) return -1;

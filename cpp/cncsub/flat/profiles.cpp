@@ -19,7 +19,8 @@ bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const 
       return refuse("the value of " + blocks_.failed() + " cannot be written as a number");
   }
   std::array<std::int64_t, 2> numbers{};
-  const bool behind = codes_of(machine_, heard_, block).meaning(Group::OneShot) != Meaning::Finish;
+  const bool behind =
+      codes_of(machine_, observer_, block).meaning(Group::OneShot) != Meaning::Finish;
   bool is_new = true;
   if (!number_profile(behind, numbers, is_new)) return false;
   if (!write_words(text, origins, block, &numbers)) return false;

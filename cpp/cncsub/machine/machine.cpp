@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "cncsub/machine/run/run.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
-#include "cncsub/machine/values/changes.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/variables.hpp"
+#include "cncsub/machine/values/watch.hpp"
 #include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {

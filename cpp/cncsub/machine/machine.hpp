@@ -37,7 +37,7 @@ class Machine {
   void run(const std::function<bool()>& interrupted, std::int64_t blocks);
   /// From now on `heard` is told what each block does, until nobody (null) listens. It is to be
   /// emptied before each block.
-  void tell(Heard* heard) { run_.heard = heard; }
+  void tell(Observer* observer) { run_.observer = observer; }
   /// Stops the run as Ctrl-C does.
   void interrupt();
   /// What the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables that

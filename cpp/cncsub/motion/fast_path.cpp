@@ -56,16 +56,16 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   state.row_moves = nullptr;
   state.motion_code = path >= 0 ? static_cast<std::uint8_t>(path) : kOtherPath;
   set_seconds_per_mm(state);
-  const bool waits =
-      compensating(state) || state.held.engaged || !state.held.radius.empty() || tool_waits(state);
+  const bool waits = compensating(state) || state.lookahead.engaged ||
+                     !state.lookahead.radius.empty() || tool_waits(state);
   state.plain = !facts.general_only && !waits && (path >= 0 || leaves_nothing(motion)) &&
-                !in_cycle(state) && !state.angled.waiting() && state.held.corner.empty() &&
-                !polar(state) && facts.limits.empty() && !checks_area(state) && !lacks_speed(m) &&
-                !state.tool_pending && !state.rigid_waits &&
-                facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
-                !state.diameter && !state.no_motion && !centre_is_absolute(state) &&
-                !feed_of_each_cut(m) && !turned(state) && !state.surface &&
-                state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
+                !in_cycle(state) && !state.pending_angle.waiting() &&
+                state.lookahead.corner.empty() && !polar(state) && facts.limits.empty() &&
+                !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
+                !state.rigid_waits && facts.control->motion.max_feed.value == 0 &&
+                state.frame_angle == 0 && !state.diameter && !state.no_motion &&
+                !centre_is_absolute(state) && !feed_of_each_cut(m) && !is_transformed(state) &&
+                !state.surface && state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
 
 void take_code(const MotionFacts& facts, MotionState& state, int code) {

@@ -23,15 +23,17 @@ constexpr int kReferenceStep = 20;
 
 /// Moves that wait for the next one wait no more.
 Result end_waiting(MoveSink& sink) {
-  const Held& held = sink.state.held;
-  if (!held.corner.empty())
+  const LookaheadQueue& lookahead = sink.state.lookahead;
+  if (!lookahead.corner.empty())
     return Fault{.cause = Cause::CornerNoMove,
-                 .at = held.corner.back().at,
+                 .at = lookahead.corner.back().at,
                  .detail = {},
-                 .address = held.corner.back().corner};
-  if (const Angled& angled = sink.state.angled; angled.waiting())
-    return Fault{
-        .cause = Cause::AngleNoEnd, .at = angled.line.front().at, .detail = {}, .address = 'A'};
+                 .address = lookahead.corner.back().corner};
+  if (const PendingAngle& pending_angle = sink.state.pending_angle; pending_angle.waiting())
+    return Fault{.cause = Cause::AngleNoEnd,
+                 .at = pending_angle.line.front().at,
+                 .detail = {},
+                 .address = 'A'};
   return flush_radius(sink);
 }
 
@@ -57,10 +59,10 @@ std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
 }
 
 std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves,
-                                     Outcome& outcome, Outside& outside) {
+                                     Outcome& outcome, MachineInputs& inputs) {
   if (state_.plain) state_.tool_at = machine_point(state_);
   outcome = {};
-  MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, outside};
+  MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, inputs};
   auto wrong = whole_or_nothing(moves, [&] {
     auto fault = run_block(context, words, step);
     return fault || !words.stops ? fault : end_waiting(context.sink);
@@ -70,16 +72,17 @@ std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, M
 }
 
 std::int64_t held_pieces(const MotionState& state) {
-  return static_cast<std::int64_t>(state.held.corner.size() + state.held.radius.size());
+  return static_cast<std::int64_t>(state.lookahead.corner.size() + state.lookahead.radius.size());
 }
 
 std::size_t held_bytes(const MotionState& state) {
-  return (state.held.corner.capacity() + state.held.radius.capacity()) * sizeof(Piece);
+  return (state.lookahead.corner.capacity() + state.lookahead.radius.capacity()) * sizeof(Piece);
 }
 
 std::vector<std::uint32_t> held_steps(const MotionState& state) {
   std::vector<std::uint32_t> steps;
-  for (const auto* pieces : {&state.held.corner, &state.held.radius, &state.angled.line})
+  for (const auto* pieces :
+       {&state.lookahead.corner, &state.lookahead.radius, &state.pending_angle.line})
     for (const Piece& piece : *pieces) steps.push_back(piece.step);
   return steps;
 }
@@ -95,10 +98,10 @@ void Motion::reset() {
   if (c.common.reset_clears.value.has(Cleared::Codes)) power_on(*facts_, state_, true);
   state_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
   end_cycles(*facts_, state_);
-  state_.held = {};
-  state_.angled = {};
+  state_.lookahead = {};
+  state_.pending_angle = {};
   state_.rigid_waits = state_.data_set = false;
-  state_.turned = {};
+  state_.transform = {};
   if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
     state_.local = {};
     refresh_offset(state_);
@@ -124,7 +127,7 @@ void Motion::write(Axes& values, int axis, double value) {
 void Motion::write_zero(int system, Axes& values, int axis, double value) {
   const bool waits = facts_->control->motion.written_offset.value == WrittenOffset::WhenSelected;
   if (waits && system == system_in_force(state_)) hold_zero(state_);
-  if (axis == kTurn && waits) state_.tables.turned[system] = value;
+  if (axis == kTurn && waits) state_.tables.system_angles[system] = value;
   write(values, axis, value);
 }
 

@@ -10,8 +10,8 @@
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/motion/query.hpp"
+#include "cncsub/motion/state/machine_inputs.hpp"
 #include "cncsub/motion/state/modes.hpp"
-#include "cncsub/motion/state/outside.hpp"
 #include "cncsub/motion/state/setup.hpp"
 #include "cncsub/motion/state/state.hpp"
 #include "cncsub/motion/state/undo.hpp"
@@ -34,7 +34,7 @@ class Motion {
 
   /// Executes the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
-                               Outcome& outcome, Outside& outside);
+                               Outcome& outcome, MachineInputs& inputs);
 
   /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the
   /// order of the alphabet. Returns false when the state wants the general path; then nothing has

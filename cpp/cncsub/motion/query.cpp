@@ -68,12 +68,12 @@ double modal_word(MotionView m, char address) {
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
 /// Where the last move ends that waits for the corner behind it.
-static Axes waiting_end(const Held& held) {
-  const Piece& last = held.radius.back();
+static Axes waiting_end(const LookaheadQueue& lookahead) {
+  const Piece& last = lookahead.radius.back();
   Axes end = last.end + last.length;
   const PlaneAxes plane = plane_axes(last.plane);
-  end[static_cast<std::size_t>(plane.a)] += held.vector[0];
-  end[static_cast<std::size_t>(plane.b)] += held.vector[1];
+  end[static_cast<std::size_t>(plane.a)] += lookahead.vector[0];
+  end[static_cast<std::size_t>(plane.b)] += lookahead.vector[1];
   return end;
 }
 
@@ -83,8 +83,8 @@ static Axes waiting_end(const Held& held) {
 static Axes standing_point(MotionView m) {
   const MotionState& state = m.state;
   const bool by_normal = is_by_own_normal(m.facts);
-  if (by_normal && !state.held.radius.empty()) return waiting_end(state.held);
-  return state.plain || state.held.ended || (by_normal && !state.held.engaged)
+  if (by_normal && !state.lookahead.radius.empty()) return waiting_end(state.lookahead);
+  return state.plain || state.lookahead.ended || (by_normal && !state.lookahead.engaged)
              ? machine_point(state)
              : state.tool_at;
 }
@@ -193,7 +193,7 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
     const int code = m.state.modal[at(group)].code;
     if (code < 0) continue;
     std::string text = code_name(code);
-    if (group == Group::Work && m.state.work_system == 0 && m.state.modal[at(group)].which == 0)
+    if (group == Group::Work && m.state.work_system == 0 && m.state.modal[at(group)].variant == 0)
       text += " P" + std::to_string(m.state.extra_system);
     list.emplace_back(name, text);
   }

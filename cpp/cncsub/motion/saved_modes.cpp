@@ -8,7 +8,7 @@
 namespace cncsub {
 namespace {
 
-bool is_longer(const MotionState& state) { return state.length != Axes{}; }
+bool is_extended(const MotionState& state) { return state.length != Axes{}; }
 double feed_of(const MotionFacts& facts, const MotionState& state) {
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
   if (times && facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed)
@@ -29,7 +29,7 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
   return {state.modal,   feed_of(facts, state), speed_of(state),
-          state.shifted, is_longer(state),      state.turns};
+          state.shifted, is_extended(state),    state.turns};
 }
 
 ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
@@ -53,8 +53,8 @@ ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
   const auto add = [&](Meaning meaning) {
     if (const GCode code = facts.codes.of(meaning); code.code >= 0) block.codes.add_g(code.code);
   };
-  if (saved.longer != is_longer(state))
-    add(saved.longer ? Meaning::LengthPlus : Meaning::LengthOff);
+  if (saved.extended != is_extended(state))
+    add(saved.extended ? Meaning::LengthPlus : Meaning::LengthOff);
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
   // Written with one decimal, and with none.

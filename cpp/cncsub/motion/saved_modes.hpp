@@ -15,7 +15,7 @@ struct SavedModes {
   std::array<GCode, kGroups> codes{};
   double feed = 0;  // in the unit of the program
   double speed = 0;
-  bool shifted = false, longer = false;  // the shift of G92, and a tool length, are in force
+  bool shifted = false, extended = false;  // the shift of G92, and a tool length, are in force
   bool turns = false;
 };
 

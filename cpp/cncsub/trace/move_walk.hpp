@@ -151,7 +151,7 @@ class Moves::Walk {
     if constexpr (!timed) return;
     const bool lathe = (moves_.diameters_ & 1) != 0;
     row.spindle = lathe ? spindle_at(*state_, row.point[0]) : state_->spindle;
-    row.feed = state_->feed / (row.length < kNoWay && turns(row) ? state_->degree : 1);
+    row.feed = state_->feed / (row.length < kNoLength && turns(row) ? state_->degree : 1);
     row.time = seconds_of({row.kind, *state_, from_, row.machine, path, offset_[0], dwell},
                           moves_.rapid_, moves_.diameters_);
   }

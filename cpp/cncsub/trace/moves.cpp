@@ -29,12 +29,13 @@ void Moves::begin(const Axes& machine, const Axes& rapid, std::uint32_t diameter
 
 std::uint32_t Moves::find_state(const MoveState& state, const Axes& offset,
                                 const std::array<double, 3>& tip) {
-  last_told_ ^= 1;
-  Told& told = told_[last_told_];
-  if (same_bits(told.state.feed, state.feed) && told.is(state, offset, tip)) return told.number;
-  told.state = state;
-  told.offset = offset;
-  told.tip = tip;
+  last_reported_ ^= 1;
+  ReportedOffset& reported = reported_[last_reported_];
+  if (same_bits(reported.state.feed, state.feed) && reported.is(state, offset, tip))
+    return reported.number;
+  reported.state = state;
+  reported.offset = offset;
+  reported.tip = tip;
   MoveState row = state;
   if (offsets_.empty() || offsets_.back() != offset) offsets_.push(offset);
   if (tip != std::array<double, 3>{}) {
@@ -46,7 +47,7 @@ std::uint32_t Moves::find_state(const MoveState& state, const Axes& offset,
   // More states than a row can number fill more memory than there is: they go on as the last one.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
   if (states_.empty() || (!full && !(states_.back() == row))) states_.push(row);
-  return told.number = static_cast<std::uint32_t>(states_.size() - 1);
+  return reported.number = static_cast<std::uint32_t>(states_.size() - 1);
 }
 
 void Moves::use(std::uint32_t axes) {

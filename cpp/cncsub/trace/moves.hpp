@@ -12,7 +12,7 @@
 
 #include "cncsub/text/interrupt_check.hpp"
 #include "cncsub/trace/column.hpp"
-#include "cncsub/trace/way.hpp"
+#include "cncsub/trace/duration.hpp"
 
 namespace cncsub {
 
@@ -80,7 +80,7 @@ class Moves {
   std::uint32_t intern(const MoveState& state, const Axes& offset,
                        const std::array<double, 3>& tip = {}) {
     // Nearly always as before, bit by bit.
-    const Told& last = told_[last_told_];
+    const ReportedOffset& last = reported_[last_reported_];
     return last.is(state, offset, tip) ? last.number : find_state(state, offset, tip);
   }
   /// The axes that moves named; bit 0 is X.
@@ -170,7 +170,7 @@ class Moves {
   };
 
   /// What a row was told with, and the number of its state.
-  struct Told {
+  struct ReportedOffset {
     MoveState state;
     Axes offset{};
     std::array<double, 3> tip{};
@@ -200,8 +200,8 @@ class Moves {
   Column<Seconds> seconds_;
   Column<Skip> skips_;
   // The last two: feeds or zero points that take turns are no new states every time.
-  std::array<Told, 2> told_;
-  std::uint32_t last_told_ = 0;
+  std::array<ReportedOffset, 2> reported_;
+  std::uint32_t last_reported_ = 0;
   std::uint32_t used_ = 0;
   Axes start_{};  // machine position before the first row
   Axes rapid_{};

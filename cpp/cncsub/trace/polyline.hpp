@@ -76,7 +76,7 @@ void thin_piece(const double* x, const double* y, const double* z, const std::in
 /// chord that goes past it, and the chord as near to what was left out. Points where `key`, which
 /// is that of the line which leads to a point, changes are kept. Never more than a window of points
 /// goes into one chord, so that a second look may find fewer.
-void thin(const double* x, const double* y, const double* z, const std::int32_t* key,
-          std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt);
+void simplify(const double* x, const double* y, const double* z, const std::int32_t* key,
+              std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt);
 
 }  // namespace cncsub

@@ -46,7 +46,7 @@ def notes_of(library: Library) -> Iterator[Note]:
     if (note := _no_head(library)) is not None:
         yield note
     for program in library.duplicates:
-        counts = counting(library, program)
+        counts = program_in_its_place(library, program)
         same = same_blocks(program, counts)
         yield Note(
             "copy" if same else "conflict",
@@ -104,7 +104,7 @@ def _has_head(program: Program) -> bool:
     return text.startswith((":", "<")) or text.upper().startswith(program.name.upper())
 
 
-def counting(library: Library, duplicate: Program) -> Program:
+def program_in_its_place(library: Library, duplicate: Program) -> Program:
     """The program that the control calls in place of a duplicate."""
     found = library[duplicate.name]
     digits = duplicate.name.lstrip("Oo:%")

@@ -197,8 +197,8 @@ def _named_job(path: Path, each: str, marks: bool) -> Job:
         fault = "no such file or folder"
     elif not path.exists():
         fault = "a link that leads nowhere"
-    beside = next(walk(path.parent, Reading()), ("", [], ""))[1] if each == "beside" else []
-    mark = _mark(before, [path.name, *beside]) if marks else ""
+    siblings = next(walk(path.parent, Reading()), ("", [], ""))[1] if each == "beside" else []
+    mark = _mark(before, [path.name, *siblings]) if marks else ""
     return Job(clean(str(path)), before, (path.name,), fault, mark)
 
 

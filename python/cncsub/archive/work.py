@@ -130,8 +130,8 @@ def _library(task: Task, job: Job) -> Library:
     if not reading.files:
         raise ValueError(reading.skipped[0][1] if reading.skipped else "no program")
     if task.each == "beside":
-        beside = next(walk(Path(job.before), Reading()), ("", [], ""))[1]
-        read_found_files(job.before, beside, real, task.encoding, reading)
+        siblings = next(walk(Path(job.before), Reading()), ("", [], ""))[1]
+        read_found_files(job.before, siblings, real, task.encoding, reading)
     names = reading.names
     files: list[CoreFile] = reading.rows(False)
     if task.external is not None:

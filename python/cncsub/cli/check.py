@@ -108,14 +108,14 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
     from cncsub.reports import findings, hints
 
     library = library_of(options)
-    beside = files_beside(options, library)
+    siblings = files_beside(options, library)
 
     def look(at: cncsub.Library) -> list[Finding]:
         found = at.check(options["main"], sorted(asked), setup=setup_for(options, project))
-        return [finding for finding in found if finding.file not in beside]
+        return [finding for finding in found if finding.file not in siblings]
 
     found = look(library)
-    own = [file for file in library.files if file not in beside]
+    own = [file for file in library.files if file not in siblings]
     language = hints.language_beside_findings(library, found, look, own)
     if language is not None:
         print(f"hint: {shown(language)}", file=sys.stderr)

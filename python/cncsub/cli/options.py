@@ -19,7 +19,7 @@ import typer
 
 import cncsub
 from cncsub import system
-from cncsub.analysis.notes import Note, counting, same_blocks
+from cncsub.analysis.notes import Note, program_in_its_place, same_blocks
 from cncsub.cli.project import PLACES, Project, project_for
 from cncsub.controls import names_beginning
 from cncsub.escapes import shown
@@ -355,9 +355,9 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
     if paths:
         prefer = options.get("prefer") or ()
 
-        def load(named: Sequence[str], beside: Sequence[str] = ()) -> cncsub.Library:
+        def load(named: Sequence[str], siblings: Sequence[str] = ()) -> cncsub.Library:
             wanted = {"encoding": options["encoding"], "prefer": prefer, **places}
-            return load_with(named, beside, **wanted)
+            return load_with(named, siblings, **wanted)
 
         _refuse_words_of_mdi(paths, options["mdi"])
         return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
@@ -405,11 +405,11 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     """What is easily overlooked of a memory, but for files that the options name themselves."""
     project = project_for(options.get("paths"))
     known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
-    beside = [
+    siblings = [
         Note("beside", "read too, because a call names its program", file)
         for file in files_beside(options, library)
     ]
-    return [*defaulted(options), *outside(options, project), *beside] + [
+    return [*defaulted(options), *outside(options, project), *siblings] + [
         note
         for note in library.notes
         if note.kind != "left-out" or os.path.realpath(note.file) not in known
@@ -465,7 +465,7 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
     library = library_of(options)
     chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
     for program in library.duplicates:
-        counts = counting(library, program)
+        counts = program_in_its_place(library, program)
         if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
             places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
             cure = _cure_of_two(library, program, counts)

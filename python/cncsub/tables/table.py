@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
-from cncsub.pickling import Stays
+from cncsub.pickling import NotPicklable
 from cncsub.tables.rows import Call, Change, Move, Origin, SentCode, Step
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ _NARROW = 80  # letters of a line, where a terminal has no more
 _SHOWN = 5  # rows at the head and at the end of a printed table
 
 
-class Table(Stays, Generic[Row]):
+class Table(NotPicklable, Generic[Row]):
     """Rows and columns of one kind. `table[5]` is a row, `table["n"]` and `table.n` are columns.
 
     A column is a NumPy array as long as the table, to be read. A column of texts holds `int32`

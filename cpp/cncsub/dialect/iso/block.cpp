@@ -77,7 +77,7 @@ void BlockReader::write(Block& block, const Tokens& tokens, bool calls) {
   if (meaning.registered == nullptr)
     return BlockWriter(to_, rules_, tokens, meaning, block).write();
   // Inside a program that a code called, codes may not call.
-  Variant variant;
+  Select variant;
   variant.address = meaning.call->letter;
   Block first = block;
   Block second = block;
@@ -85,7 +85,7 @@ void BlockReader::write(Block& block, const Tokens& tokens, bool calls) {
   write(second, tokens, false);
   variant.first = to_.keep(first);
   variant.second = to_.keep(second);
-  to_.become(block, Op::Choose, variant);
+  to_.become(block, Op::Select, variant);
 }
 
 /// A slash that is not at the head: the words behind it do not count while its switch is on.
@@ -93,7 +93,7 @@ void BlockReader::write_slash(Block& block, const Tokens& tokens, std::size_t sl
   Tokens without(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(slash));
   Tokens with = without;
   with.insert(with.end(), tokens.begin() + static_cast<std::ptrdiff_t>(slash) + 1, tokens.end());
-  Variant variant;
+  Select variant;
   variant.skip = tokens[slash].skip;
   Block first = block;
   Block second = block;
@@ -101,7 +101,7 @@ void BlockReader::write_slash(Block& block, const Tokens& tokens, std::size_t sl
   write(second, without, calls);
   variant.first = to_.keep(first);
   variant.second = to_.keep(second);
-  to_.become(block, Op::Choose, variant);
+  to_.become(block, Op::Select, variant);
 }
 
 }  // namespace cncsub

@@ -65,11 +65,11 @@ std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) 
     if (token.letter != 'D') return std::nullopt;
     if (!control_.calls.device_word.value)
       return fault_of(token, Cause::AddressNotUsable, "the control has no ,D");
-    if (says_program) call.seldom.make().device = token.operand;
+    if (says_program) call.extras.make().device = token.operand;
     return std::nullopt;
   }
   if (token.letter == '<' && says_program) {
-    SeldomInCall& named = call.seldom.make();
+    CallExtras& named = call.extras.make();
     named.name = std::string(token.name);
     named.name_at = token.operand.at;
     named.name_width = token.operand.width;
@@ -78,7 +78,7 @@ std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) 
   if (token.letter == 'L' && (says_program || macro_)) return given(call.l, token);
   if (says_start && ((token.letter == 'Q' && start == StartWord::Q) ||
                      (token.letter == 'H' && start == StartWord::H)))
-    call.seldom.make().start = token.operand;
+    call.extras.make().start = token.operand;
   return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ std::string spell(double value) {
 }
 
 /// Whether an M code of this role shares its block with no other where the control says so.
-bool is_lonely(Role role) {
+bool must_be_alone(Role role) {
   switch (role) {
     case Role::Stop:
     case Role::OptionalStop:
@@ -51,13 +51,13 @@ constexpr CallOfRole kCalls[] = {
 
 std::optional<Fault> MeaningReader::read() {
   for (const Token& token : tokens_) {
-    if (is_odd(token)) return odd_word(control_, token);
-    if (token.late) continue;
+    if (is_odd(token)) return bad_word(control_, token);
+    if (token.trailing_n) continue;
     if (auto fault = sort(token)) return fault;
   }
   if (auto fault = check_count()) return fault;
   for (const Token& token : tokens_)
-    if (token.odd && is_odd_in_block(token)) return odd_word(control_, token);
+    if (token.bad_number && is_bad_in_block(token)) return bad_word(control_, token);
   return check_together();
 }
 
@@ -105,14 +105,14 @@ std::optional<Fault> MeaningReader::sort_m(const Token& token) {
   ++meaning_.m_words;
   const bool written = token.operand.kind == Operand::Kind::Constant;
   const Role role = written ? role_of_m(token.operand) : Role::None;
-  if (is_lonely(role)) meaning_.lonely = &token;
+  if (must_be_alone(role)) meaning_.alone_word = &token;
   const RegisteredCall* const found =
       written && may_call_ ? rules_.calling.find('M', token.operand.value) : nullptr;
   if (found != nullptr) {
     if (found->refused)
       return fault_of(token, Cause::CodeMayNotCall,
                       "M" + spell(token.operand.value) + " may not call a program");
-    meaning_.lonely = &token;
+    meaning_.alone_word = &token;
     call(token, CallKind::MCode, found->kind, found);
     return std::nullopt;
   }
@@ -188,14 +188,14 @@ Role MeaningReader::role_of_m(const Operand& operand) const {
 bool MeaningReader::is_odd(const Token& token) const {
   if (meaning_.calls_macro() && token.letter != 'P' && token.letter != 'L')  // an argument
     return std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits];
-  if (!token.odd) return false;
+  if (!token.bad_number) return false;
   const bool long_p = token.letter == 'P' && token.wrong == Cause::TooManyDigits;
   const bool all_decide = long_p || may_take_point(token) || may_be_increment(token);
   return !all_decide && !is_length_here(token);
 }
 
 /// The same of P and H, which all words of the block decide.
-bool MeaningReader::is_odd_in_block(const Token& token) const {
+bool MeaningReader::is_bad_in_block(const Token& token) const {
   if (may_be_increment(token)) return meaning_.calls_subprogram();
   if (token.letter != 'P') return false;
   const bool name = token.wrong == Cause::TooManyDigits && names_by_p();
@@ -276,8 +276,8 @@ std::optional<Fault> MeaningReader::check_calls() const {
 std::optional<Fault> MeaningReader::check_m_codes() const {
   const ExtraMCodes extra = control_.reading.extra_m_codes.value;
   const int most = control_.reading.m_codes_per_block.value;
-  if (extra == ExtraMCodes::EndsAlone && meaning_.lonely != nullptr && meaning_.m_words > 1)
-    return fault_of(*meaning_.lonely, Cause::IllegalMCombination,
+  if (extra == ExtraMCodes::EndsAlone && meaning_.alone_word != nullptr && meaning_.m_words > 1)
+    return fault_of(*meaning_.alone_word, Cause::IllegalMCombination,
                     "this M code shares no block with another M code");
   if (extra == ExtraMCodes::Alarm && most >= 0 &&
       meaning_.m.size() > static_cast<std::size_t>(most))

@@ -42,7 +42,7 @@ struct BlockMeaning {
   const Token* end = nullptr;     // M02, M30
   const Token* cancel = nullptr;  // G67
   CodeWords g, m;
-  const Token* lonely = nullptr;  // an M code that wants to be alone
+  const Token* alone_word = nullptr;  // an M code that wants to be alone
   int m_words = 0;
 
   bool calls() const { return call != nullptr; }
@@ -79,7 +79,7 @@ class MeaningReader {
   Role role_of_m(const Operand& operand) const;
 
   bool is_odd(const Token& token) const;
-  bool is_odd_in_block(const Token& token) const;
+  bool is_bad_in_block(const Token& token) const;
   bool names_by_p() const;
   bool may_take_point(const Token& token) const;
   bool takes_point_here(const Token& token) const;

@@ -86,7 +86,7 @@ void BlockWriter::codes(WordList& words) {
 /// return or its jump.
 bool BlockWriter::executed(const Token& token) const {
   const bool address = token.letter != 'G' && token.letter != 'M' && token.letter != '<' &&
-                       token.letter != '/' && !token.late;
+                       token.letter != '/' && !token.trailing_n;
   return address && !belongs_to_call(token);
 }
 

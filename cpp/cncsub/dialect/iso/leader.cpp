@@ -26,7 +26,7 @@ bool other_head(const Code& code, Scanner line) {
 
 /// Whether a tape begins with this %: a program's head follows, or blocks that another % ends. The
 /// text after it may belong to a piece of another thread, which unifies its ends of lines.
-bool tape_begins(Builder& to, std::string_view text, const Scanner& percent) {
+bool file_begins(Builder& to, std::string_view text, const Scanner& percent) {
   const char* const end = text.data() + text.size();
   bool blocks = false;
   for (const char* at = percent.at; at < end;) {
@@ -48,7 +48,7 @@ bool tape_begins(Builder& to, std::string_view text, const Scanner& percent) {
 /// may be titles.
 bool could_run(const Code& code, const Block& block) {
   if (block.n >= 0) return true;
-  if (block.op == Op::Choose) return could_run(code, code.variants[code.choices[block.aux].first]);
+  if (block.op == Op::Select) return could_run(code, code.variants[code.selects[block.aux].first]);
   if (is_words(block.op)) return block.has_codes() || (block.mask & kEndWords) != 0;
   return block.op != Op::Fault;
 }
@@ -61,7 +61,7 @@ bool is_leader(Builder& to, std::string_view text, const Scanner& percent) {
     if (to.interrupt().requested(InterruptCheck::kBlock)) return false;
     if (could_run(code, code.blocks[a])) return false;
   }
-  return tape_begins(to, text, percent);
+  return file_begins(to, text, percent);
 }
 
 }  // namespace cncsub

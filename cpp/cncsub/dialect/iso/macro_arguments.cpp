@@ -25,7 +25,7 @@ std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
   if (letter == 'P' && meaning_.registered != nullptr)
     return fault_of(token, Cause::IllegalArgument, "P cannot be an argument");
   if (letter == 'P' || letter == 'L' || letter == '<') return std::nullopt;
-  if (token.late)
+  if (token.trailing_n)
     return Fault{Cause::SequenceNumberNotFirst, token.operand.at, 1,
                  "N stands at the head of a macro call"};
   if (auto fault = refused_code(token)) return fault;

@@ -211,7 +211,7 @@ bool PlainReader::read_words(Scanner& s, Block& block) {
   const ExpressionWriter::Place before = to_.expressions().place();
   if (!take_words(s, words) || (words.mask == 0 && words.g_count == 0 && words.m < 0) ||
       (words.dwell && !is_plain_dwell({first, s.end, s.file}, words))) {
-    to_.expressions().take_back(before);
+    to_.expressions().rollback(before);
     s.at = first;
     return false;
   }

@@ -17,7 +17,8 @@ Assigned assigned_by(const ExpressionRules& rules, const ExpressionReader::Varia
   using enum Statement::Target;
   if (variable.number < 0) return {Indirect, value - variable.expression};
   const auto number = static_cast<std::uint32_t>(variable.number);
-  if (const auto* const near = rules.code.near.find(number); near != nullptr && near->writable)
+  if (const auto* const near = rules.code.direct_variables.find(number);
+      near != nullptr && near->writable)
     return {near->raw == Ins::LocalRaw ? Local : Common, near->base + number - near->first};
   const VariablePlace place = rules.code.place(variable.number);
   const auto index = static_cast<std::uint32_t>(place.index);

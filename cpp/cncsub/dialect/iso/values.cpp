@@ -100,7 +100,7 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::variable() {
   std::uint32_t number = 0;
   if (!digits_of_variable(number) || rules_.is_indirect(number)) [[unlikely]]
     return other_variable(at);
-  const NearRange* const near = rules_.code.near.find(number);
+  const DirectVariables* const near = rules_.code.direct_variables.find(number);
   if (near == nullptr) return out_.load(number, at);
   const Value value = Value::variable(written_.next());
   written_.put(ExpressionCell::of(near->raw, near->base + number - near->first, number));

@@ -125,7 +125,7 @@ bool WordScanner::late_sequence_number(const Lexeme& read, Tokens& tokens) {
     return refuse(
         {Cause::SequenceNumberNotFirst, offset(read), 1, "N must be the first word of its block"});
   if (block_.n >= 0) return word(read, tokens);
-  add(read, tokens).late = true;
+  add(read, tokens).trailing_n = true;
   if (!sequence_number(read)) return false;
   if (!control_.reading.late_sequence_numbers.value) block_.n = -1;
   return true;
@@ -217,7 +217,7 @@ bool WordScanner::check(Token& token, const Number& number) {
   if (number.points > 1)
     return refuse(fault_of(token, Cause::IllegalDecimalPoint, "two points in one number"));
   const std::uint32_t digits = number.points == 1 ? number.whole_digits + 3 : number.digits;
-  token.odd = true;
+  token.bad_number = true;
   if (number.points == 1 && !rules_.takes_point(token.letter) && token.letter != 'G')
     token.wrong = Cause::IllegalDecimalPoint;
   else if (number.negative && !rules_.takes_minus(token.letter))
@@ -225,11 +225,11 @@ bool WordScanner::check(Token& token, const Number& number) {
   else if (digits > static_cast<std::uint32_t>(most_digits(control_)))
     token.wrong = Cause::TooManyDigits;
   else
-    token.odd = false;
+    token.bad_number = false;
   return true;
 }
 
-Fault odd_word(const Control& control, const Token& token) {
+Fault bad_word(const Control& control, const Token& token) {
   const std::string letter(1, token.letter);
   std::string detail = letter + " takes no minus sign";
   if (token.wrong == Cause::IllegalDecimalPoint) detail = letter + " takes no decimal point";

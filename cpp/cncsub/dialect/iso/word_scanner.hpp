@@ -23,9 +23,9 @@ struct Token {
   std::uint8_t axis = 0;  // X1=
   std::uint16_t skip = 0;
   Operand operand;
-  std::string_view name;  // <NAME>, P[NAME]
-  bool late = false;      // an N behind other words
-  bool odd = false;       // a sign, a point or digits that only an argument may have
+  std::string_view name;    // <NAME>, P[NAME]
+  bool trailing_n = false;  // an N behind other words
+  bool bad_number = false;  // a sign, a point or digits that only an argument may have
   Cause wrong{};
 };
 using Tokens = std::vector<Token>;
@@ -34,7 +34,7 @@ inline Fault fault_of(const Token& token, Cause cause, std::string detail) {
   return {cause, token.operand.at, token.operand.width, std::move(detail)};
 }
 /// The fault of an odd word.
-Fault odd_word(const Control& control, const Token& token);
+Fault bad_word(const Control& control, const Token& token);
 /// Ten times a written code, as an index into the sets of codes; 10000 where it is none.
 inline std::size_t code_index(const Operand& operand) {
   const bool known =

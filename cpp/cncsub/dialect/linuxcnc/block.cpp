@@ -374,8 +374,8 @@ void BlockReader::write(Block& block, Words& words) {
     own.op = Op::Words;  // a plain move would be made without what stands beside it
     if (words.ends) own.op = Op::EndProgram;
   }
-  to_.together(block, words.statements, words.print ? &*words.print : nullptr,
-               words.any ? &own : nullptr);
+  to_.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr,
+                      words.any ? &own : nullptr);
 }
 
 }  // namespace cncsub::linuxcnc

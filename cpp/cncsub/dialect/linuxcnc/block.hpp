@@ -13,13 +13,13 @@ namespace cncsub::linuxcnc {
 
 /// What a line is to those that look for it by its label.
 struct Label {
-  std::uint32_t label = Labelled::kNone;
-  std::optional<LabelledKind> kind;  // none: the line is none of them, or a fault stands there
-  bool unreadable = false;           // nothing passes this line over: its fault is told at once
-  bool unknown = false;              // nor this one, but where a subprogram is defined
-  bool computed = false;             // values of an M98, which are read where it is passed over
+  std::uint32_t label = OWord::kNone;
+  std::optional<OWordKind> kind;  // none: the line is none of them, or a fault stands there
+  bool unreadable = false;        // nothing passes this line over: its fault is told at once
+  bool unknown = false;           // nor this one, but where a subprogram is defined
+  bool computed = false;          // values of an M98, which are read where it is passed over
 
-  bool is_head() const { return kind && *kind <= LabelledKind::Head; }
+  bool is_head() const { return kind && *kind <= OWordKind::Head; }
 };
 
 class BlockReader {
@@ -57,10 +57,10 @@ class BlockReader {
   void write(Block& block, Words& words);
 
   bool o_word(Block& block, Label& label);
-  bool o_label(Block& block, Labelled& own);
-  bool statement(Block& block, Labelled& own, std::string_view word);
-  bool o_call(Block& block, Labelled& own);
-  bool condition(Block& block, Labelled& own, std::string_view word);
+  bool o_label(Block& block, OWord& own);
+  bool statement(Block& block, OWord& own, std::string_view word);
+  bool o_call(Block& block, OWord& own);
+  bool condition(Block& block, OWord& own, std::string_view word);
   bool arguments(Block& block, CallRecord& call);
   bool end_of_o_word(Block& block);
   bool words_of_98(Block& block, CallRecord& call, Words& words);

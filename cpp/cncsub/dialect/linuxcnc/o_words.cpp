@@ -20,28 +20,28 @@ Operand operand_of(const Value& value) {
 
 struct Word {
   std::string_view name;
-  LabelledKind kind;
+  OWordKind kind;
 };
-constexpr Word kWords[] = {{"sub", LabelledKind::Sub},
-                           {"endsub", LabelledKind::EndSub},
-                           {"call", LabelledKind::Call},
-                           {"do", LabelledKind::Do},
-                           {"while", LabelledKind::While},
-                           {"repeat", LabelledKind::Repeat},
-                           {"if", LabelledKind::If},
-                           {"elseif", LabelledKind::ElseIf},
-                           {"else", LabelledKind::Else},
-                           {"endif", LabelledKind::EndIf},
-                           {"break", LabelledKind::Break},
-                           {"continue", LabelledKind::Continue},
-                           {"endwhile", LabelledKind::EndWhile},
-                           {"endrepeat", LabelledKind::EndRepeat},
-                           {"return", LabelledKind::Return}};
+constexpr Word kWords[] = {{"sub", OWordKind::Sub},
+                           {"endsub", OWordKind::EndSub},
+                           {"call", OWordKind::Call},
+                           {"do", OWordKind::Do},
+                           {"while", OWordKind::While},
+                           {"repeat", OWordKind::Repeat},
+                           {"if", OWordKind::If},
+                           {"elseif", OWordKind::ElseIf},
+                           {"else", OWordKind::Else},
+                           {"endif", OWordKind::EndIf},
+                           {"break", OWordKind::Break},
+                           {"continue", OWordKind::Continue},
+                           {"endwhile", OWordKind::EndWhile},
+                           {"endrepeat", OWordKind::EndRepeat},
+                           {"return", OWordKind::Return}};
 
 /// What is said where the label was met with another statement, or the subprogram is of another
 /// kind. [rs274 2.9]
-const char* refusal(LabelledKind kind) {
-  using enum LabelledKind;
+const char* refusal(OWordKind kind) {
+  using enum OWordKind;
   switch (kind) {
     case Sub:
       return "'O.... sub' subroutine must be called with 'O.... call'";
@@ -70,7 +70,7 @@ const char* refusal(LabelledKind kind) {
     case Call98:
       return "Failed to find sub 'O{name}' before EOF";
     case Back:
-    case TapeEnd:
+    case FileEnd:
     case Do:
       break;
   }
@@ -83,7 +83,7 @@ void take_m(Line& line, int number) {
 
 /// What is said of an endsub in the main program once a call has come back to it, and where the
 /// program runs into a sub that was called before. [rs274 2.9]
-void keep_refusal(Builder& to, Labelled& own, Cause cause, const char* text) {
+void keep_refusal(Builder& to, OWord& own, Cause cause, const char* text) {
   Fault fault{cause, own.at, own.width, ""};
   fault.text = text;
   own.refused = to.keep(std::move(fault));
@@ -133,14 +133,14 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
   if (!call.p.present())
     return refuse(block, Cause::ProgramNumberMissing,
                   "Found 'm" + std::to_string(m) + "' code with no P-word", at);
-  Labelled own;
+  OWord own;
   if (is_in_mode(words.line) && !words.line.computed) {
     own.beside = unused_letters(words.line);
     const std::string_view axes = words.line.has_g({431}) ? "" : "XYZABC";  // of G43.1 its lengths
     for (const char axis : axes) own.beside |= words.list.mask & bit(axis);
   }
-  own.kind = LabelledKind::Call98;
-  own.label = Labelled::kNone;
+  own.kind = OWordKind::Call98;
+  own.label = OWord::kNone;
   if (call.p.kind == Operand::Kind::Constant)
     own.label = to_.names().label(std::to_string(
         to_whole<std::int64_t>(std::clamp(call.p.value, -2147483648.0, 2147483647.0))));
@@ -150,14 +150,14 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
   using enum Operand::Kind;
   label.computed = call.p.kind == Expression || call.l.kind == Expression;
   own.call = to_.keep(std::move(call));
-  to_.become(block, Op::Labelled, own);
+  to_.become(block, Op::OWord, own);
   label.kind = own.kind;
   return true;
 }
 
 void BlockReader::back_99(Block& block, int m, Label& label) {
-  Labelled own;
-  own.kind = LabelledKind::Back;
+  OWord own;
+  own.kind = OWordKind::Back;
   own.at = line_.offset();
   take_m(line_, m);
   own.width = line_.width_from(own.at);
@@ -176,13 +176,13 @@ void BlockReader::back_99(Block& block, int m, Label& label) {
   back.at = own.at;
   back.width = own.width;
   own.call = to_.keep(std::move(back));
-  to_.become(block, Op::Labelled, own);
+  to_.become(block, Op::OWord, own);
   label.kind = own.kind;
 }
 
 // ---- O-words ----
 
-bool BlockReader::o_label(Block& block, Labelled& own) {
+bool BlockReader::o_label(Block& block, OWord& own) {
   const std::uint32_t at = line_.offset();
   line_.take();
   if (line_.take('<')) {
@@ -195,7 +195,7 @@ bool BlockReader::o_label(Block& block, Labelled& own) {
   Value value;
   if (!expression_.whole(value)) return refuse(block);
   if (value.computed) {
-    own.label = Labelled::kNone;
+    own.label = OWord::kNone;
     own.value = value.expression;
     return true;
   }
@@ -205,7 +205,7 @@ bool BlockReader::o_label(Block& block, Labelled& own) {
 }
 
 bool BlockReader::o_word(Block& block, Label& label) {
-  Labelled own;
+  OWord own;
   own.at = line_.offset();
   label.unreadable = !o_label(block, own);
   if (label.unreadable) return false;
@@ -217,7 +217,7 @@ bool BlockReader::o_word(Block& block, Label& label) {
     break;
   }
   const char c = line_.peek();
-  if (!label.kind && (c == '(' || c == ';' || c == '\0')) label.kind = LabelledKind::Head;
+  if (!label.kind && (c == '(' || c == ';' || c == '\0')) label.kind = OWordKind::Head;
   if (!label.kind) {
     label.unknown = true;
     return refuse(block, Cause::StatementNotAvailable, "Unknown control command in o word", own.at);
@@ -225,30 +225,30 @@ bool BlockReader::o_word(Block& block, Label& label) {
   own.kind = *label.kind;
   own.width = line_.width_from(own.at);
   label.label = own.label;
-  if (own.label == Labelled::kNone && own.kind != LabelledKind::Call)
+  if (own.label == OWord::kNone && own.kind != OWordKind::Call)
     return refuse(block, Cause::CodeNotComputed,
                   "a label from an expression is read in calls alone", own.at);
   return statement(block, own, name);
 }
 
-bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) {
+bool BlockReader::statement(Block& block, OWord& own, std::string_view word) {
   switch (own.kind) {
-    case LabelledKind::If:
-    case LabelledKind::ElseIf:
-    case LabelledKind::While:
-    case LabelledKind::Repeat:
+    case OWordKind::If:
+    case OWordKind::ElseIf:
+    case OWordKind::While:
+    case OWordKind::Repeat:
       if (!condition(block, own, word)) return false;
       break;
-    case LabelledKind::EndSub:
-    case LabelledKind::Return:
+    case OWordKind::EndSub:
+    case OWordKind::Return:
       if (line_.peek() == '[' && !condition(block, own, "return")) return false;
-      if (own.kind == LabelledKind::EndSub)
+      if (own.kind == OWordKind::EndSub)
         keep_refusal(to_, own, Cause::ReturnInMainProgram, "Not in subroutine definition");
       break;
-    case LabelledKind::Call:
+    case OWordKind::Call:
       if (!o_call(block, own)) return false;
       break;
-    case LabelledKind::Sub:
+    case OWordKind::Sub:
       keep_refusal(to_, own, Cause::SubprogramGivenTwice,
                    "File:{file} line:{line} sub: o|{name}| found in illegal location");
       break;
@@ -257,29 +257,29 @@ bool BlockReader::statement(Block& block, Labelled& own, std::string_view word) 
   }
   if (!end_of_o_word(block)) return false;
   own.of_another_kind = refusal(own.kind);
-  to_.become(block, Op::Labelled, own);
+  to_.become(block, Op::OWord, own);
   return true;
 }
 
-bool BlockReader::o_call(Block& block, Labelled& own) {
+bool BlockReader::o_call(Block& block, OWord& own) {
   CallRecord call;
-  call.kind = CallKind::Labelled;
+  call.kind = CallKind::OWord;
   call.locals = CallRecord::Locals::Own;
   call.at = own.at;
   call.width = own.width;
-  if (own.label == Labelled::kNone) {
+  if (own.label == OWord::kNone) {
     call.p.kind = Operand::Kind::Expression;
     call.p.expression = own.value;
     call.p.at = own.at;
     call.p.width = own.width;
-    own.value = Labelled::kNone;
+    own.value = OWord::kNone;
   }
   if (!arguments(block, call)) return false;
   own.call = to_.keep(std::move(call));
   return true;
 }
 
-bool BlockReader::condition(Block& block, Labelled& own, std::string_view word) {
+bool BlockReader::condition(Block& block, OWord& own, std::string_view word) {
   if (line_.peek() != '[')
     return refuse(block, Cause::StatementFormat,
                   "Left bracket missing after '" + std::string(word) + "'", own.at);

@@ -28,17 +28,17 @@ class FileReader {
     program.line = 1;
     program.opening = opening_of(text);
     to_.begin_program(program);
-    bool first = true;  // nothing was written so far
-    bool tape = false;  // the first line is a %, and another one ends the program
+    bool first = true;          // nothing was written so far
+    bool program_file = false;  // the first line is a %, and another one ends the program
     std::uint32_t line = 0;
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t end = std::min(text.find('\n', at), text.size());
       ++line;
       const std::string_view said = trimmed(std::string_view(text).substr(at, end - at));
       if (said == "%" && first)
-        tape = true;
+        program_file = true;
       else if (!said.empty())
-        add(said, static_cast<std::uint32_t>(said.data() - text.data()), line, tape);
+        add(said, static_cast<std::uint32_t>(said.data() - text.data()), line, program_file);
       first = first && said.empty();
       if (to_.interrupt().requested(end + 1 - at)) return;
       at = end + 1;
@@ -62,15 +62,16 @@ class FileReader {
     return trimmed(line) == "%" ? static_cast<std::uint32_t>(at + 1) : 0;
   }
 
-  void add(std::string_view text, std::uint32_t at, std::uint32_t line, bool tape) {
+  void add(std::string_view text, std::uint32_t at, std::uint32_t line, bool program_file) {
     Block block;
     block.text = at;
     block.line = line;
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
     Label label;
     if (text == "%") {
-      end_of_tape(block, tape);
-      (tape ? label.unreadable : label.computed) = true;  // behind a tape's end nobody looks
+      end_of_file(block, program_file);
+      (program_file ? label.unreadable : label.computed) =
+          true;  // behind a tape's end nobody looks
     } else if (!blocks_.read(text, block, label)) {
       return;
     }
@@ -80,17 +81,17 @@ class FileReader {
   }
 
   /// A %; where no other one begins the file, it is refused when a program comes to it.
-  void end_of_tape(Block& block, bool tape) {
-    Labelled own;
-    own.kind = LabelledKind::TapeEnd;
+  void end_of_file(Block& block, bool program_file) {
+    OWord own;
+    own.kind = OWordKind::FileEnd;
     own.at = block.text;
     own.of_another_kind = "Failed to find sub 'O{name}' before EOF";
-    if (!tape) {
+    if (!program_file) {
       Fault fault{Cause::IllegalCharacter, block.text, 1, "no % begins the file"};
       fault.text = "Bad character '%' used";
       own.refused = to_.keep(std::move(fault));
     }
-    to_.become(block, Op::Labelled, own);
+    to_.become(block, Op::OWord, own);
   }
 
   /// What lies behind a line, as far as it matters where passing over leads.
@@ -123,24 +124,24 @@ class FileReader {
   }
 
   void link(Address at, const Label& label, Ahead& ahead) {
-    const bool readable = to_.block(at).op == Op::Labelled;
+    const bool readable = to_.block(at).op == Op::OWord;
     const bool wall = label.unreadable || label.unknown;
-    if (wall || label.computed || label.kind == LabelledKind::Back)
+    if (wall || label.computed || label.kind == OWordKind::Back)
       to_.names().head(LabelledHead::kReadOnTheWay, at);
     if (wall) {
       ahead.wall = at;
       if (label.unreadable) ahead.thick_wall = at;
-    } else if (label.kind >= LabelledKind::If) {
-      if (readable) to_.record<Labelled>(to_.block(at).aux).next = ahead.next(label.label);
+    } else if (label.kind >= OWordKind::If) {
+      if (readable) to_.record<OWord>(to_.block(at).aux).next = ahead.next(label.label);
       ahead.of_label[label.label] = at;
     } else if (label.is_head()) {
       if (readable) {
-        to_.record<Labelled>(to_.block(at).aux).next = ahead.next_end(label.label);
+        to_.record<OWord>(to_.block(at).aux).next = ahead.next_end(label.label);
         to_.names().head(label.label, at);
       }
       ahead.head = at;
-    } else if (label.kind == LabelledKind::EndSub || label.kind == LabelledKind::Return) {
-      if (readable) to_.record<Labelled>(to_.block(at).aux).next = ahead.next_end(label.label);
+    } else if (label.kind == OWordKind::EndSub || label.kind == OWordKind::Return) {
+      if (readable) to_.record<OWord>(to_.block(at).aux).next = ahead.next_end(label.label);
       ahead.end_of_sub[label.label] = at;
     }
   }
@@ -151,7 +152,7 @@ class FileReader {
     const std::string_view text = to_.code().files[file_].text.view();
     for (std::size_t i = 0; i < lines_.size(); ++i) {
       const auto& [at, label] = lines_[i];
-      if (!label.is_head() || to_.block(at).op != Op::Labelled) continue;
+      if (!label.is_head() || to_.block(at).op != Op::OWord) continue;
       const Block& block = to_.block(at);
       Program part;
       part.file = file_;
@@ -173,7 +174,7 @@ class FileReader {
     const Label& head = lines_[i].label;
     for (++i; i < lines_.size(); ++i) {
       const auto& [at, label] = lines_[i];
-      if (head.kind == LabelledKind::Sub && label.kind == LabelledKind::EndSub &&
+      if (head.kind == OWordKind::Sub && label.kind == OWordKind::EndSub &&
           label.label == head.label)
         return at + 1;
       if (label.is_head()) return at;

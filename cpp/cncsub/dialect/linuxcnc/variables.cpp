@@ -75,7 +75,7 @@ bool ExpressionReader::read_variable(int depth) {
   const auto number = variable_number(place);
   if (!number) return false;
   constant_.reset();
-  to_.expressions().take_back(first);
+  to_.expressions().rollback(first);
   push_load(to_, line_, *number);
   return true;
 }

@@ -18,16 +18,16 @@ constexpr std::string_view kAddresses = "ABCFIJKRSTUVWXYZ";    // R: of CR=
 constexpr std::string_view kDropped = "DH";                    // they are told, and do nothing here
 
 /// Whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
-bool is_marked_structure(const Block& block, const Link& link, bool labelled) {
+bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
   const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
-  return structure && (block.skip != 0 || labelled);
+  return structure && (block.skip != 0 || o_word);
 }
 
-void refuse_mark(Builder& to, Block& block, bool labelled, std::uint32_t at, std::uint32_t width) {
+void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::uint32_t width) {
   block.skip = 0;
   to.refuse(block, {Cause::StructureMarked, at, width,
-                    labelled ? "a block of a control structure takes no label"
-                             : "a block of a control structure cannot be skipped"});
+                    o_word ? "a block of a control structure takes no label"
+                           : "a block of a control structure cannot be skipped"});
 }
 
 WordValue word_of(const Value& value, double factor = 1) {
@@ -60,8 +60,8 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   take_label(label);
   bool read_it = true;
   if (statement(block, link, read_it)) {
-    if (const bool labelled = !label.empty(); is_marked_structure(block, link, labelled))
-      refuse_mark(to_, block, labelled, marked_at_, marked_width_);
+    if (const bool o_word = !label.empty(); is_marked_structure(block, link, o_word))
+      refuse_mark(to_, block, o_word, marked_at_, marked_width_);
     return true;
   }
   Words words;
@@ -292,8 +292,8 @@ void BlockReader::write_beside(Block& block, const Words& words) {
       to_.words(own, words.list);
       own.op = words.ends ? Op::EndProgram : Op::Words;  // no plain move: more stands beside it
     }
-    to_.together(block, words.statements, words.print ? &*words.print : nullptr,
-                 words.any ? &own : nullptr);
+    to_.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr,
+                        words.any ? &own : nullptr);
   }
 }
 

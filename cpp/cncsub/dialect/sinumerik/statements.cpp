@@ -60,7 +60,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   call.kind = CallKind::Named;
   call.at = at;
   call.width = line_.width_from(at);
-  SeldomInCall& named = call.seldom.make();
+  CallExtras& named = call.extras.make();
   named.name_at = call.at;
   named.name_width = call.width;
   named.name = std::string(bare(name));

@@ -7,11 +7,11 @@
 
 #include "cncsub/code/target.hpp"
 #include "cncsub/machine/calls/modal.hpp"
+#include "cncsub/machine/calls/modal_stack.hpp"
 #include "cncsub/machine/calls/returns.hpp"
-#include "cncsub/machine/calls/saved.hpp"
 #include "cncsub/machine/calls/words.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/machine/values/variables.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -32,7 +32,7 @@ bool by_name(CallKind kind) {
     case CallKind::Subprogram:
     case CallKind::External:
     case CallKind::Local:
-    case CallKind::Labelled:
+    case CallKind::OWord:
     case CallKind::Named:
     case CallKind::Macro:
     case CallKind::Modal:
@@ -178,8 +178,8 @@ bool decode_target(Run& run, const CallRecord& record, Target& target) {
 bool evaluate_arguments(Run& run, const CallRecord& record) {
   RunningBlock& block = run.block;
   block.arguments.assign(static_cast<std::size_t>(run.code->locals), kVacant);
-  const bool told = run.control().macros.call_passes_words.value;
-  if (told) block.programmed.assign(block.arguments.size(), 0);
+  const bool reported = run.control().macros.call_passes_words.value;
+  if (reported) block.programmed.assign(block.arguments.size(), 0);
   const Argument* argument = run.code->arguments.data() + record.first_argument;
   for (std::uint32_t i = 0; i < record.arguments; ++i, ++argument) {
     double value = 0;
@@ -189,7 +189,7 @@ bool evaluate_arguments(Run& run, const CallRecord& record) {
       value = scaled(run.motion.view(), argument->address, value);
     const auto place = static_cast<std::size_t>(argument->variable);
     block.arguments[place] = value;
-    if (told) block.programmed[place] = modal_code(run.motion.view(), 3) == 91 ? 91 : 90;
+    if (reported) block.programmed[place] = modal_code(run.motion.view(), 3) == 91 ? 91 : 90;
   }
   return true;
 }
@@ -348,7 +348,7 @@ bool leave(Run& run, Address to, bool goes_on) {
     run.block.waiting_is_due = goes_on;
     if (!goes_on) s.waiting.pop_back();
   }
-  if (!s.saved.empty() && !come_back_to_modes(run)) return false;
+  if (!s.modal_stack.empty() && !come_back_to_modes(run)) return false;
   return proceed(run, to);
 }
 

@@ -8,7 +8,7 @@
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/calls/words.hpp"
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/decode.hpp"
 
 namespace cncsub {

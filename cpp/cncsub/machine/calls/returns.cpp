@@ -8,7 +8,7 @@
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/modal.hpp"
 #include "cncsub/machine/calls/words.hpp"
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 
@@ -55,7 +55,7 @@ std::optional<Fault> refused(const Run& run, const Block& block, const CallRecor
 }
 
 bool return_from_main(Run& run, const CallRecord& back, double p) {
-  if (run.heard != nullptr) run.heard->returned = true;
+  if (run.observer != nullptr) run.observer->returned = true;
   switch (run.control().calls.main_return.value) {
     case MainReturn::Alarm:
       return alarm(
@@ -161,7 +161,7 @@ bool jump_now(Run& run, const JumpRecord& jump, double p) {
 }
 
 bool end_program(Run& run, const Block& block) {
-  if (run.heard != nullptr) run.heard->words = &block;
+  if (run.observer != nullptr) run.observer->words = &block;
   if (!execute_words(run, block)) return false;
   // Where the block has no words of its own nothing has ended the moves that wait.
   if (auto fault = run.motion.finish(run.moves())) return alarm_of_motion(run, *fault);

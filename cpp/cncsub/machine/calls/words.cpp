@@ -6,16 +6,16 @@
 #include <utility>
 
 #include "cncsub/machine/calls/modal.hpp"
+#include "cncsub/machine/calls/modal_stack.hpp"
 #include "cncsub/machine/calls/returns.hpp"
-#include "cncsub/machine/calls/saved.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/output.hpp"
+#include "cncsub/machine/statements/parallel_assign.hpp"
 #include "cncsub/machine/statements/statements.hpp"
-#include "cncsub/machine/statements/together.hpp"
 #include "cncsub/machine/values/decode.hpp"
 #include "cncsub/machine/values/expressions.hpp"
-#include "cncsub/machine/values/outside.hpp"
+#include "cncsub/machine/values/machine_inputs.hpp"
 #include "cncsub/machine/values/variables.hpp"
 #include "cncsub/motion/block/block.hpp"
 
@@ -54,7 +54,8 @@ void keep_skip(Run& run, SkipMove skip) {
 /// What a G31 came to.
 void take_skip(Run& run, SkipMove skip) {
   keep_skip(run, skip);
-  if (run.options.inputs.workpiece == nullptr) run.state.taken.asked = Taken::kSkipSignal;
+  if (run.options.inputs.workpiece == nullptr)
+    run.state.external_reads.asked = ExternalReads::kSkipSignal;
 }
 
 /// What the machine does about a code it was sent: its signals change, and variables that it
@@ -95,37 +96,38 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
 }
 
 /// Tells the words to who listens.
-void hear(Run& run, const Block& block, const NcWords& words) {
+void observe(Run& run, const Block& block, const NcWords& words) {
   const bool has_extra = (block.flags & Block::kHasExtra) != 0;
   const bool computed = words.codes == &run.codes ||
                         (has_extra && run.code->cells[block.data].extra.expressions != 0);
   if (computed)
-    run.heard->keep(block, words, run.codes);
+    run.observer->keep(block, words, run.codes);
   else
-    run.heard->words = &block;
+    run.observer->words = &block;
 }
 
 /// Moves that were made count, and those that wait.
 void count_moves(Run& run) {
   run.watch.moves += run.block.outcome.moves;
-  if (const Held& held = run.motion.state().held; !held.radius.empty() || !held.corner.empty())
+  if (const LookaheadQueue& lookahead = run.motion.state().lookahead;
+      !lookahead.radius.empty() || !lookahead.corner.empty())
     run.watch.moves += held_pieces(run.motion.state()) / kHeldPieces;
   if (run.watch.moves > run.watch.look_moves) look_soon(run);
 }
 
 /// What there is to do about a motion that was made.
-void follow_up(Run& run, const Outside& around) {
+void follow_up(Run& run, const MachineInputs& inputs) {
   const Motion::Outcome& outcome = run.block.outcome;
-  if (around.skips.taken) {
-    about_to_take(run);
-    run.state.taken.skips = *around.skips.taken;
+  if (inputs.skips.taken) {
+    log_read(run);
+    run.state.external_reads.skips = *inputs.skips.taken;
   }
   if (outcome.skip != SkipMove::No) take_skip(run, outcome.skip);
   count_moves(run);
 }
 
-bool execute(Run& run, const NcWords& words, Outside& around) {
-  if (auto fault = run.motion.execute(words, run.step(), run.moves(), run.block.outcome, around))
+bool execute(Run& run, const NcWords& words, MachineInputs& inputs) {
+  if (auto fault = run.motion.execute(words, run.step(), run.moves(), run.block.outcome, inputs))
     return run.watch.broken_off == Stop::Running && alarm_of_motion(run, *fault);
   run.watch.in_block = 0;
   return true;
@@ -133,14 +135,14 @@ bool execute(Run& run, const NcWords& words, Outside& around) {
 
 /// The motion of a block that names a profile.
 bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
-  Outside around = outside(run);
+  MachineInputs inputs = machine_inputs(run);
   std::optional<Profile> profile(std::in_place);
   profile->fault = read_profile(run, wanted, *profile);
   if (run.state.stop != Stop::Running) return false;
-  around.profile = &*profile;
-  if (!execute(run, words, around)) return false;
-  if (run.heard != nullptr) run.heard->profile = std::move(profile);
-  follow_up(run, around);
+  inputs.profile = &*profile;
+  if (!execute(run, words, inputs)) return false;
+  if (run.observer != nullptr) run.observer->profile = std::move(profile);
+  follow_up(run, inputs);
   return true;
 }
 
@@ -150,9 +152,9 @@ bool move(Run& run, const Block& block, NcWords& words) {
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
                 (run.options.optional_stop && words.has(Role::OptionalStop));
   if (const auto wanted = run.motion.wanted_profile(words)) return move_along(run, words, *wanted);
-  Outside around = outside(run);
-  if (!execute(run, words, around)) return false;
-  follow_up(run, around);
+  MachineInputs inputs = machine_inputs(run);
+  if (!execute(run, words, inputs)) return false;
+  follow_up(run, inputs);
   return true;
 }
 
@@ -179,8 +181,8 @@ bool move_behind_modes(Run& run, const Block& block, const NcWords& words) {
 bool carry_out(Run& run, const Block& block) {
   NcWords words;
   if (!decode(run, block, run.state.pc, words)) return false;
-  if (run.heard != nullptr) hear(run, block, words);
-  if (run.block.together != nullptr && !set_together(run)) return false;
+  if (run.observer != nullptr) observe(run, block, words);
+  if (run.block.parallel_assign != nullptr && !assign_in_parallel(run)) return false;
   if (auto fault = unused_word(run.motion.view(), words))
     return alarm_of_motion(run, std::move(*fault));
   if ((words.codes->roles & kSavingRoles) != 0 && !change_saved_modes(run, words)) return false;

@@ -93,9 +93,9 @@ bool same_place(const State& a, const State& b) {
 
 bool same(const State& a, const State& b, std::size_t locals) {
   return same_place(a, b) && same_variables(a, b, locals) && a.last_m == b.last_m &&
-         a.last_n == b.last_n && a.taken == b.taken && a.next_write == b.next_write &&
-         a.next_answer == b.next_answer && same_waits(a, b) && same(a.modals, b.modals) &&
-         same(a.waiting, b.waiting) && a.labels == b.labels;
+         a.last_n == b.last_n && a.external_reads == b.external_reads &&
+         a.next_write == b.next_write && a.next_answer == b.next_answer && same_waits(a, b) &&
+         same(a.modals, b.modals) && same(a.waiting, b.waiting) && a.labels == b.labels;
 }
 
 /// Of the motion without what counts for the record only. The time counts where a program can read
@@ -104,7 +104,7 @@ MotionState of_no_time(MotionState state, bool with_time) {
   if (!with_time) state.time = 0;
   state.row_state = 0;
   state.row_moves = nullptr;
-  for (auto* pieces : {&state.angled.line, &state.held.corner, &state.held.radius})
+  for (auto* pieces : {&state.pending_angle.line, &state.lookahead.corner, &state.lookahead.radius})
     for (Piece& piece : *pieces) piece.step = 0;
   return state;
 }
@@ -132,8 +132,8 @@ class Probe {
     run_.watch.spent = 0;
     for (OpenFrame& frame : run_.state.frames) frame.call = -1;
     run_.state.stop = Stop::Running;
-    run_.state.taken.time = false;
-    run_.state.taken.asked = 0;
+    run_.state.external_reads.time = false;
+    run_.state.external_reads.asked = 0;
   }
 
   /// One block on. False where the run stops instead, or `gives_up`.
@@ -154,7 +154,7 @@ class Probe {
   bool stands_as(const Snapshot& then) const {
     return run_.state.pc == then.state.pc &&
            same(run_.state, then.state, static_cast<std::size_t>(run_.code->locals)) &&
-           same(run_.motion.state(), then.motion, run_.state.taken.time);
+           same(run_.motion.state(), then.motion, run_.state.external_reads.time);
   }
   /// At the same block in as many calls.
   bool passes(const State& then) const {
@@ -200,9 +200,9 @@ std::vector<Address> blocks_of_loop(Probe& probe, std::int64_t period) {
 
 /// What was read from the world outside since that was cleared, as it is called.
 std::string asked_outside(const Run& run) {
-  const std::int64_t asked = run.state.taken.asked;
+  const std::int64_t asked = run.state.external_reads.asked;
   if (asked == 0) return "";
-  return asked == Taken::kSkipSignal ? "the skip signal" : "#" + std::to_string(asked);
+  return asked == ExternalReads::kSkipSignal ? "the skip signal" : "#" + std::to_string(asked);
 }
 
 /// What can be named of the state.
@@ -230,10 +230,11 @@ std::vector<std::string> changing_in(Probe& probe, std::int64_t blocks,
     }
     for (const auto& [name, value] : was)
       if (!now.contains(name)) changing.push_back(name);
-    Taken taken = before.taken;
-    taken.time = probe.run().state.taken.time;
-    taken.asked = probe.run().state.taken.asked;
-    if (probe.run().state.taken != taken) changing.emplace_back("what it asks of outside");
+    ExternalReads external_reads = before.external_reads;
+    external_reads.time = probe.run().state.external_reads.time;
+    external_reads.asked = probe.run().state.external_reads.asked;
+    if (probe.run().state.external_reads != external_reads)
+      changing.emplace_back("what it asks of outside");
     break;
   }
   if (changing.size() > kMostChanging) changing.resize(kMostChanging);
@@ -277,7 +278,7 @@ std::string_view to_string(Endless::Kind kind) {
 static void take_loop(Probe& probe, Endless& found) {
   // A loop that is entered after the last start does not start the program over.
   probe.restarted_at = kNowhere;
-  probe.run().state.taken.asked = 0;
+  probe.run().state.external_reads.asked = 0;
   found.blocks = blocks_of_loop(probe, found.period);
   found.outside = asked_outside(probe.run());
   found.proven = found.outside.empty();

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 #include "cncsub/machine/calls/calls.hpp"
-#include "cncsub/machine/calls/labels.hpp"
 #include "cncsub/machine/calls/modal.hpp"
+#include "cncsub/machine/calls/o_words.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/calls/words.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/statements/parallel_assign.hpp"
 #include "cncsub/machine/statements/statements.hpp"
-#include "cncsub/machine/statements/together.hpp"
-#include "cncsub/machine/values/changes.hpp"
+#include "cncsub/machine/values/watch.hpp"
 #include "cncsub/system/compiler.hpp"
 
 namespace cncsub {
@@ -105,18 +105,18 @@ bool passes_over(Run& run, const Block& block) {
 
 /// Executes a block that assigns and says something, besides its words if it has any.
 bool run_together(Run& run, const Block& block) {
-  const Together& all = run.code->together[block.aux];
-  run.block.together = &all;
+  const ParallelAssign& all = run.code->parallel_assigns[block.aux];
+  run.block.parallel_assign = &all;
   bool done = false;
-  if (all.words != Labelled::kNone) {
+  if (all.words != OWord::kNone) {
     done = dispatch(run, run.code->variants[all.words]);
-  } else if (set_together(run)) {
+  } else if (assign_in_parallel(run)) {
     if (block.n >= 0) run.state.last_n = block.n;
     record_step(run);
     run.state.pc = run.block.next;
     done = true;
   }
-  run.block.together = nullptr;
+  run.block.parallel_assign = nullptr;
   run.block.before_together.forget();
   return done;
 }
@@ -128,7 +128,7 @@ bool statement(Run& run, const Block& block) {
 
 /// Which of two blocks this one is, by the skip switches or by who called.
 bool choose(Run& run, const Block& block) {
-  const Variant& variant = run.code->choices[block.aux];
+  const Select& variant = run.code->selects[block.aux];
   bool second = (variant.skip & run.options.skips) != 0;
   const char letter = run.frame().code_letter;
   if (variant.address != 0 && letter != 0) {
@@ -243,7 +243,7 @@ bool dispatch(Run& run, const Block& block) {
     if (is_words(block.op) && has_words(block)) return every_block(run, block);
     run.block.follows_moves = true;
   }
-  if (run.heard != nullptr && is_words(block.op)) run.heard->words = &block;
+  if (run.observer != nullptr && is_words(block.op)) run.observer->words = &block;
   switch (block.op) {
     case Op::Linear:
       return linear(run, block);
@@ -265,11 +265,11 @@ bool dispatch(Run& run, const Block& block) {
       return jump(run, block);
     case Op::EndProgram:
       return end_program(run, block);
-    case Op::Labelled:
+    case Op::OWord:
       return run_labelled(run, block);
-    case Op::Together:
+    case Op::ParallelAssign:
       return run_together(run, block);
-    case Op::Choose:
+    case Op::Select:
       return choose(run, block);
     case Op::Fault:
       return alarm(run, run.code->faults[block.aux]);

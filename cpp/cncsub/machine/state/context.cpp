@@ -30,7 +30,7 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   if (control().macros.call_passes_words.value) state.programmed.assign(state.locals.size(), 0);
   state.commons.assign(static_cast<std::size_t>(code->commons), kVacant);
   state.signals = options.inputs.signals;
-  state.taken.clock_ms = options.inputs.clock_ms;
+  state.external_reads.clock_ms = options.inputs.clock_ms;
   largest_word = kPowersOfTen[most_digits(control())];
   for (const char address : control().reading.computed_whole.value) computed_whole |= bit(address);
   jumps_refused = options.mdi && refuses(Cause::JumpInMdi);

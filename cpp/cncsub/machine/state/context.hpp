@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
-#include "cncsub/machine/state/heard.hpp"
+#include "cncsub/machine/state/observer.hpp"
 #include "cncsub/machine/state/options.hpp"
 #include "cncsub/machine/state/state.hpp"
 #include "cncsub/motion/motion.hpp"
@@ -54,9 +54,10 @@ struct RunningBlock {
                                   // follows its move as that of G66 does
   std::vector<double> arguments;  // the locals of the level that it is about to open,
   std::vector<std::uint8_t> programmed;  // and how they were programmed
-  const Together* together = nullptr;    // what it does besides its words, and has not done yet
+  const ParallelAssign* parallel_assign =
+      nullptr;             // what it does besides its words, and has not done yet
   std::int64_t took = -1;  // `before` is what had been taken when that many blocks were executed
-  Taken before;
+  ExternalReads before;
   BeforeTogether before_together;
 
   // Instead of the address of a block: an M code starts the main program over, or M#1 ends it.
@@ -115,7 +116,7 @@ struct Run {
   RunningBlock block;
   Watch watch;
   Watched watched;
-  Heard* heard = nullptr;  // who listens, or nobody
+  Observer* observer = nullptr;  // who listens, or nobody
 
   const Control& control() const { return *code->control; }
   /// Whether this is something that the control refuses.
@@ -151,10 +152,10 @@ inline void record_block(Run& run, bool failed = false) {
 }
 
 /// To be called before the clock, a random number or a skip signal is taken.
-inline void about_to_take(Run& run) {
+inline void log_read(Run& run) {
   if (run.block.took == run.state.executed) return;
   run.block.took = run.state.executed;
-  run.block.before = run.state.taken;
+  run.block.before = run.state.external_reads;
 }
 
 }  // namespace cncsub

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 
 namespace cncsub {
 
@@ -48,7 +48,7 @@ Stop stops(Run& run) {
 bool breaks_off(Run& run) {
   run.watch.broken_off = stops(run);
   if (run.watch.broken_off == Stop::Running) return false;
-  give_back(run);
+  rollback(run);
   look_soon(run);
   return true;
 }

@@ -67,7 +67,7 @@ struct WaitingBlock {
 
 /// What blocks take from the world outside, which goes on with every look: a block that alarms
 /// gives it back.
-struct Taken {
+struct ExternalReads {
   double clock_ms = 0;                            // #3001, besides the time of the moves
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
   std::minstd_rand random{1};
@@ -76,14 +76,14 @@ struct Taken {
   std::int64_t asked = 0;
   static constexpr std::int64_t kSkipSignal = -1;
 
-  bool operator==(const Taken&) const = default;
+  bool operator==(const ExternalReads&) const = default;
 };
 
 /// What is known of labels: subprograms by their own, all else by the subprogram it was met in.
 struct Labels {
   struct Met {
     Address address = kNowhere;
-    LabelledKind kind = LabelledKind::Sub;
+    OWordKind kind = OWordKind::Sub;
     std::int32_t repeats = -1;  // that are left, -1: to be counted anew
 
     bool operator==(const Met&) const = default;
@@ -91,7 +91,7 @@ struct Labels {
   std::unordered_map<std::uint64_t, Met> met;
   bool defining = false;   // the head of a subprogram was met: it is passed over
   bool searching = false;  // a call goes to a head that nobody has met
-  bool passing = false;    // the block was reached by passing over others
+  bool skipping = false;   // the block was reached by passing over others
   bool entered = false;    // a branch of the innermost IF
   bool back = false;       // the main program was returned to, and defined nothing since
   // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
@@ -110,14 +110,14 @@ struct State {
   std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
   std::vector<ModalCall> modals;      // in the order they were declared
   std::vector<WaitingBlock> waiting;  // one for each frame that `interrupts`
-  struct Saved {
+  struct ModalStackEntry {
     std::size_t depth = 0;    // how many frames were open
     bool valid = false;       // nobody said to forget them
     bool for_return = false;  // they come back when the program returns
     SavedModes modes;
   };
-  std::vector<Saved> saved;  // modes, the innermost program's last
-  Address moved_at = 0;      // the block behind whose move a modal call comes, or that called last
+  std::vector<ModalStackEntry> modal_stack;  // modes, the innermost program's last
+  Address moved_at = 0;  // the block behind whose move a modal call comes, or that called last
 
   // Variables.
   int level = 0;                          // the present level of locals
@@ -137,7 +137,7 @@ struct State {
   std::int64_t last_m = -1, last_n = -1;  // the last M code and sequence number; -1: none yet
   std::int64_t skipped = 0;               // blocks passed over by block skip in a row
   std::int64_t skipped_behind = -1;       // since that many blocks were executed
-  Taken taken;
+  ExternalReads external_reads;
   std::size_t next_write = 0;   // of Inputs::writes
   std::size_t next_answer = 0;  // of Inputs::operator_starts
 

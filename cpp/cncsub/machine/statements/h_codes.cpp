@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/output.hpp"
 #include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/expressions.hpp"
@@ -202,8 +202,8 @@ bool raise_alarm(Run& run, const HCode& h) {
     return wrong(run, h, Cause::IllegalUserAlarm, h.p, "H99 raises alarms 0 to 99");
   std::string text = comment_of(run, h);
   if (!text.empty() && text[0] == '/') text.erase(0, 1);
-  if (run.heard != nullptr) run.heard->raised = &h;
-  if (run.heard != nullptr) run.heard->raised_number = number;
+  if (run.observer != nullptr) run.observer->raised = &h;
+  if (run.observer != nullptr) run.observer->raised_number = number;
   const int first = run.control().macros.h99_offset.value;
   return alarm_of_program(run, h, text, std::to_string(first + to_whole<int>(number)));
 }

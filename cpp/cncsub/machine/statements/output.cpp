@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "cncsub/control/g_codes.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/machine/values/variables.hpp"
 
@@ -133,10 +133,10 @@ bool print(Run& run, const Print& print) {
     }
     double value = 0;
     if (!evaluate(run, field.expression, value)) return false;
-    if (run.heard != nullptr) run.heard->printed.push_back(value);
+    if (run.observer != nullptr) run.observer->printed.push_back(value);
     line += shown(run, print, field, value);
   }
-  if (run.heard != nullptr) run.heard->print = &print;
+  if (run.observer != nullptr) run.observer->print = &print;
   run.watch.in_block = 0;
   if (print.alarms) {
     Fault fault{Cause::UserAlarm, print.at, 1, line};

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/h_codes.hpp"
 #include "cncsub/machine/statements/output.hpp"
 #include "cncsub/machine/values/expressions.hpp"
@@ -245,7 +245,7 @@ namespace {
 /// A statement that has done what it says is a step.
 bool end_statement(Run& run, const Block& block, bool holds) {
   const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
-  if (device && run.heard != nullptr) run.heard->device = block.op;
+  if (device && run.observer != nullptr) run.observer->device = block.op;
   record_step(run, !holds);
   run.state.pc = run.block.next;
   return true;
@@ -325,8 +325,8 @@ bool store(Run& run, const Statement& statement, double value) {
 
 bool store_number(Run& run, std::int64_t number, double value, const Statement& statement) {
   const VariablePlace place = run.code->place(number);
-  if (run.heard != nullptr && !place.is_local() && !place.is_common())
-    run.heard->assigned.push_back({number, value, comment_of(run, statement)});
+  if (run.observer != nullptr && !place.is_local() && !place.is_common())
+    run.observer->assigned.push_back({number, value, comment_of(run, statement)});
   if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
     return user_alarm(run, is_vacant(value) ? 0 : value, statement);
   if (place.range != nullptr && place.kind == VariableKind::Message) {

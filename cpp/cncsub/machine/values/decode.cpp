@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 
 namespace cncsub {

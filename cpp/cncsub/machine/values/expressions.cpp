@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cncsub/control/variable_table.hpp"
-#include "cncsub/machine/state/ends.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/instructions.hpp"
 
 namespace cncsub {

@@ -21,7 +21,7 @@ struct Places {
   double* near(const Code& code, std::int64_t number, bool written) const {
     if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) return nullptr;
     const auto of_number = static_cast<std::uint32_t>(number);
-    const NearRange* const found = code.near.find(of_number);
+    const DirectVariables* const found = code.direct_variables.find(of_number);
     if (found == nullptr || (written && !found->writable)) return nullptr;
     return of[found->raw == Ins::CommonRaw ? 1 : 0] + found->base + (of_number - found->first);
   }

@@ -268,8 +268,8 @@ inline Fallible parameter_bit(E e, I at, double a, double b) {
 
 constexpr double kLastRandom = 2147483646.0;  // the first is 1
 inline double random_number(Run& run) {
-  about_to_take(run);
-  return static_cast<double>(run.state.taken.random());
+  log_read(run);
+  return static_cast<double>(run.state.external_reads.random());
 }
 inline double random_up_to(E e, I, double a) { return a * (random_number(e.run) / kLastRandom); }
 inline Fallible random_between(E e, I at, double a, double b) {

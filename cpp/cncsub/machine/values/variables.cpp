@@ -146,7 +146,7 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
     case VariableKind::InputWord:
       return in(s.signals, 0);
     case VariableKind::Milliseconds:
-      return s.taken.clock_ms + run.motion.time() * 1000.0;
+      return s.external_reads.clock_ms + run.motion.time() * 1000.0;
     case VariableKind::Hours:
       return in(s.system, 0) + run.motion.time() / 3600.0;
     case VariableKind::Date:
@@ -212,7 +212,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
   value /= unit_of(run, place);
   switch (place.kind) {
     case VariableKind::Milliseconds:
-      run.state.taken.clock_ms = value - run.motion.time() * 1000.0;
+      run.state.external_reads.clock_ms = value - run.motion.time() * 1000.0;
       break;
     case VariableKind::Hours:
       run.state.system[number] = value - run.motion.time() / 3600.0;
@@ -261,12 +261,12 @@ static bool is_of_outside(VariableKind kind) {
 std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value) {
   const VariablePlace place = run.code->place(number);
   if (place.range != nullptr && place.kind == VariableKind::Milliseconds) {
-    about_to_take(run);
-    run.state.taken.clock_ms += 1;
+    log_read(run);
+    run.state.external_reads.clock_ms += 1;
     ++run.state.changes;
   }
-  if (place.kind == VariableKind::Hours) run.state.taken.time = true;
-  if (place.range != nullptr && is_of_outside(place.kind)) run.state.taken.asked = number;
+  if (place.kind == VariableKind::Hours) run.state.external_reads.time = true;
+  if (place.range != nullptr && is_of_outside(place.kind)) run.state.external_reads.asked = number;
   if (place.range != nullptr && place.range->not_compensated && compensating(run.motion.state()))
     return Fault{.cause = Cause::CompensationPosition,
                  .detail = "#" + std::to_string(number) + " is read under radius compensation"};

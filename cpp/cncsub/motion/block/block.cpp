@@ -110,7 +110,7 @@ bool lacks_motion(MotionView m, const BlockWords& block) {
 }
 
 Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
-  if (double angle = 0; angle_word(m, block, angle)) return angled(m, block, meaning, angle);
+  if (double angle = 0; angle_word(m, block, angle)) return pending_angle(m, block, meaning, angle);
   std::uint32_t named = 0;
   const Axes end = end_point(m, block, named);
   const bool bare = named == 0;
@@ -148,7 +148,7 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::TapCycle:
       return turning_cycle(m, block, meaning);
     case Meaning::Thread:
-      if (m.state.modal[at(Group::Motion)].which != 0) return thread_by_k(m, block);
+      if (m.state.modal[at(Group::Motion)].variant != 0) return thread_by_k(m, block);
       [[fallthrough]];
     case Meaning::VariableThread:
       return thread(m, block, meaning);
@@ -257,7 +257,8 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   m.state.row_moves = nullptr;  // the modes change
   BlockWords block{.words = words, .step = step, .was_cycle = in_cycle(m.state), .cycle = of_cycle};
   const bool frame = sets_frame(words);
-  const bool corner_waits = !m.state.held.corner.empty(), angle_waits = m.state.angled.waiting();
+  const bool corner_waits = !m.state.lookahead.corner.empty(),
+             angle_waits = m.state.pending_angle.waiting();
   if (auto wrong = begin_block(m, block)) return wrong;
   if (auto wrong = set_offsets_and_act(m, block)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;

@@ -64,7 +64,7 @@ bool names_axis(const Block& b) {
 }
 /// Whether the axis words are lengths of the tool, where no motion code of the block moves by them.
 bool gives_length(const Block& b) {
-  return b.has(Group::Length) && b.code(Group::Length).which == 1 && !b.has(Group::Motion) &&
+  return b.has(Group::Length) && b.code(Group::Length).variant == 1 && !b.has(Group::Motion) &&
          !b.has(Group::Cycle);
 }
 /// Whether a block makes a straight move by its own code, or by its axes in the mode in force.
@@ -181,7 +181,7 @@ constexpr Conflict kConflicts[] = {
     {Cause::CycleAxisChanged,
      [](const State& s, const Block& b) {
        return in_cycle(b) && ((b.has(Group::Plane) && plane(s, b) != s.plane) ||
-                              (cycles(b) && b.code(Group::Cycle).which != s.cycle.code.which));
+                              (cycles(b) && b.code(Group::Cycle).variant != s.cycle.code.variant));
      }},
     {Cause::OneShotWithMotion,
      [](const State&, const Block& b) {
@@ -231,7 +231,9 @@ constexpr Conflict kConflicts[] = {
     {Cause::PolarCycle,
      [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != Plane::XY; }},
     {Cause::TurnedUnits,
-     [](const State& s, const Block& b) { return (polar(s) || turned(s)) && b.has(Group::Units); }},
+     [](const State& s, const Block& b) {
+       return (polar(s) || is_transformed(s)) && b.has(Group::Units);
+     }},
     {Cause::TurnedInCompensation,
      [](const State& s, const Block& b) { return compensating(s) && begins_turn(b); }},
     {Cause::CompensationEndMode,
@@ -245,7 +247,7 @@ constexpr Conflict kConflicts[] = {
      }},
     {Cause::CornerCodes,
      [](const State& s, const Block& b) {
-       return !s.held.corner.empty() &&
+       return !s.lookahead.corner.empty() &&
               (length(b) || b.has(Group::Work) || does(b, Meaning::SetCoordinate) ||
                does(b, Meaning::Local));
      },
@@ -273,29 +275,31 @@ constexpr Conflict kConflicts[] = {
      [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
     {Cause::TurnedMirror,
      [](const State& s, const Block& b) {
-       return (s.turned.rotation || s.turned.scaling) && b.has(Group::Mirror);
+       return (s.transform.rotation || s.transform.scaling) && b.has(Group::Mirror);
      }},
     {Cause::ReferenceInRotation,
-     [](const State& s, const Block& b) { return turned(s) && returns(b); }},
+     [](const State& s, const Block& b) { return is_transformed(s) && returns(b); }},
     {Cause::RotationPlane,
-     [](const State& s, const Block& b) { return s.turned.rotation && b.has(Group::Plane); }},
+     [](const State& s, const Block& b) { return s.transform.rotation && b.has(Group::Plane); }},
     {Cause::TurnedPlane,
-     [](const State& s, const Block& b) { return turned(s) && b.has(Group::Plane); }},
+     [](const State& s, const Block& b) { return is_transformed(s) && b.has(Group::Plane); }},
     {Cause::TurnedCoordinate,
-     [](const State& s, const Block& b) { return turned(s) && does(b, Meaning::SetCoordinate); }},
+     [](const State& s, const Block& b) {
+       return is_transformed(s) && does(b, Meaning::SetCoordinate);
+     }},
     {Cause::TurnedWorkSystem,
      [](const State& s, const Block& b) {
-       return turned(s) &&
+       return is_transformed(s) &&
               (b.has(Group::Work) || does(b, Meaning::Local) || does(b, Meaning::Machine));
      }},
-    {Cause::TurnedLength, [](const State& s, const Block& b) { return turned(s) && length(b); },
-     true},
+    {Cause::TurnedLength,
+     [](const State& s, const Block& b) { return is_transformed(s) && length(b); }, true},
     {Cause::TurnedData,
      [](const State& s, const Block& b) {
-       return s.turned.rotation && does(b, Meaning::SetData) &&
+       return s.transform.rotation && does(b, Meaning::SetData) &&
               (b.words['L'] == 2 || b.words['L'] == 20);
      }},
-    {Cause::TurnedCycle, [](const State& s, const Block&) { return turned(s); }, false,
+    {Cause::TurnedCycle, [](const State& s, const Block&) { return is_transformed(s); }, false,
      &MotionRules::codes_not_turned},
     {Cause::RotatedCycle,
      [](const State& s, const Block& b) {
@@ -303,7 +307,7 @@ constexpr Conflict kConflicts[] = {
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
     {Cause::RotationCode,
-     [](const State& s, const Block& b) { return s.turned.rotation && strange_in_rotation(b); }},
+     [](const State& s, const Block& b) { return s.transform.rotation && strange_in_rotation(b); }},
     {Cause::CyclePlane,
      [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
     {Cause::CycleAxis,

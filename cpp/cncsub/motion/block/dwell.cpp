@@ -11,12 +11,12 @@ namespace {
 
 /// How much of a dwell is waited until a skip signal ends it.
 double dwell_part(MotionContext& m, const BlockWords& block) {
-  if (!m.outside.skips.any()) return 1;
+  if (!m.inputs.skips.any()) return 1;
   const SignalMask signals = signals_of(m, block);
   double part = 1;
   if (signals != 0)
-    for (const SkipSignal& told : m.outside.skips.take(signals).told)
-      if (told.comes == SkipSignal::Comes::AtFraction) part = std::min(part, told.value);
+    for (const SkipSignal& reported : m.inputs.skips.take(signals).reported)
+      if (reported.comes == SkipSignal::Comes::AtFraction) part = std::min(part, reported.value);
   return part;
 }
 

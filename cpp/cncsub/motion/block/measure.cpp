@@ -49,7 +49,7 @@ Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
     if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) axis = i, ++count;
   const bool increments = m.facts.machine == MachineType::LatheA && axis > 5;
   if (increments || m.state.incremental) return fault(Cause::MeasuringIncremental, block);
-  const bool other = lathe ? axis != (block.code(Group::OneShot).which == 1 ? 0 : 2) : axis > 2;
+  const bool other = lathe ? axis != (block.code(Group::OneShot).variant == 1 ? 0 : 2) : axis > 2;
   const bool z_alone = m.facts.control->motion.measuring.value == Measuring::Of5040;
   if (count != 1 || other || (z_alone && (axis != 2 || m.state.plane != Plane::XY)))
     return fault(Cause::MeasuringAxis, block);

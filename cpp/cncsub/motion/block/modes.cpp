@@ -33,7 +33,7 @@ void take_codes(MotionContext& m, const BlockWords& block) {
   if (block.words.has(Role::ToolChange)) change_tool(*m.facts.control, m.state);
   for (const int code : block.words.codes->m())
     take_spindle(m.state, m.facts.control->calls.roles.value.of_m(code));
-  if (m.state.held.ended && block.words.has(Role::ToolChange))
+  if (m.state.lookahead.ended && block.words.has(Role::ToolChange))
     m.state.work = m.state.tool_at - m.state.offset - m.state.length;
 }
 
@@ -76,7 +76,7 @@ Result check_block(MotionView m, const BlockWords& block) {
   }
   if ((block.words.mask & kPolarWords) != 0)
     if (auto wrong = check_polar_words(m, block)) return wrong;
-  if (!m.state.held.corner.empty() && block.has(Group::Plane))
+  if (!m.state.lookahead.corner.empty() && block.has(Group::Plane))
     return fault(Cause::CornerPlane, block);
   if (compensating(m.state) && block.has(Group::Plane) &&
       plane_of(block.meaning(Group::Plane)) != m.state.plane)

@@ -31,7 +31,7 @@ namespace {
 Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
   if (block.meaning(Group::Radius) != Meaning::RadiusOff)
     return compensating(m.state) ? Result(fault(Cause::CompensationTwice, block)) : std::nullopt;
-  m.state.held.ended = m.state.held.engaged;
+  m.state.lookahead.ended = m.state.lookahead.engaged;
   return flush_radius(m.sink);
 }
 
@@ -47,7 +47,7 @@ Result check_orientation(MotionView m, const BlockWords& block) {
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
-  const bool given = block.has(Group::Radius) && block.code(Group::Radius).which == 1;
+  const bool given = block.has(Group::Radius) && block.code(Group::Radius).variant == 1;
   if (given) {
     if (!block.words.has('D')) return fault(Cause::RadiusOffsetNumber, block);
     if (auto wrong = check_orientation(m, block)) return wrong;

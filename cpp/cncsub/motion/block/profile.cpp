@@ -62,27 +62,26 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
   MotionState& state = m.state;
   const ModalState before = state;  // of the offset tables the blocks change nothing
   MotionOutcome outcome;
-  MotionContext trial{m.facts, state,    m.log, {m.facts, state, nullptr, &pieces},
-                      outcome, m.outside};
+  MotionContext trial{m.facts, state, m.log, {m.facts, state, nullptr, &pieces}, outcome, m.inputs};
   end_cycles(m.facts, state);
   const GCode radius_off = m.facts.codes.of(Meaning::RadiusOff);
   for (const NcWords& words : blocks) {
     if (auto wrong = check_profile_block(m.facts, words)) return wrong;
-    if (m.outside.over(1)) return broken_off(words.at);
+    if (m.inputs.over(1)) return broken_off(words.at);
     outcome = {};
     state.modal[at(Group::Radius)] = radius_off;
     if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
-  if (state.angled.waiting())
+  if (state.pending_angle.waiting())
     return Fault{.cause = Cause::AngleNoEnd,
-                 .at = state.angled.line.front().at,
+                 .at = state.pending_angle.line.front().at,
                  .detail = {},
                  .address = 'A'};
-  if (!state.held.corner.empty())
+  if (!state.lookahead.corner.empty())
     return Fault{.cause = Cause::CornerNoMove,
-                 .at = state.held.corner.back().at,
+                 .at = state.lookahead.corner.back().at,
                  .detail = {},
-                 .address = state.held.corner.back().corner};
+                 .address = state.lookahead.corner.back().corner};
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
   static_cast<ModalState&>(state) = before;
   return std::nullopt;
@@ -101,7 +100,7 @@ Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcW
   m.state.modal[at(Group::Radius)] = m.facts.codes.of(Meaning::RadiusOff);
   auto wrong = move(m, block, MoveKind::Rapid, start, kXz);
   if (m.facts.codes.of(Meaning::RadiusOff).code != radius.code && !compensating(m.state))
-    m.state.held.engaged = false;
+    m.state.lookahead.engaged = false;
   return wrong;
 }
 
@@ -122,8 +121,8 @@ Result contour(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
   if (std::round(w['P']) == std::round(w['Q']) && m.facts.refuses(Cause::PqSame))
     return fault(Cause::PqSame, block);
-  if (m.outside.profile == nullptr) return fault(Cause::PqNotFound, block);
-  const Profile& profile = *m.outside.profile;
+  if (m.inputs.profile == nullptr) return fault(Cause::PqNotFound, block);
+  const Profile& profile = *m.inputs.profile;
   if (profile.fault) return profile.fault;
   const int most = m.facts.control->turning.max_profile_blocks.value;
   if (most > 0 && profile.blocks.size() > static_cast<std::size_t>(most))

@@ -80,7 +80,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
   const Axes middle = linear_target(m, block, named);
   const auto found = m.state.tables.reference.find(number_of_point);
   if (named == 0) {
-    if (block.code(Group::OneShot).which == 0) return std::nullopt;
+    if (block.code(Group::OneShot).variant == 0) return std::nullopt;
     named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
   } else if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named))) {
     return wrong;
@@ -100,7 +100,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
 Result store_reference(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationShift, block);
   const Axes machine = in_machine(m.state, machine_point(m.state));
-  Axes& point = m.state.tables.reference[block.code(Group::OneShot).which];
+  Axes& point = m.state.tables.reference[block.code(Group::OneShot).variant];
   for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
   return std::nullopt;
 }

@@ -18,7 +18,7 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
       return fault(Cause::ValueOutOfRange, block, "P of G31 is 1 to " + std::to_string(most));
   if (!c.motion.skip_own_feed.value) return need_feed(m, block, Meaning::Line);
   // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
-  const int form = block.code(Group::OneShot).which;
+  const int form = block.code(Group::OneShot).variant;
   feed = c.parameter(std::to_string(1174 + 2 * form));
   if (block.words.has('F'))
     if (auto wrong = feed_of(m, block, feed)) return wrong;
@@ -27,12 +27,13 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
 }
 
 /// Where on the way to `end` a signal comes that was told.
-std::optional<double> part_of(const MotionState& state, const SkipSignal& told, const Axes& end) {
+std::optional<double> part_of(const MotionState& state, const SkipSignal& reported,
+                              const Axes& end) {
   constexpr double kOnTheWay = 1e-9;
-  if (told.comes == SkipSignal::Comes::Never) return std::nullopt;
-  if (told.comes == SkipSignal::Comes::AtFraction) return told.value;
-  const auto axis = static_cast<std::size_t>(told.axis);
-  const double from = state.work[axis], way = end[axis] - from, to = told.value - from;
+  if (reported.comes == SkipSignal::Comes::Never) return std::nullopt;
+  if (reported.comes == SkipSignal::Comes::AtFraction) return reported.value;
+  const auto axis = static_cast<std::size_t>(reported.axis);
+  const double from = state.work[axis], way = end[axis] - from, to = reported.value - from;
   if (way != 0 && to / way > 0 && to / way <= 1 + kOnTheWay / std::fabs(way)) return to / way;
   if (std::fabs(to) <= kOnTheWay) return 0;
   return std::nullopt;
@@ -65,7 +66,7 @@ SignalMask signals_of_parameter(const Control& c, int number) {
 
 /// The signals of G31 and its forms G31.1 to G31.3, P naming them.
 SignalMask signals_of_skip(const Control& c, const BlockWords& block, double p) {
-  const int form = block.code(Group::OneShot).which;
+  const int form = block.code(Group::OneShot).variant;
   switch (c.motion.skip_signals.value) {
     case SkipSignals::Any:
       return kAnySignal;
@@ -103,7 +104,7 @@ namespace {
 /// G38.2 and G38.4, by which a probe is to meet something.
 bool must_probe(MotionView m) {
   const GCode& motion = m.state.modal[at(Group::Motion)];
-  return motion.meaning == Meaning::Skip && motion.which % 2 == 0;
+  return motion.meaning == Meaning::Skip && motion.variant % 2 == 0;
 }
 
 }  // namespace
@@ -120,7 +121,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   double feed = m.state.feed;
   if (auto wrong = skip_feed(m, block, feed)) return wrong;
   const bool touched =
-      m.outside.has_signals() && signal_on_way(m, signals_of(m, block), end).has_value();
+      m.inputs.has_signals() && signal_on_way(m, signals_of(m, block), end).has_value();
   Piece piece = make_piece(m, block, MoveKind::Feed, end, named);
   piece.state.feed = held_skip_feed(m, feed, piece.state.feed_mode);
   piece.skip = touched ? SkipMove::Touched : SkipMove::Missed;
@@ -151,17 +152,17 @@ SignalMask signals_of(MotionView m, const BlockWords& block) {
 
 std::optional<double> signal_on_way(MotionContext& m, SignalMask signals, Axes& end) {
   constexpr double kTouchPlaces = 1e6;  // to the millionth of a mm: 37, not 36.99999999999999
-  Outside& outside = m.outside;
-  const SkipsTold told = outside.skips.take(signals);
+  MachineInputs& inputs = m.inputs;
+  const ReportedSkips reported = inputs.skips.take(signals);
   std::optional<double> part;
   const SkipSignal* first = nullptr;
-  for (const SkipSignal& signal : told.told)
+  for (const SkipSignal& signal : reported.reported)
     if (const auto there = part_of(m.state, signal, end); there && (!part || *there < *part)) {
       part = there;
       first = &signal;
     }
-  if (told.open != 0 && outside.workpiece != nullptr)
-    if (const auto there = touch(m, *outside.workpiece, told.open, end);
+  if (reported.open != 0 && inputs.workpiece != nullptr)
+    if (const auto there = touch(m, *inputs.workpiece, reported.open, end);
         there && (!part || *there < *part)) {
       part = there;
       first = nullptr;

@@ -252,7 +252,7 @@ Result Contour::rough() {
     return fault(Cause::ValueOutOfRange, block, "the block would cut too many levels");
   for (double level = level_of(begin) - away * step; (level - level_of(first)) * away > 1e-9;
        level -= away * step) {
-    if (m.outside.over(pieces.size() / 64)) return broken_off(block.words.at);
+    if (m.inputs.over(pieces.size() / 64)) return broken_off(block.words.at);
     if (auto wrong = rough_level(level, back, away)) return wrong;
   }
   if (auto wrong = follow(shift, 0)) return wrong;

@@ -11,7 +11,7 @@ namespace {
 /// The axis a cycle drills along: across the plane; of a lathe Z, or X for G87 to G89.
 int drill_axis(MotionView m, const GCode& code) {
   if (!m.facts.lathe()) return plane_axes(m.state.plane).across;
-  return code.which == 1 ? 0 : 2;
+  return code.variant == 1 ? 0 : 2;
 }
 
 /// Whether a cycle waits at the bottom of its hole.

@@ -191,7 +191,7 @@ Result Pockets::rough(Chain chain) {
   std::vector<Level> waiting;
   double level = top;
   for (;;) {
-    if (contour.m.outside.over(chain.size() / 64)) return broken_off(contour.block.words.at);
+    if (contour.m.inputs.over(chain.size() / 64)) return broken_off(contour.block.words.at);
     level -= contour.depth;
     std::vector<Chain> parts = split(chain, level);
     const bool deeper = parts.size() > 1;

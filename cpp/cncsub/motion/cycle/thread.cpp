@@ -122,11 +122,11 @@ Result read_thread(MotionContext& m, const BlockWords& block, const Axes& end, T
 Result cut_passes(MotionContext& m, BlockWords& block, const Axes& end, const ThreadForm& form) {
   const Axes start = m.state.work;
   const MultipleData data = m.state.multiple;
-  const double outside = start[0] >= end[0] + 2 * form.taper ? 1 : -1;
+  const double outside_sign = start[0] >= end[0] + 2 * form.taper ? 1 : -1;
   const double along = end[2] < start[2] ? -1 : 1;
   const double slope = std::tan(data.angle / 2.0 * kPi / 180);
   for (const double depth : thread_depths(form.height, form.first, data)) {
-    const double above = outside * 2 * (form.height - depth);
+    const double above = outside_sign * 2 * (form.height - depth);
     Axes in = start, out = end;
     in[0] = end[0] + 2 * form.taper + above;
     in[2] = start[2] + along * depth * slope;
@@ -254,7 +254,7 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   piece.state.feed = std::fabs(number(m, block, 'K'));
   piece.state.feed_mode = FeedMode::PerRevolution;
   if (auto wrong = move(m, block, piece)) return wrong;
-  if (m.state.modal[at(Group::Motion)].which != 2) return std::nullopt;
+  if (m.state.modal[at(Group::Motion)].variant != 2) return std::nullopt;
   piece.end = start + piece.offset;
   return move(m, block, piece);
 }

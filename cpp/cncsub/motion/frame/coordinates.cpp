@@ -24,8 +24,8 @@ Axes zero_offset(const MotionState& state) {
 }
 
 double turn_of_system(const MotionState& state, int system) {
-  const auto found = state.tables.turned.find(system);
-  return found == state.tables.turned.end() ? 0 : found->second;
+  const auto found = state.tables.system_angles.find(system);
+  return found == state.tables.system_angles.end() ? 0 : found->second;
 }
 
 namespace {
@@ -49,7 +49,7 @@ void turn_frame(MotionState& state) {
 }  // namespace
 
 void refresh_offset(MotionState& state) {
-  if (!state.tables.turned.empty()) turn_frame(state);
+  if (!state.tables.system_angles.empty()) turn_frame(state);
   const Axes now = zero_offset(state);
   if (now == state.offset) return;
   state.work = state.work + (state.offset - now);
@@ -58,12 +58,12 @@ void refresh_offset(MotionState& state) {
   state.row_moves = nullptr;
 }
 
-Axes told_shift(const MotionState& state) { return state.shifted ? state.kept_shift : Axes{}; }
+Axes reported_shift(const MotionState& state) { return state.shifted ? state.kept_shift : Axes{}; }
 
 void lose_written_shift(MotionState& state) {
-  const Axes told = told_shift(state);
-  if (told == state.shift) return;
-  state.work = state.work + (state.shift - told);
+  const Axes reported = reported_shift(state);
+  if (reported == state.shift) return;
+  state.work = state.work + (state.shift - reported);
   settle_origin(state);
   state.row_moves = nullptr;
 }
@@ -77,7 +77,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   const int before = system_in_force(m.state);
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
-    const int own = block.code(Group::Work).which;
+    const int own = block.code(Group::Work).variant;
     const double p = own > 0 ? own : block.words.has('P') ? counted(m, block.words, 'P') : 1;
     if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
       return fault(Cause::WorkSystem, block);

@@ -85,7 +85,7 @@ Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, dou
                             : m.state.work_system == whole(p);
   if (in_force && active && compensating(m.state)) return fault(Cause::CompensationShift, block);
   if (block.words.has('R') && in_force)
-    m.log.change(m.state.tables.turned[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
+    m.log.change(m.state.tables.system_angles[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
                                  [&](char axis) { return block.words.has(axis); });
   if (!named && m.facts.refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);

@@ -15,8 +15,9 @@ inline Axes machine_point(const MotionState& state, const Axes& work) {
 inline Axes machine_point(const MotionState& state) { return machine_point(state, state.work); }
 /// Whether moves wait for those behind them, or compensation holds the tool beside them.
 inline bool moves_wait(const MotionState& state) {
-  const Held& held = state.held;
-  return held.engaged || !held.radius.empty() || !held.corner.empty() || state.angled.waiting();
+  const LookaheadQueue& lookahead = state.lookahead;
+  return lookahead.engaged || !lookahead.radius.empty() || !lookahead.corner.empty() ||
+         state.pending_angle.waiting();
 }
 /// Pieces count from where the work coordinates do, unless some wait that count from elsewhere.
 inline void settle_origin(MotionState& state) {
@@ -61,7 +62,7 @@ Result select_work(MotionContext& m, BlockWords& block);
 Result set_coordinate(MotionContext& m, BlockWords& block);
 Result clear_coordinate(MotionContext& m, BlockWords& block);
 /// The shift that its variables tell, which a program may have written.
-Axes told_shift(const MotionState& state);
+Axes reported_shift(const MotionState& state);
 /// A work system is chosen while variables of the shift in force were written: the point is
 /// told without what is written, and the shift stays what it was. [rs274 2.9]
 void lose_written_shift(MotionState& state);

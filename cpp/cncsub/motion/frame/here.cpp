@@ -78,7 +78,7 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   const int system = whole(p);
   if (system == active && compensating(s)) return fault(Cause::CompensationShift, block);
   const double turn = radians_of(s, system);
-  const Axes there = in_system(s, system, in_machine(s, s.work + s.offset)) - told_shift(s);
+  const Axes there = in_system(s, system, in_machine(s, s.work + s.offset)) - reported_shift(s);
   const Axes wanted = named(m, block, there);
   Axes& values = values_of(s, system);
   store(m, values, values + turned_by(turn, there - wanted));

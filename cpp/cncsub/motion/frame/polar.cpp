@@ -8,28 +8,28 @@ namespace {
 
 Result set_rotation(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
-  Turned turned = m.state.turned;
-  turned.rotation = block.meaning(Group::Rotation) == Meaning::RotationOn;
-  if (turned.rotation) {
-    turned.angle = 0;
+  Transform transform = m.state.transform;
+  transform.rotation = block.meaning(Group::Rotation) == Meaning::RotationOn;
+  if (transform.rotation) {
+    transform.angle = 0;
     std::uint32_t others = bit('P') | bit('R');  // the angle of other controls
     for (const char name : c.motion.rotation_words.value) {
-      if (block.words.has(name)) turned.angle = block.words[name];
+      if (block.words.has(name)) transform.angle = block.words[name];
       others &= ~bit(name);
     }
     m.outcome.drop(block.words.mask & others);
-    if (c.motion.max_rotation.value > 0 && std::fabs(turned.angle) > c.motion.max_rotation.value)
+    if (c.motion.max_rotation.value > 0 && std::fabs(transform.angle) > c.motion.max_rotation.value)
       return fault(Cause::RotationAngle, block);
-    turned.plane = m.state.plane;
-    turned.frame = m.facts.lathe();
+    transform.plane = m.state.plane;
+    transform.frame = m.facts.lathe();
     for (int i = 0; i < 3; ++i) {
       const char name = kAxisNames[static_cast<std::size_t>(i)];
       // The centre is absolute under G91 as well. [B-64113EN]
-      turned.centre[i] = block.words.has(name) ? number(m, block, name) : m.state.work[i];
+      transform.centre[i] = block.words.has(name) ? number(m, block, name) : m.state.work[i];
     }
     block.consumed = true;
   }
-  m.state.turned = turned;
+  m.state.transform = transform;
   m.state.modal[at(Group::Rotation)] = block.code(Group::Rotation);
   return std::nullopt;
 }
@@ -53,19 +53,19 @@ double scale_of(MotionView m, const BlockWords& block, char address) {
 Result set_scaling(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
   m.state.modal[at(Group::Scaling)] = block.code(Group::Scaling);
-  m.state.turned.scaling = block.meaning(Group::Scaling) == Meaning::ScalingOn;
-  if (!m.state.turned.scaling) return std::nullopt;
+  m.state.transform.scaling = block.meaning(Group::Scaling) == Meaning::ScalingOn;
+  if (!m.state.transform.scaling) return std::nullopt;
   block.consumed = true;
   if (w.has('P')) m.outcome.drop(w.mask & (bit('I') | bit('J') | bit('K')));
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
     // As the centre of rotation. [B-63682EN p.117]
-    m.state.turned.scale_centre[i] = w.has(name) ? number(m, block, name) : m.state.work[i];
+    m.state.transform.scale_centre[i] = w.has(name) ? number(m, block, name) : m.state.work[i];
     double scale = w.has('P') ? scale_of(m, block, 'P') : w.has(own) ? scale_of(m, block, own) : 1;
     if (scale == 0) return fault(Cause::ScaleZero, block);
     if (scale < 0 && m.facts.refuses(Cause::ScaleNegative))
       return fault(Cause::ScaleNegative, block);
-    m.state.turned.scale[i] = scale;
+    m.state.transform.scale[i] = scale;
   }
   return std::nullopt;
 }
@@ -77,21 +77,21 @@ void set_mirror(MotionContext& m, BlockWords& block) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (!block.words.has(name)) continue;
     any = true;
-    if (on) m.state.turned.mirror_at[i] = number(m, block, name);
-    m.state.turned.mirrored =
-        on ? m.state.turned.mirrored | axis_bit(i) : m.state.turned.mirrored & ~axis_bit(i);
+    if (on) m.state.transform.mirror_at[i] = number(m, block, name);
+    m.state.transform.mirrored =
+        on ? m.state.transform.mirrored | axis_bit(i) : m.state.transform.mirrored & ~axis_bit(i);
   }
-  if (!on && !any) m.state.turned.mirrored = 0;
-  m.state.turned.mirror = m.state.turned.mirrored != 0;
-  if (on || !m.state.turned.mirror) m.state.modal[at(Group::Mirror)] = block.code(Group::Mirror);
+  if (!on && !any) m.state.transform.mirrored = 0;
+  m.state.transform.mirror = m.state.transform.mirrored != 0;
+  if (on || !m.state.transform.mirror) m.state.modal[at(Group::Mirror)] = block.code(Group::Mirror);
   block.consumed = true;
 }
 
 void rotate(double& a, double& b, double degrees) {
   const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
-  const double turned = a * c - b * s;
+  const double transform = a * c - b * s;
   b = a * s + b * c;
-  a = turned;
+  a = transform;
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ Result set_turned(MotionContext& m, BlockWords& block) {
 }
 
 void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
-  const Turned& t = state.turned;
+  const Transform& t = state.transform;
   for (int i = 0; i < 3; ++i) {
     if (t.mirror && (t.mirrored >> i & 1) != 0) point[i] = 2 * t.mirror_at[i] - point[i];
     if (t.scaling) point[i] = t.scale_centre[i] + (point[i] - t.scale_centre[i]) * t.scale[i];
@@ -172,7 +172,7 @@ void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
 }
 
 Axes turned_back(const MotionState& state, Axes point) {
-  const Turned& t = state.turned;
+  const Transform& t = state.transform;
   if (t.rotation) {
     const PlaneAxes plane = plane_axes(t.plane);
     double a = point[plane.a] - t.centre[plane.a], b = point[plane.b] - t.centre[plane.b];
@@ -188,7 +188,7 @@ Axes turned_back(const MotionState& state, Axes point) {
 }
 
 void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane) {
-  const Turned& t = state.turned;
+  const Transform& t = state.transform;
   if (t.mirror && (t.mirrored >> plane.a & 1) != 0) a = -a;
   if (t.mirror && (t.mirrored >> plane.b & 1) != 0) b = -b;
   if (t.scaling) a *= t.scale[plane.a], b *= t.scale[plane.b];
@@ -199,8 +199,9 @@ bool mirrored_plane(const MotionState& state) {
   const PlaneAxes plane = plane_axes(state.plane);
   bool odd = false;
   for (const int i : {plane.a, plane.b}) {
-    if (state.turned.mirror && (state.turned.mirrored >> i & 1) != 0) odd = !odd;
-    if (state.turned.scaling && state.turned.scale[static_cast<std::size_t>(i)] < 0) odd = !odd;
+    if (state.transform.mirror && (state.transform.mirrored >> i & 1) != 0) odd = !odd;
+    if (state.transform.scaling && state.transform.scale[static_cast<std::size_t>(i)] < 0)
+      odd = !odd;
   }
   return odd;
 }

@@ -52,7 +52,7 @@ Axes target(MotionContext& m, BlockWords& block, std::uint32_t& named) {
 }
 
 Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uint32_t& named) {
-  Axes end = turned(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
+  Axes end = is_transformed(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
   const bool corners = (block.words.mask & kCornerAxes) != 0 && has_corners(m.state, block);
   std::uint32_t letters = block.words.mask & (lathe_a ? kAxesOfA : kAllAxes);
@@ -66,13 +66,13 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
   if (lathe_a && (block.words.mask & kIncrementWords) != 0) add_increments(m, block, end, named);
   if ((block.words.mask & kPolarWords) != 0) polar_words(m, block, form.incremental, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
-  if (turned(m.state)) turn_point(m.state, end, named);
+  if (is_transformed(m.state)) turn_point(m.state, end, named);
   return end;
 }
 
 Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named) {
   const Axes end = target(m, block, named);
-  return block.longer == 0 ? end : lengthened(m, block, end, named);
+  return block.axis_extension == 0 ? end : lengthened(m, block, end, named);
 }
 
 Axes linear_target(MotionContext& m, BlockWords& block, std::uint32_t& named) {

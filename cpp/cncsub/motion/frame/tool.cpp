@@ -65,10 +65,10 @@ Result take_shifting_length(MotionContext& m, BlockWords& block) {
   m.state.modal[at(Group::Length)] = code;
   if (code.meaning == Meaning::LengthOff)
     m.state.length = {};
-  else if (code.which == 1 || (code.which == 2 && !block.words.has('H')))
-    give_length(m, block, code.which == 2);
+  else if (code.variant == 1 || (code.variant == 2 && !block.words.has('H')))
+    give_length(m, block, code.variant == 2);
   else
-    shift_by_length(m, code.which == 2);
+    shift_by_length(m, code.variant == 2);
   return std::nullopt;
 }
 
@@ -94,7 +94,7 @@ Result take_length(MotionContext& m, BlockWords& block) {
     m.state.length[static_cast<std::size_t>(m.state.length_axis)] = 0;
   m.state.length_axis = axis;
   const auto number = static_cast<std::size_t>(m.state.h);
-  const int form = block.has(Group::Length) ? block.code(Group::Length).which : 0;
+  const int form = block.has(Group::Length) ? block.code(Group::Length).variant : 0;
   if (form == 1 || (form == 2 && !h)) {
     give_length(m, block, form == 2);
     return std::nullopt;
@@ -163,7 +163,7 @@ double radius_value(MotionView m) {
     const auto found = m.state.tables.tools.find(m.state.tool_offset);
     return found == m.state.tables.tools.end() ? 0 : found->second.radius;
   }
-  if (m.state.modal[at(Group::Radius)].which == 1) return m.state.given_radius;
+  if (m.state.modal[at(Group::Radius)].variant == 1) return m.state.given_radius;
   const auto number = static_cast<std::size_t>(m.state.d);
   if (m.state.d == 0 || number >= m.state.tables.radius.size()) return 0;
   const double offset = m.state.tables.radius[number] + m.state.tables.radius_wear[number];
@@ -193,7 +193,7 @@ Result set_longer(MotionView m, BlockWords& block) {
   const bool by_h =
       letters.has('H') && (!letters.has('D') || (block.words.has('H') && !block.words.has('D')));
   const auto h = static_cast<std::size_t>(m.state.h);
-  block.longer =
+  block.axis_extension =
       times * (!by_h            ? radius_value(m)
                : m.state.h == 0 ? 0
                                 : m.state.tables.length[h] + m.state.tables.length_wear[h]);
@@ -206,9 +206,9 @@ Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t n
     const double way = end[i] - m.state.work[i];
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (way != 0)
-      end[i] += way < 0 ? -block.longer : block.longer;
+      end[i] += way < 0 ? -block.axis_extension : block.axis_extension;
     else if (m.state.incremental && block.words.has(name))
-      end[i] += std::signbit(block.words[name]) ? -block.longer : block.longer;
+      end[i] += std::signbit(block.words[name]) ? -block.axis_extension : block.axis_extension;
   }
   return end;
 }

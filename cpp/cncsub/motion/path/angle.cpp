@@ -17,15 +17,15 @@ double cosine(double degrees) { return std::cos(degrees * kPi / 180); }
 /// The line that waits ends where the one that ends here, at its angle, begins.
 Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double angle) {
   const PlaneView view{plane_axes(second.plane), m.facts.share(0)};
-  Piece first = m.state.angled.line.front();
-  const Point u{cosine(m.state.angled.angle), sine(m.state.angled.angle)},
+  Piece first = m.state.pending_angle.line.front();
+  const Point u{cosine(m.state.pending_angle.angle), sine(m.state.pending_angle.angle)},
       v{cosine(angle), sine(angle)};
   const Axes start = m.state.work + second.offset;
   const Point p = view.point(start), q = view.point(second.end);
   if (std::fabs(cross(u, v)) < sine(kLeastAngle)) return fault(Cause::AngleParallel, block);
   first.end = start;
   view.set(first.end, p + cross(q - p, v) / cross(u, v) * u);
-  m.state.angled = {};
+  m.state.pending_angle = {};
   if (auto wrong = move(m, block, first)) return wrong;
   return move(m, block, second);
 }
@@ -50,7 +50,7 @@ bool angle_word(MotionView m, const BlockWords& block, double& angle) {
   return true;
 }
 
-Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle) {
+Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, double angle) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   std::uint32_t named = 0;
   Axes end = target(m, block, named);
@@ -58,7 +58,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
   const double a_share = m.facts.share(plane.a), b_share = m.facts.share(plane.b);
-  if (!m.state.angled.waiting() && has_a != has_b) {
+  if (!m.state.pending_angle.waiting() && has_a != has_b) {
     if (std::fabs(has_a ? cosine(angle) : sine(angle)) < sine(kLeastAngle))
       return fault(Cause::AngleParallel, block);
     const double slope = sine(angle) / cosine(angle);
@@ -70,7 +70,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   }
   Piece piece = make_piece(m, block, kind, end, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
-  if (m.state.angled.waiting()) {
+  if (m.state.pending_angle.waiting()) {
     const auto absolute = [&](int axis) {
       return block.words.has(kAxisNames[static_cast<std::size_t>(axis)]) && !m.state.incremental;
     };
@@ -80,7 +80,7 @@ Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle
   // With both coordinates the angle does not count. [TDi 13]
   if (has_a || has_b) return move(m, block, piece);
   piece.named |= axis_bit(plane.a) | axis_bit(plane.b);
-  m.state.angled = {angle, {piece}, 0};
+  m.state.pending_angle = {angle, {piece}, 0};
   block.submitted = true;
   return std::nullopt;
 }
@@ -91,9 +91,9 @@ Result check_angle(MotionContext& m, const BlockWords& block, bool waited) {
                        (m.facts.lathe() || m.facts.control->motion.angles_on_mills.value);
     if (!taken) return fault(Cause::AddressNotUsable, block, ",A");
   }
-  if (!waited || !m.state.angled.waiting()) return std::nullopt;
+  if (!waited || !m.state.pending_angle.waiting()) return std::nullopt;
   if (block.submitted) return fault(Cause::AngleEnd, block);
-  if (++m.state.angled.idle > 1) return fault(Cause::AngleNoEnd, block);
+  if (++m.state.pending_angle.idle > 1) return fault(Cause::AngleNoEnd, block);
   return std::nullopt;
 }
 

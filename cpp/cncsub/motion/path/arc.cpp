@@ -27,7 +27,7 @@ PlaneAxes axes_of(const Piece& piece) { return arc_axes(piece.plane, piece.state
 /// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
 /// the axes of their centre. [general knowledge: FANUC]
 Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool by_radius) {
-  if (block.longer == 0) return std::nullopt;
+  if (block.axis_extension == 0) return std::nullopt;
   const PlaneAxes plane = plane_axes(m.state.plane);
   const Cause cause = Cause::LongerArc;
   if (by_radius) return fault(cause, block, "write I, J, K");
@@ -38,7 +38,7 @@ Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool
   const double i = centre(plane.a), j = centre(plane.b), radius = std::hypot(i, j);
   const double a = end[plane.a] - m.state.work[plane.a], b = end[plane.b] - m.state.work[plane.b];
   const double miss = std::max(std::fabs(std::fabs(a) - radius), std::fabs(std::fabs(b) - radius));
-  if ((i != 0) == (j != 0) || miss > m.facts.increment || radius + block.longer <= 0)
+  if ((i != 0) == (j != 0) || miss > m.facts.increment || radius + block.axis_extension <= 0)
     return fault(cause, block);
   return std::nullopt;
 }
@@ -47,8 +47,8 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
   const PlaneAxes plane = axes_of(piece);
   double radius = number(m, block, 'R');
-  if (m.state.turned.scaling)
-    radius *= std::fabs(m.state.turned.scale[static_cast<std::size_t>(plane.a)]);
+  if (m.state.transform.scaling)
+    radius *= std::fabs(m.state.transform.scale[static_cast<std::size_t>(plane.a)]);
   if (radius < 0 && !takes_negative_radius(m.facts)) return fault(Cause::NegativeRadius, block);
   const Axes start = m.state.work + piece.offset;
   const double a0 = start[plane.a] * m.facts.share(plane.a),
@@ -119,8 +119,8 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   };
   double i = word(plane.a), j = word(plane.b);
   turn_vector(m.state, i, j, plane_axes(piece.plane));
-  if (double& arm = i != 0 ? i : j; block.longer != 0)
-    arm += arm < 0 ? -block.longer : block.longer;
+  if (double& arm = i != 0 ? i : j; block.axis_extension != 0)
+    arm += arm < 0 ? -block.axis_extension : block.axis_extension;
   const Axes start = m.state.work + piece.offset;
   const double a0 = start[plane.a] * m.facts.share(plane.a),
                b0 = start[plane.b] * m.facts.share(plane.b);
@@ -159,7 +159,7 @@ std::uint8_t parallel_axes(MotionView m, std::uint32_t named) {
 /// An arc in U, V and W as they stand: what turns or leads an arc of X, Y and Z is not computed.
 Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece) {
   if (piece.state.parallel == 0) return std::nullopt;
-  if (turned(m.state) || polar(m.state) || piece.side != 0 || piece.corner != 0)
+  if (is_transformed(m.state) || polar(m.state) || piece.side != 0 || piece.corner != 0)
     return fault(Cause::CodeNotComputed, block,
                  "an arc of U, V or W in turned coordinates, with a radius offset or a corner");
   return std::nullopt;
@@ -169,18 +169,18 @@ Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece)
 Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bool radius) {
   const Control& c = *m.facts.control;
   const int across = plane_axes(m.state.plane).across;
-  const auto outside = [&](int axis, Cause cause) {
+  const auto out_of_plane = [&](int axis, Cause cause) {
     return fault_at(kAxisNames[static_cast<std::size_t>(axis)], cause, block);
   };
   const bool all = c.motion.helix.value == Helix::AllAxes;
   const bool helix = all || c.motion.helix.value == Helix::Everywhere ||
                      (c.motion.helix.value == Helix::MillsOnly && !m.facts.lathe());
-  if ((named & axis_bit(across)) != 0 && !helix) return outside(across, Cause::ArcAxis);
+  if ((named & axis_bit(across)) != 0 && !helix) return out_of_plane(across, Cause::ArcAxis);
   const std::uint32_t taken = 7u | std::uint32_t{parallel_axes(m, named)}
                                        << 6;  // X, Y, Z, or along
   if (const std::uint32_t beyond = all ? 0 : named & ~taken; beyond != 0)
-    return outside(std::countr_zero(beyond),
-                   m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
+    return out_of_plane(std::countr_zero(beyond),
+                        m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   const char word = kCentreNames[static_cast<std::size_t>(across)];
   const bool counts = block.words[word] != 0 || m.facts.refuses(Cause::ArcAxis);
   if (!radius && block.words.has(word) && counts) return fault_at(word, Cause::ArcAxis, block);
@@ -256,7 +256,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   std::uint32_t named = 0;
   const Axes written = target(m, block, named);
-  const Axes end = block.longer == 0 ? written : lengthened(m, block, written, named);
+  const Axes end = block.axis_extension == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
   if (auto wrong = check_form(m, block)) return wrong;

@@ -62,26 +62,26 @@ namespace {
 /// A move before a corner waits for the one behind it.
 Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (piece.corner == 0) return through_radius(sink, piece, from);
-  sink.state.held.corner_from = from;
-  sink.state.held.corner.push_back(piece);
+  sink.state.lookahead.corner_from = from;
+  sink.state.lookahead.corner.push_back(piece);
   return std::nullopt;
 }
 
 /// The move that waited gets its corner with this one.
 Result end_corner(MoveSink& sink, const Piece& piece) {
-  Held& held = sink.state.held;
-  const Piece first = held.corner.back();
-  held.corner.clear();
+  LookaheadQueue& lookahead = sink.state.lookahead;
+  const Piece first = lookahead.corner.back();
+  lookahead.corner.clear();
   if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
     return Fault{Cause::CornerNextMove, piece.at, 1, {}};
   CornerPieces corner;
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
   const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
-  if (!cut_corner(view, held.corner_from, first, piece, chamfer_side, corner))
+  if (!cut_corner(view, lookahead.corner_from, first, piece, chamfer_side, corner))
     return corner.second_short && sink.facts.refuses(Cause::CornerNextShort)
                ? Fault{Cause::CornerNextShort, piece.at, 1, {}}
                : Fault{Cause::CornerTooShort, first.at, 1, {}};
-  if (auto wrong = through_radius(sink, corner.first, held.corner_from)) return wrong;
+  if (auto wrong = through_radius(sink, corner.first, lookahead.corner_from)) return wrong;
   if (corner.has_between)
     if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;
   return wait_for_corner(sink, corner.second, corner.at_second);
@@ -90,8 +90,8 @@ Result end_corner(MoveSink& sink, const Piece& piece) {
 }  // namespace
 
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
-  return sink.state.held.corner.empty() ? wait_for_corner(sink, piece, from)
-                                        : end_corner(sink, piece);
+  return sink.state.lookahead.corner.empty() ? wait_for_corner(sink, piece, from)
+                                             : end_corner(sink, piece);
 }
 
 }  // namespace cncsub

@@ -40,7 +40,8 @@ double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
 }
 
 /// How long a move takes that is told in coordinates as turned as those of the work system.
-double seconds_in_machine(const MotionState& state, const MoveWay& way, const MotionFacts& facts) {
+double seconds_in_machine(const MotionState& state, const TimedMove& way,
+                          const MotionFacts& facts) {
   if (state.frame_angle == 0) return seconds_of(way, facts.rapid, facts.diameters);
   const Axes from = in_machine(state, way.from), to = in_machine(state, way.to);
   return seconds_of({way.kind, way.state, from, to, way.path, way.zero, way.dwell}, facts.rapid,
@@ -48,7 +49,7 @@ double seconds_in_machine(const MotionState& state, const MoveWay& way, const Mo
 }
 
 /// How long a piece takes, and how long its way is in the plane.
-struct Way {
+struct PieceLength {
   bool arc = false;
   double in_plane = 0, seconds = 0;
 };
@@ -70,7 +71,7 @@ void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
 
 /// The row of a piece.
 void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
-               const std::array<double, 3>& vector, const Way& way) {
+               const std::array<double, 3>& vector, const PieceLength& way) {
   Moves& moves = *sink.table;
   mark_axes(sink, machine, piece.named);
   moves.push(piece.step, piece.kind, piece.end - piece.offset,
@@ -137,7 +138,7 @@ Fault too_many_moves(const BlockWords& block) {
 /// Counts a move of a block, which may be one too many.
 inline Result count_move(MotionContext& m, const BlockWords& block) {
   if (++m.outcome.moves > kMostMoves) return too_many_moves(block);
-  if (m.outside.over(1)) return broken_off(block.words.at);
+  if (m.inputs.over(1)) return broken_off(block.words.at);
   return std::nullopt;
 }
 
@@ -185,7 +186,7 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
     if (auto wrong = check_area(sink, piece, machine)) return wrong;
   const Axes& from = sink.state.tool_at;
   const std::uint32_t diameters = sink.facts.diameters;
-  Way way;
+  PieceLength way;
   way.arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
   way.in_plane = way.arc ? arc_in_plane(sink, piece, machine) : length_of(from, machine, diameters);
   const double length = way.arc

@@ -56,10 +56,10 @@ struct OwnNormal {
 
   OwnNormal(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 
-  Held& held() const { return sink.state.held; }
+  LookaheadQueue& lookahead() const { return sink.state.lookahead; }
   /// Where the contour is, and the tool beside it.
-  Point corner() const { return view.point(held().radius_to); }
-  Point tool() const { return corner() + Point{held().vector[0], held().vector[1]}; }
+  Point corner() const { return view.point(lookahead().radius_to); }
+  Point tool() const { return corner() + Point{lookahead().vector[0], lookahead().vector[1]}; }
 
   Result record(const Piece& piece, Point beside) const {
     std::array<double, 3> vector{};
@@ -85,23 +85,23 @@ struct OwnNormal {
 
 /// What waits goes to the table as it is.
 Result OwnNormal::let_go() const {
-  held().begun_known = false;
-  for (const Piece& piece : held().radius)
+  lookahead().begun_known = false;
+  for (const Piece& piece : lookahead().radius)
     if (auto wrong = record(piece, {piece.beside[0], piece.beside[1]})) return wrong;
-  held().radius.clear();
+  lookahead().radius.clear();
   return std::nullopt;
 }
 
 /// The tool stands there when the next move begins.
 Result OwnNormal::stands_at(Result wrong, Point at) const {
-  held().begun = {at.a, at.b};
-  held().begun_known = true;
+  lookahead().begun = {at.a, at.b};
+  lookahead().begun_known = true;
   return wrong;
 }
 
 /// What waits ends there instead; backwards it does not go.
 Result OwnNormal::move_back(Point to, std::uint32_t at) const {
-  Held& h = held();
+  LookaheadQueue& h = lookahead();
   if (h.radius.empty()) return std::nullopt;
   const Point begun{h.begun[0], h.begun[1]};
   const double unit = sink.state.unit;
@@ -127,7 +127,7 @@ Result OwnNormal::move_back(Point to, std::uint32_t at) const {
 /// In an arc about the corner; a rapid goes straight there.
 Result OwnNormal::go_around(const Piece& next, Point to) const {
   Piece bit = next;
-  const Axes& from = held().radius_to;
+  const Axes& from = lookahead().radius_to;
   view.set(bit.end, corner());
   bit.end[static_cast<std::size_t>(view.axes.across)] =
       from[static_cast<std::size_t>(view.axes.across)];
@@ -141,7 +141,7 @@ Result OwnNormal::go_around(const Piece& next, Point to) const {
 }
 
 void OwnNormal::wait(const Piece& piece, Point to, Point way) const {
-  Held& h = held();
+  LookaheadQueue& h = lookahead();
   const Point beside = to - view.point(piece.end);
   h.radius_to = piece.end;
   h.vector = {beside.a, beside.b};
@@ -196,7 +196,7 @@ double OwnNormal::away_from_tool(const Piece& next, Point v) const {
 
 /// Where a line along `v` begins, behind an inside corner.
 Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) const {
-  const Piece& before = held().radius.front();
+  const Piece& before = lookahead().radius.front();
   const double radius = std::fabs(offset_of(piece));
   if (!is_arc(before)) {
     const Point back = -radius / std::tan((away + kPi) / 2) * last_direction(piece);
@@ -224,7 +224,7 @@ Result OwnNormal::line(Piece piece) const {
   const Point v = (1 / size(end - start)) * (end - start);
   const Point beside = offset_of(piece) * left(v);
   const double away = away_from_tool(piece, v);
-  const auto& queue = held().radius;
+  const auto& queue = lookahead().radius;
   const bool over_arc = away > kPi - kCorner && !queue.empty() && is_arc(queue.front()) &&
                         !goes_inside(queue.front());
   const bool inside = away < -kCorner || away > kPi + kCorner || over_arc;
@@ -255,7 +255,7 @@ Result OwnNormal::end_line_before_arc(const Piece& piece, Point u, double away) 
 }
 
 Result OwnNormal::end_arc_before_arc(const Piece& piece) const {
-  const Piece& before = held().radius.front();
+  const Piece& before = lookahead().radius.front();
   const Point first = view.point(before.centre), second = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
   const double old =
@@ -272,9 +272,9 @@ Result OwnNormal::end_arc_before_arc(const Piece& piece) const {
 }
 
 Result OwnNormal::end_before_arc(const Piece& piece, Point u, double away) const {
-  if (held().radius.empty()) return std::nullopt;
-  return is_arc(held().radius.front()) ? end_arc_before_arc(piece)
-                                       : end_line_before_arc(piece, u, away);
+  if (lookahead().radius.empty()) return std::nullopt;
+  return is_arc(lookahead().radius.front()) ? end_arc_before_arc(piece)
+                                            : end_line_before_arc(piece, u, away);
 }
 
 Result OwnNormal::arc(Piece piece) const {
@@ -304,39 +304,41 @@ Result wait_beside(MoveSink& sink, const Piece& piece) {
   const Axes way = sink.state.tool_at - (piece.end + piece.length);
   return record_move(
       sink, piece,
-      sink.state.held.engaged ? std::array{way[0], way[1], way[2]} : std::array<double, 3>{});
+      sink.state.lookahead.engaged ? std::array{way[0], way[1], way[2]} : std::array<double, 3>{});
 }
 
 }  // namespace
 
 Result end_own_normal(MoveSink& sink) {
-  Held& held = sink.state.held;
-  if (held.radius.empty()) return std::nullopt;
-  OwnNormal path(sink, held.radius.front().plane);
-  if (auto wrong = path.move_back(path.tool(), held.radius.back().at)) return wrong;
-  held.begun_known = false;
+  LookaheadQueue& lookahead = sink.state.lookahead;
+  if (lookahead.radius.empty()) return std::nullopt;
+  OwnNormal path(sink, lookahead.radius.front().plane);
+  if (auto wrong = path.move_back(path.tool(), lookahead.radius.back().at)) return wrong;
+  lookahead.begun_known = false;
   return std::nullopt;
 }
 
 Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from) {
-  Held& held = sink.state.held;
+  LookaheadQueue& lookahead = sink.state.lookahead;
   if (piece.side == 0 || piece.radius == 0) {
     if (auto wrong = end_own_normal(sink)) return wrong;
-    if (held.engaged && is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
+    if (lookahead.engaged && is_arc(piece))
+      return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
     if (piece.kind == MoveKind::Dwell) return wait_beside(sink, piece);
-    held.engaged = held.ended = false;
+    lookahead.engaged = lookahead.ended = false;
     return record_move(sink, piece, {});
   }
   OwnNormal path(sink, piece.plane);
-  const bool first = !held.engaged || held.ended;
+  const bool first = !lookahead.engaged || lookahead.ended;
   if (piece.kind == MoveKind::Dwell) {
     if (first) return record_move(sink, piece, {});
-    if (held.radius.empty()) return path.record(piece, {held.vector[0], held.vector[1]});
-    held.radius.push_back(piece);
-    held.radius.back().beside = held.vector;
+    if (lookahead.radius.empty())
+      return path.record(piece, {lookahead.vector[0], lookahead.vector[1]});
+    lookahead.radius.push_back(piece);
+    lookahead.radius.back().beside = lookahead.vector;
     return std::nullopt;
   }
-  held.ended = false;
+  lookahead.ended = false;
   if (first) return path.begin(piece, path.view.point(from));
   return is_arc(piece) ? path.arc(piece) : path.line(piece);
 }

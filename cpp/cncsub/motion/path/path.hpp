@@ -47,7 +47,7 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning);
 
 /// The angle of a straight move with the first axis of the plane, counter-clockwise, in degrees.
 bool angle_word(MotionView m, const BlockWords& block, double& angle);
-Result angled(MotionContext& m, BlockWords& block, Meaning meaning, double angle);
+Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, double angle);
 /// Behind a straight move of which only the angle is known comes the one that tells its end; one
 /// block without a move may stand between. [TDi 13 notes 6, 7]
 Result check_angle(MotionContext& m, const BlockWords& block, bool waited);

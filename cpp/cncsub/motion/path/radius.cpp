@@ -25,9 +25,9 @@ constexpr std::size_t kReadAhead = 8;
 
 /// Where a move starts: at the end of the last one that the increment can tell from its start.
 void RadiusPath::find_start(Axes& from) const {
-  const Held& held = sink.state.held;
-  if (held.radius.empty() && !held.engaged) return;
-  const Point corner = view.point(held.radius_to), there = view.point(from);
+  const LookaheadQueue& lookahead = sink.state.lookahead;
+  if (lookahead.radius.empty() && !lookahead.engaged) return;
+  const Point corner = view.point(lookahead.radius_to), there = view.point(from);
   if ((corner.a != there.a || corner.b != there.b) && same(corner, there)) view.set(from, corner);
 }
 
@@ -36,7 +36,7 @@ bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
   return std::fabs(piece.turn) > kPi || !same(view.point(from), view.point(piece.end));
 }
 
-/// Outside corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
+/// MachineInputs corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
 void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset,
                            Join& join) const {
   const Point na = offset * left(u), nb = offset * left(v);
@@ -89,7 +89,7 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
 Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
                              std::uint32_t at) const {
   if (!a.straight() && moved_radius(a, a.to, offset) < -least)
-    return {Cause::CompensationArcTooSmall, sink.state.held.radius.front().at, 1, {}};
+    return {Cause::CompensationArcTooSmall, sink.state.lookahead.radius.front().at, 1, {}};
   if (!b.straight() && moved_radius(b, b.from, offset) < -least)
     return {Cause::CompensationArcTooSmall, at, 1, {}};
   Fault wrong{Cause::CompensationNoIntersection, at, 1, {}};
@@ -101,11 +101,12 @@ Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
 /// not cut an increment into the moves beside; an arc in which it only just fits has no way left,
 /// and becomes a line.
 Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const {
-  const Held& held = sink.state.held;
-  const Point start = curve.from + Point{held.vector[0], held.vector[1]}, stop = curve.to + v;
+  const LookaheadQueue& lookahead = sink.state.lookahead;
+  const Point start = curve.from + Point{lookahead.vector[0], lookahead.vector[1]},
+              stop = curve.to + v;
   const Point u = curve.start_direction(), w = curve.end_direction();
   const auto cuts = [&](double back) {
-    const double before = sharpness({held.entered[0], held.entered[1]}, u);
+    const double before = sharpness({lookahead.entered[0], lookahead.entered[1]}, u);
     return back * std::max(before, sharpness(w, next)) > least;
   };
   const auto interference = [&] { return Fault{Cause::CompensationInterference, piece.at, 1, {}}; };
@@ -132,10 +133,10 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
 
 /// Records the waiting move, which is this curve, up to its end, and the way around the corner.
 Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join, Point next) {
-  Held& held = sink.state.held;
-  Piece& first = held.radius.front();
+  LookaheadQueue& lookahead = sink.state.lookahead;
+  Piece& first = lookahead.radius.front();
   Point u;
-  if (!held.starting) {
+  if (!lookahead.starting) {
     const bool over = join != nullptr && join->over == Join::First;
     if (over)
       straighten(first);
@@ -143,7 +144,7 @@ Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join
       return wrong;
     if (join != nullptr) u = over ? join->along : curve.end_direction();
   }
-  held.entered = {u.a, u.b};
+  lookahead.entered = {u.a, u.b};
   if (auto wrong = record(first, v)) return wrong;
   for (std::size_t i = 0; join != nullptr && i < join->points; ++i) {
     v = join->way[i];
@@ -155,35 +156,35 @@ Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join
 /// Records the waiting move, the way around the corner, and the blocks behind it. `next` is the
 /// direction of the move behind it, nothing where there is none.
 Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point next) {
-  Held& held = sink.state.held;
+  LookaheadQueue& lookahead = sink.state.lookahead;
   if (auto wrong = record_waiting(curve, v, join, next)) return wrong;
-  for (std::size_t i = 1; i < held.radius.size(); ++i)
-    if (auto wrong = record_idle(held.radius[i], v)) return wrong;
-  held.radius.clear();
-  held.starting = false;
-  held.engaged = true;
+  for (std::size_t i = 1; i < lookahead.radius.size(); ++i)
+    if (auto wrong = record_idle(lookahead.radius[i], v)) return wrong;
+  lookahead.radius.clear();
+  lookahead.starting = false;
+  lookahead.engaged = true;
   return std::nullopt;
 }
 
 /// The waiting move ends on its own normal.
 Result RadiusPath::flush() {
-  const Held& held = sink.state.held;
+  const LookaheadQueue& lookahead = sink.state.lookahead;
   if (auto wrong = take_step(nullptr)) return wrong;
-  if (held.radius.empty()) return std::nullopt;
-  const Piece& first = held.radius.front();
-  const Curve curve = curve_of(view, held.radius_from, first);
+  if (lookahead.radius.empty()) return std::nullopt;
+  const Piece& first = lookahead.radius.front();
+  const Curve curve = curve_of(view, lookahead.radius_from, first);
   return leave(curve, offset_of(first) * left(curve.end_direction()), nullptr, {});
 }
 
 /// The last compensated move ends on its normal, or goes around an outside corner; then the tool
 /// goes straight to the point.
 Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
-  Held& held = sink.state.held;
+  LookaheadQueue& lookahead = sink.state.lookahead;
   const bool around = sink.facts.control->motion.start_up.value == StartUp::TypeB &&
-                      !held.radius.empty() && !held.starting && !is_arc(piece);
+                      !lookahead.radius.empty() && !lookahead.starting && !is_arc(piece);
   if (around) {
-    const Piece& first = held.radius.front();
-    const Curve before = curve_of(view, held.radius_from, first);
+    const Piece& first = lookahead.radius.front();
+    const Curve before = curve_of(view, lookahead.radius_from, first);
     const double offset = offset_of(first);
     if (!inside(before.end_direction(), curve.start_direction(), offset)) {
       Join way;
@@ -193,21 +194,21 @@ Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
   }
   if (auto wrong = flush()) return wrong;
   if (is_arc(piece)) return Fault{Cause::CompensationEndArc, piece.at, 1, {}};
-  held.engaged = false;
+  lookahead.engaged = false;
   return record(piece, {});
 }
 
-Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
-                            const Curve* behind, Join& way) const {
-  const Held& held = sink.state.held;
-  const double offset = offset_of(held.radius.front());
+Result RadiusPath::find_join(double side, std::uint32_t at, const Curve& before, const Curve& curve,
+                             const Curve* behind, Join& way) const {
+  const LookaheadQueue& lookahead = sink.state.lookahead;
+  const double offset = offset_of(lookahead.radius.front());
   const Point u = before.end_direction(), v = curve.start_direction();
   const StartUp start_up = sink.facts.control->motion.start_up.value;
-  const bool start_around = held.starting && start_up == StartUp::TypeB && !inside(u, v, side) &&
-                            std::fabs(cross(u, v)) > 1e-9;
-  if (held.starting && !start_around) {
+  const bool start_around = lookahead.starting && start_up == StartUp::TypeB &&
+                            !inside(u, v, side) && std::fabs(cross(u, v)) > 1e-9;
+  if (lookahead.starting && !start_around) {
     way.leave = offset * left(v);
-  } else if (!held.starting && offset * side < 0) {  // to the other side
+  } else if (!lookahead.starting && offset * side < 0) {  // to the other side
     way.leave = offset * left(u);
     way.go_by(side * left(v));
   } else {
@@ -219,17 +220,17 @@ Result RadiusPath::find_way(double side, std::uint32_t at, const Curve& before, 
 /// Records the waiting move, now that the next one says where the tool leaves it.
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
-  const Held& held = sink.state.held;
+  const LookaheadQueue& lookahead = sink.state.lookahead;
   const Point v = curve.start_direction();
-  if (held.radius.empty()) {
+  if (lookahead.radius.empty()) {
     const Point normal = offset_of(piece) * left(v);
     // Behind blocks that were not looked over the tool first goes onto the normal of this move.
-    if (same_normal(normal, {held.vector[0], held.vector[1]})) return std::nullopt;
+    if (same_normal(normal, {lookahead.vector[0], lookahead.vector[1]})) return std::nullopt;
     return record_bit(piece, from, normal, 0);
   }
-  const Curve before = curve_of(view, held.radius_from, held.radius.front());
+  const Curve before = curve_of(view, lookahead.radius_from, lookahead.radius.front());
   Join way;
-  if (auto wrong = find_way(offset_of(piece), piece.at, before, curve, behind, way)) return wrong;
+  if (auto wrong = find_join(offset_of(piece), piece.at, before, curve, behind, way)) return wrong;
   over = way.over == Join::Second;
   if (auto wrong = leave(before, way.leave, &way, over ? way.along : v)) return wrong;
   if (over) begin_step(piece, from, way.along);
@@ -237,73 +238,76 @@ Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* b
 }
 
 Result flush_radius(MoveSink& sink) {
-  if (sink.state.held.radius.empty()) return std::nullopt;
+  if (sink.state.lookahead.radius.empty()) return std::nullopt;
   if (is_by_own_normal(sink.facts)) return end_own_normal(sink);
-  return RadiusPath(sink, sink.state.held.radius.front().plane).flush();
+  return RadiusPath(sink, sink.state.lookahead.radius.front().plane).flush();
 }
 
 /// A move without a way in the plane waits behind the one that has one.
 static Result look_over(RadiusPath& path, const Piece& piece, const Axes& from) {
-  Held& held = path.sink.state.held;
+  LookaheadQueue& lookahead = path.sink.state.lookahead;
   // A step of an increment has no direction, but it is no block without a move.
-  if (piece.kind != MoveKind::Dwell && held.radius.size() < kReadAhead &&
+  if (piece.kind != MoveKind::Dwell && lookahead.radius.size() < kReadAhead &&
       size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
-    held.moved = true;
-  if (held.radius.empty()) return path.record_idle(piece, {held.vector[0], held.vector[1]});
-  held.radius.push_back(piece);
+    lookahead.moved = true;
+  if (lookahead.radius.empty())
+    return path.record_idle(piece, {lookahead.vector[0], lookahead.vector[1]});
+  lookahead.radius.push_back(piece);
   return std::nullopt;
 }
 
 Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
-  Held& held = sink.state.held;
+  LookaheadQueue& lookahead = sink.state.lookahead;
   const bool active = piece.side != 0;
-  if (!active && !held.engaged && held.radius.empty()) return record_move(sink, piece, {});
+  if (!active && !lookahead.engaged && lookahead.radius.empty())
+    return record_move(sink, piece, {});
   if (is_by_own_normal(sink.facts)) return by_own_normal(sink, piece, from);
   RadiusPath path(sink, piece.plane);
   Axes start = from;
   path.find_start(start);
   if (!path.moves_in_plane(piece, start)) return look_over(path, piece, from);
   const Curve curve = curve_of(path.view, start, piece);
-  held.moved = true;
-  const bool along = !held.radius.empty() && offset_of(held.radius.front()) * offset_of(piece) > 0;
+  lookahead.moved = true;
+  const bool along =
+      !lookahead.radius.empty() && offset_of(lookahead.radius.front()) * offset_of(piece) > 0;
   if (auto wrong = path.take_step(along ? &curve : nullptr)) return wrong;
   if (!active) return path.cancel(piece, curve);
   if (path.is_low_step(offset_of(piece), curve)) {
-    held.step = held.radius.size();
-    held.step_from = start;
-    held.radius_to = piece.end;
-    held.radius.push_back(piece);
+    lookahead.step = lookahead.radius.size();
+    lookahead.step_from = start;
+    lookahead.radius_to = piece.end;
+    lookahead.radius.push_back(piece);
     return std::nullopt;
   }
   bool over = false;
-  if (held.engaged || !held.radius.empty()) {
+  if (lookahead.engaged || !lookahead.radius.empty()) {
     if (auto wrong = path.follow(piece, curve, nullptr, start, over)) return wrong;
   } else if (is_arc(piece)) {
     return Fault{Cause::CompensationArc, piece.at, 1, {}};
   } else {
-    held.starting = true;
+    lookahead.starting = true;
   }
-  held.radius_from = start;
-  held.radius_to = piece.end;
-  held.radius.push_back(piece);
-  if (over) straighten(held.radius.back());
+  lookahead.radius_from = start;
+  lookahead.radius_to = piece.end;
+  lookahead.radius.push_back(piece);
+  if (over) straighten(lookahead.radius.back());
   return std::nullopt;
 }
 
 /// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
 /// the normal.
 Result count_idle(MoveSink& sink, std::uint32_t at) {
-  Held& held = sink.state.held;
-  const bool moved =
-      std::exchange(held.moved, false) || !held.corner.empty() || sink.state.angled.waiting();
-  if (held.radius.empty() || moved || is_by_own_normal(sink.facts)) {
-    held.idle = 0;
+  LookaheadQueue& lookahead = sink.state.lookahead;
+  const bool moved = std::exchange(lookahead.moved, false) || !lookahead.corner.empty() ||
+                     sink.state.pending_angle.waiting();
+  if (lookahead.radius.empty() || moved || is_by_own_normal(sink.facts)) {
+    lookahead.idle = 0;
     return std::nullopt;
   }
   const Control& c = *sink.facts.control;
-  if (++held.idle <= c.motion.idle_blocks.value) return std::nullopt;
+  if (++lookahead.idle <= c.motion.idle_blocks.value) return std::nullopt;
   if (sink.facts.refuses(Cause::CompensationIdle)) return Fault{Cause::CompensationIdle, at, 1, {}};
-  held.idle = 0;
+  lookahead.idle = 0;
   return flush_radius(sink);
 }
 

@@ -54,7 +54,7 @@ struct RadiusPath {
     vector[static_cast<std::size_t>(view.axes.a)] += v.a / view.a_share;
     vector[static_cast<std::size_t>(view.axes.b)] += v.b / view.b_share;
     if (auto wrong = record_move(sink, piece, vector)) return wrong;
-    sink.state.held.vector = {v.a, v.b};
+    sink.state.lookahead.vector = {v.a, v.b};
     return std::nullopt;
   }
 
@@ -99,8 +99,8 @@ struct RadiusPath {
   Result follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                 bool& over);
   /// How the tool comes from the waiting move, which is the curve `before`, to this one.
-  Result find_way(double side, std::uint32_t at, const Curve& before, const Curve& curve,
-                  const Curve* behind, Join& way) const;
+  Result find_join(double side, std::uint32_t at, const Curve& before, const Curve& curve,
+                   const Curve* behind, Join& way) const;
 
   // step.cpp: low steps.
   bool is_low_step(double side, const Curve& curve) const;

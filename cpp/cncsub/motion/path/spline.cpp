@@ -45,7 +45,7 @@ Result check_spline(MotionView m, const BlockWords& block, bool by_one_point) {
 }  // namespace
 
 Result spline(MotionContext& m, BlockWords& block) {
-  const bool by_one_point = block.code(Group::Motion).which == 1;
+  const bool by_one_point = block.code(Group::Motion).variant == 1;
   std::uint32_t named = 0;
   const Axes end = end_point(m, block, named);
   if (named == 0) return std::nullopt;

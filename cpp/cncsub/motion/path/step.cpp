@@ -47,28 +47,28 @@ std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, do
 
 /// Whether the corner before a move is better decided when the move behind it is known.
 bool RadiusPath::is_low_step(double side, const Curve& curve) const {
-  const Held& held = sink.state.held;
+  const LookaheadQueue& lookahead = sink.state.lookahead;
   if (size(curve.to - curve.from) > kShortStep * least || std::fabs(curve.turn) > kPi / 2 ||
-      held.radius.empty() || held.starting)
+      lookahead.radius.empty() || lookahead.starting)
     return false;
-  return offset_of(held.radius.front()) * side > 0;
+  return offset_of(lookahead.radius.front()) * side > 0;
 }
 
 /// The low step that waits follows the move before it, now that the `next` one is known.
 Result RadiusPath::take_step(const Curve* next) {
-  Held& held = sink.state.held;
-  if (held.step == 0) return std::nullopt;
-  const auto first = held.radius.begin() + static_cast<std::ptrdiff_t>(held.step);
-  std::vector<Piece> rest(first, held.radius.end());
-  held.radius.erase(first, held.radius.end());
-  held.step = 0;
-  Axes start = held.step_from;
+  LookaheadQueue& lookahead = sink.state.lookahead;
+  if (lookahead.step == 0) return std::nullopt;
+  const auto first = lookahead.radius.begin() + static_cast<std::ptrdiff_t>(lookahead.step);
+  std::vector<Piece> rest(first, lookahead.radius.end());
+  lookahead.radius.erase(first, lookahead.radius.end());
+  lookahead.step = 0;
+  Axes start = lookahead.step_from;
   bool over = false;
   if (auto wrong = follow(rest.front(), curve_of(view, start, rest.front()), next, start, over))
     return wrong;
   if (over) straighten(rest.front());
-  held.radius_from = start;
-  held.radius = std::move(rest);
+  lookahead.radius_from = start;
+  lookahead.radius = std::move(rest);
   return std::nullopt;
 }
 
@@ -83,11 +83,11 @@ bool RadiusPath::join_over_step(const Curve& a, const Curve& b, double offset, J
   };
   if (const auto touch = over_step(a, b, offset, least))
     return go_over(Join::Second, *touch, along_edge(*touch, b.to, offset));
-  const Held& held = sink.state.held;
-  const Point before{held.entered[0], held.entered[1]};
+  const LookaheadQueue& lookahead = sink.state.lookahead;
+  const Point before{lookahead.entered[0], lookahead.entered[1]};
   if (dot(before, before) == 0 || inside(before, a.start_direction(), offset)) return false;
   const auto touch = over_step(reversed(b), reversed(a), -offset, least);
-  const Point tool = a.from + Point{held.vector[0], held.vector[1]};
+  const Point tool = a.from + Point{lookahead.vector[0], lookahead.vector[1]};
   const double cut = cut_into(b, tool, offset);
   if (!touch || cut > least) return false;
   const Point along = along_edge(*touch, a.from, offset);
@@ -118,12 +118,12 @@ bool RadiusPath::join_before_step(const Curve& a, const Curve& b, const Curve& b
 
 /// The move that the tool goes over becomes a bit of a line along which it comes to its end.
 void RadiusPath::begin_step(const Piece& piece, Axes& from, Point along) {
-  Held& held = sink.state.held;
+  LookaheadQueue& lookahead = sink.state.lookahead;
   const Point end = view.point(piece.end), corner = view.point(from);
   const Point start = end - size(end - corner) * along;
-  const Point tool = corner + Point{held.vector[0], held.vector[1]};
+  const Point tool = corner + Point{lookahead.vector[0], lookahead.vector[1]};
   view.set(from, start);
-  held.vector = {(tool - start).a, (tool - start).b};
+  lookahead.vector = {(tool - start).a, (tool - start).b};
 }
 
 }  // namespace cncsub

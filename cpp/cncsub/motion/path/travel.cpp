@@ -35,7 +35,7 @@ void arc_reach(MotionView m, const Piece& piece, const Axes& machine, int axis, 
 }
 
 /// The way of the tool between two points, in machine coordinates, over a parameter 0 to 1.
-struct Way {
+struct TravelPath {
   Axes from{}, to{};
   std::array<double, 3> done{1, 1, 1};  // where an axis that moves at its own rate arrives
   // Of an arc: in the plane, true lengths.
@@ -83,28 +83,28 @@ bool area_is_empty(MotionView m) {
 }
 
 /// Where axes at rapid that do not wait for each other arrive.
-void arrive_apart(MotionView m, Way& way, std::vector<double>& places) {
-  const double whole = rapid_time(way.from, way.to, m.facts.rapid, m.facts.diameters);
+void arrive_apart(MotionView m, TravelPath& path, std::vector<double>& places) {
+  const double whole = rapid_time(path.from, path.to, m.facts.rapid, m.facts.diameters);
   for (std::size_t i = 0; i < 3 && whole > 0; ++i) {
-    const double own = std::fabs(way.to[i] - way.from[i]) * m.facts.share(static_cast<int>(i)) *
+    const double own = std::fabs(path.to[i] - path.from[i]) * m.facts.share(static_cast<int>(i)) *
                        60 / m.facts.rapid[i];
-    if (own > 0) way.done[i] = std::min(1.0, own / whole), places.push_back(way.done[i]);
+    if (own > 0) path.done[i] = std::min(1.0, own / whole), places.push_back(path.done[i]);
   }
 }
 
-void follow_arc(MotionView m, const Piece& piece, Way& way) {
+void follow_arc(MotionView m, const Piece& piece, TravelPath& path) {
   if (piece.state.parallel != 0) return;  // X, Y and Z do not make it alone
   const PlaneAxes plane = plane_axes(piece.plane);
-  way.turn = piece.turn;
-  way.a = plane.a, way.b = plane.b;
+  path.turn = piece.turn;
+  path.a = plane.a, path.b = plane.b;
   for (int i = 0; i < 3; ++i) {
-    way.share[i] = m.facts.share(i);
-    way.centre[i] = piece.centre[i] + piece.length[i] + piece.tip[i];
+    path.share[i] = m.facts.share(i);
+    path.centre[i] = piece.centre[i] + piece.length[i] + piece.tip[i];
   }
-  const double a = (way.from[plane.a] - way.centre[plane.a]) * way.share[plane.a];
-  const double b = (way.from[plane.b] - way.centre[plane.b]) * way.share[plane.b];
-  way.radius = std::hypot(a, b);
-  way.first = std::atan2(b, a);
+  const double a = (path.from[plane.a] - path.centre[plane.a]) * path.share[plane.a];
+  const double b = (path.from[plane.b] - path.centre[plane.b]) * path.share[plane.b];
+  path.radius = std::hypot(a, b);
+  path.first = std::atan2(b, a);
 }
 
 /// The axes of the area; a lathe's Y counts where the area has it.
@@ -122,15 +122,15 @@ Result check_travel(MotionView m, const Piece& piece, const Axes& machine) {
     double low = value, high = value;
     if (piece.turn != 0) arc_reach(m, piece, machine, limit.axis, low, high);
     if (low >= limit.low - 1e-9 && high <= limit.high + 1e-9) continue;
-    const double outside = low < limit.low - 1e-9 ? low : high;
-    std::string number = std::to_string(std::round(outside * 1e6) / 1e6 + 0.0);
+    const double exceeded = low < limit.low - 1e-9 ? low : high;
+    std::string number = std::to_string(std::round(exceeded * 1e6) / 1e6 + 0.0);
     number.erase(number.find_last_not_of('0') + 1);
     if (number.back() == '.') number.pop_back();
     const char axis = kAxisNames[static_cast<std::size_t>(limit.axis)];
     return Fault{.cause = Cause::OverTravel,
                  .at = piece.at,
                  .detail = std::string(1, axis) + " would go to " + number,
-                 .kind = {axis, outside < limit.low ? '-' : '+'},
+                 .kind = {axis, exceeded < limit.low ? '-' : '+'},
                  .address = axis};
   }
   return std::nullopt;
@@ -157,31 +157,33 @@ bool checks_area(const MotionState& state) {
 Result check_area(MotionView m, const Piece& piece, const Axes& machine) {
   if (piece.kind == MoveKind::Dwell) return std::nullopt;
   const StrokeArea& area = m.state.area;
-  Way way;
-  way.from = m.state.tool_at;
-  way.to = machine;
+  TravelPath path;
+  path.from = m.state.tool_at;
+  path.to = machine;
   std::vector<double> places{0, 1};
   if (piece.kind == MoveKind::Rapid &&
       m.facts.control->motion.rapid_way.value != RapidWay::Straight)
-    arrive_apart(m, way, places);
-  if (piece.turn != 0) follow_arc(m, piece, way);
+    arrive_apart(m, path, places);
+  if (piece.turn != 0) follow_arc(m, piece, path);
   const std::vector<int> axes = area_axes(m);
   for (const int i : axes)
-    for (const double value : {area.low[i], area.high[i]}) way.meetings(i, value, places);
+    for (const double value : {area.low[i], area.high[i]}) path.meetings(i, value, places);
   std::erase_if(places, [](double t) { return std::isnan(t) || t < 0 || t > 1; });
   std::sort(places.begin(), places.end());
   // Between two such places the way lies inside all along, or outside.
-  const bool outside = m.facts.control->motion.stroke_area.value == StrokeCheck::OutsideForbidden;
-  const double margin = outside ? -1e-6 : 1e-6;
+  const bool must_stay_inside =
+      m.facts.control->motion.stroke_area.value == StrokeCheck::OutsideForbidden;
+  const double margin = must_stay_inside ? -1e-6 : 1e-6;
   for (std::size_t k = 1; k < places.size(); ++k) {
     const double middle = (places[k - 1] + places[k]) / 2;
     const bool inside = std::all_of(axes.begin(), axes.end(), [&](int i) {
-      const double value = way.at(i, middle);
+      const double value = path.at(i, middle);
       return value > area.low[i] + margin && value < area.high[i] - margin;
     });
-    if (inside != outside)
-      return Fault{Cause::OverTravel, piece.at, 1,
-                   outside ? "the move leaves the area of G22" : "the move enters the area of G22"};
+    if (inside != must_stay_inside)
+      return Fault{
+          Cause::OverTravel, piece.at, 1,
+          must_stay_inside ? "the move leaves the area of G22" : "the move enters the area of G22"};
   }
   return std::nullopt;
 }

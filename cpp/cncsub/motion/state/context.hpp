@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cncsub/motion/state/facts.hpp"
-#include "cncsub/motion/state/outside.hpp"
+#include "cncsub/motion/state/machine_inputs.hpp"
 #include "cncsub/motion/state/state.hpp"
 #include "cncsub/motion/state/undo.hpp"
 
@@ -21,11 +21,11 @@ using Result = std::optional<Fault>;
 struct BlockWords {
   const NcWords& words;
   std::uint32_t step;
-  bool was_cycle = false;  // a canned cycle was active before this block
-  bool cycle = false;      // a cycle makes its moves
-  bool submitted = false;  // a piece went out
-  bool consumed = false;   // the axis words belong to G68, G51 and the like
-  double longer = 0;       // G45 to G48: how much longer the move gets on each axis
+  bool was_cycle = false;     // a canned cycle was active before this block
+  bool cycle = false;         // a cycle makes its moves
+  bool submitted = false;     // a piece went out
+  bool consumed = false;      // the axis words belong to G68, G51 and the like
+  double axis_extension = 0;  // G45 to G48: how much longer the move gets on each axis
 
   bool has(Group group) const { return words.codes->has(group); }
   const GCode& code(Group group) const { return words.codes->of[at(group)]; }
@@ -55,7 +55,7 @@ struct MotionContext {
   OffsetLog& log;  // the offset tables are changed through it
   MoveSink sink;
   MotionOutcome& outcome;
-  Outside& outside;
+  MachineInputs& inputs;
 
   operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
 };

@@ -28,8 +28,8 @@ inline bool centre_is_absolute(const MotionState& state) {
   return state.modal[at(Group::Centre)].meaning == Meaning::CentreAbsolute;
 }
 /// Rotation, scaling or mirror is on.
-inline bool turned(const MotionState& state) {
-  return state.turned.rotation || state.turned.scaling || state.turned.mirror;
+inline bool is_transformed(const MotionState& state) {
+  return state.transform.rotation || state.transform.scaling || state.transform.mirror;
 }
 inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;

@@ -9,19 +9,19 @@ bool SkipLists::any() const {
          std::any_of(lists->begin(), lists->end(), [](const auto& list) { return !list.empty(); });
 }
 
-SkipsTold SkipLists::take(SignalMask signals) {
-  SkipsTold told{{}, signals};
-  if (lists == nullptr) return told;
+ReportedSkips SkipLists::take(SignalMask signals) {
+  ReportedSkips reported{{}, signals};
+  if (lists == nullptr) return reported;
   if (!taken) taken = *used;
   Next& next = *taken;
-  for (std::size_t i = 0; i < next.size() && told.open != 0; ++i) {
+  for (std::size_t i = 0; i < next.size() && reported.open != 0; ++i) {
     const SignalMask of = i == 0 ? signals : signal_bit(static_cast<int>(i)) & signals;
     const auto& list = (*lists)[i];
     if (of == 0 || next[i] >= list.size()) continue;
-    told.told.push_back(list[next[i]++]);
-    told.open &= ~of;
+    reported.reported.push_back(list[next[i]++]);
+    reported.open &= ~of;
   }
-  return told;
+  return reported;
 }
 
 }  // namespace cncsub

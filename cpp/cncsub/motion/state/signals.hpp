@@ -24,8 +24,8 @@ struct SkipSignal {
 };
 
 /// What is told of the signals that a block watches, and those of which nothing is left.
-struct SkipsTold {
-  std::vector<SkipSignal> told;
+struct ReportedSkips {
+  std::vector<SkipSignal> reported;
   SignalMask open = 0;
 };
 
@@ -40,7 +40,7 @@ struct SkipLists {
   /// Whether anything was told of any signal.
   bool any() const;
   /// The next that is told of these signals. What is told of any signal comes first.
-  SkipsTold take(SignalMask signals);
+  ReportedSkips take(SignalMask signals);
 };
 
 }  // namespace cncsub

@@ -47,18 +47,18 @@ struct Piece {
 };
 
 /// A line of which only the angle is known, until the next block tells its end.
-struct Angled {
+struct PendingAngle {
   double angle = 0;         // degrees
   std::vector<Piece> line;  // one or none: copying none costs nothing
   int idle = 0;             // blocks without a move behind it
 
   bool waiting() const { return !line.empty(); }
 
-  bool operator==(const Angled&) const = default;
+  bool operator==(const PendingAngle&) const = default;
 };
 
 /// What is known of moves that wait, and is nothing but numbers: a copy is one of bytes.
-struct HeldValues {
+struct LookaheadValues {
   Axes corner_from{};     // where the block with a corner starts, from the origin
   Axes radius_from{};     // where the first of the compensated moves starts
   Axes radius_to{};       // where the last compensated move in the plane ended
@@ -75,16 +75,16 @@ struct HeldValues {
   bool begun_known = false;
   bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
 
-  bool operator==(const HeldValues&) const = default;
+  bool operator==(const LookaheadValues&) const = default;
 };
 
 /// Moves that wait because the next one decides where they end.
-struct Held : HeldValues {
+struct LookaheadQueue : LookaheadValues {
   std::vector<Piece> corner;  // a block with a chamfer or a corner round
   std::vector<Piece>
       radius;  // a compensated move, and behind it those that do not move in the plane
 
-  bool operator==(const Held&) const = default;
+  bool operator==(const LookaheadQueue&) const = default;
 };
 
 struct CycleData {
@@ -142,7 +142,7 @@ struct StrokeArea {
   bool operator==(const StrokeArea&) const = default;
 };
 
-struct Turned {  // rotation, scaling and mirror
+struct Transform {  // rotation, scaling and mirror
   bool rotation = false, scaling = false, mirror = false;
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
   double angle = 0;
@@ -150,7 +150,7 @@ struct Turned {  // rotation, scaling and mirror
   bool frame = false;  // the centre is the zero point of turned coordinates
   std::uint32_t mirrored = 0;
 
-  bool operator==(const Turned&) const = default;
+  bool operator==(const Transform&) const = default;
 };
 
 /// What of the modal state is nothing but numbers: a copy is one of bytes.
@@ -226,7 +226,7 @@ struct ModalValues {
   bool no_motion = false;   // behind G80, where no motion code is in force then
   int cycle_before = -1;    // ten times the code of the cycle that was in force when it began
   MultipleData multiple;
-  Turned turned;
+  Transform transform;
   StrokeArea area;
 
   bool operator==(const ModalValues&) const = default;
@@ -235,8 +235,8 @@ static_assert(std::is_trivially_copyable_v<ModalValues>);
 
 /// Everything modal.
 struct ModalState : ModalValues {
-  Angled angled;
-  Held held;
+  PendingAngle pending_angle;
+  LookaheadQueue lookahead;
 
   bool operator==(const ModalState&) const = default;
 };
@@ -248,7 +248,7 @@ struct OffsetTables {
   std::map<int, ToolOffsets> tools;
   std::map<int, Axes> reference;  // points, by number: machine coordinates
   std::map<int, double>
-      turned;  // work systems about Z, degrees, by number: 7 is the first extra one
+      system_angles;  // work systems about Z, degrees, by number: 7 is the first extra one
   std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
 
   /// Those of H or D, which a variable reads or writes.

@@ -33,8 +33,8 @@ void take_pieces(std::vector<Piece>& to, const std::vector<Piece>& from) {
   if (!to.empty() || !from.empty()) to = from;
 }
 
-void take_held(Held& to, const Held& from) {
-  static_cast<HeldValues&>(to) = from;
+void take_lookahead(LookaheadQueue& to, const LookaheadQueue& from) {
+  static_cast<LookaheadValues&>(to) = from;
   take_pieces(to.corner, from.corner);
   take_pieces(to.radius, from.radius);
 }
@@ -42,10 +42,10 @@ void take_held(Held& to, const Held& from) {
 /// Takes over everything modal.
 void take_modal(ModalState& to, const ModalState& from) {
   static_cast<ModalValues&>(to) = from;
-  to.angled.angle = from.angled.angle;
-  to.angled.idle = from.angled.idle;
-  take_pieces(to.angled.line, from.angled.line);
-  take_held(to.held, from.held);
+  to.pending_angle.angle = from.pending_angle.angle;
+  to.pending_angle.idle = from.pending_angle.idle;
+  take_pieces(to.pending_angle.line, from.pending_angle.line);
+  take_lookahead(to.lookahead, from.lookahead);
 }
 
 }  // namespace

@@ -65,9 +65,9 @@ bool comment_not_closed(const Code& code, NextMark& comments, const Scanner& s) 
   return open;
 }
 
-class TapeReader {
+class ProgramFileReader {
  public:
-  explicit TapeReader(Builder& to) : to_(to), code_(to.code()), reader_(to) {}
+  explicit ProgramFileReader(Builder& to) : to_(to), code_(to.code()), reader_(to) {}
 
   /// Stops early where interrupt is over.
   void read(std::uint32_t file_index) {
@@ -83,7 +83,7 @@ class TapeReader {
     if (lines.to == lines.text.size()) finish();
   }
 
-  std::optional<std::uint32_t> read_apart(const Lines& lines) {
+  std::optional<std::uint32_t> read_in_worker(const Lines& lines) {
     begin(0, lines.text);
     apart_ = true;
     first_in_file_ = leader_possible_ = false;
@@ -368,16 +368,18 @@ class TapeReader {
 }  // namespace
 
 FileReader iso_reader(Builder& to) {
-  return [reader = std::make_shared<TapeReader>(to)](std::uint32_t file) { reader->read(file); };
+  return [reader = std::make_shared<ProgramFileReader>(to)](std::uint32_t file) {
+    reader->read(file);
+  };
 }
 
 namespace {
 
 PieceReader pieces(Builder& to) {
-  const auto reader = std::make_shared<TapeReader>(to);
+  const auto reader = std::make_shared<ProgramFileReader>(to);
   return {
       [reader](const Lines& lines) { reader->read_on(lines); },
-      [reader](const Lines& lines) { return reader->read_apart(lines); },
+      [reader](const Lines& lines) { return reader->read_in_worker(lines); },
       [reader](Joined& of, std::uint32_t lines) { return reader->join(of, lines); },
   };
 }

@@ -1,45 +1,44 @@
-// Labelled statements: subprograms, branches and loops of O-words.
+// OWord statements: subprograms, branches and loops of O-words.
 //
 // Nothing is nested here: a statement asks what its label was met with, and a part that is not
 // executed is passed over to the next statement of the label.
-#include "cncsub/machine/calls/labels.hpp"
+#include "cncsub/machine/calls/o_words.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "cncsub/machine/calls/calls.hpp"
-#include "cncsub/machine/calls/passing.hpp"
 #include "cncsub/machine/calls/returns.hpp"
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/calls/skip_to_label.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 
 namespace cncsub {
 
 namespace {
 
-constexpr std::pair<LabelledKind, const char*> kKindNames[] = {
-    {LabelledKind::Sub, "sub"},
-    {LabelledKind::Head, ""},
-    {LabelledKind::EndSub, "endsub"},
-    {LabelledKind::Return, "return"},
-    {LabelledKind::Back, "M99"},
-    {LabelledKind::Call, "call"},
-    {LabelledKind::Call98, "M98"},
-    {LabelledKind::TapeEnd, "%"},
-    {LabelledKind::If, "if"},
-    {LabelledKind::ElseIf, "elseif"},
-    {LabelledKind::Else, "else"},
-    {LabelledKind::EndIf, "endif"},
-    {LabelledKind::While, "while"},
-    {LabelledKind::EndWhile, "endwhile"},
-    {LabelledKind::Do, "do"},
-    {LabelledKind::Repeat, "repeat"},
-    {LabelledKind::EndRepeat, "endrepeat"},
-    {LabelledKind::Break, "break"},
-    {LabelledKind::Continue, "continue"}};
+constexpr std::pair<OWordKind, const char*> kKindNames[] = {{OWordKind::Sub, "sub"},
+                                                            {OWordKind::Head, ""},
+                                                            {OWordKind::EndSub, "endsub"},
+                                                            {OWordKind::Return, "return"},
+                                                            {OWordKind::Back, "M99"},
+                                                            {OWordKind::Call, "call"},
+                                                            {OWordKind::Call98, "M98"},
+                                                            {OWordKind::FileEnd, "%"},
+                                                            {OWordKind::If, "if"},
+                                                            {OWordKind::ElseIf, "elseif"},
+                                                            {OWordKind::Else, "else"},
+                                                            {OWordKind::EndIf, "endif"},
+                                                            {OWordKind::While, "while"},
+                                                            {OWordKind::EndWhile, "endwhile"},
+                                                            {OWordKind::Do, "do"},
+                                                            {OWordKind::Repeat, "repeat"},
+                                                            {OWordKind::EndRepeat, "endrepeat"},
+                                                            {OWordKind::Break, "break"},
+                                                            {OWordKind::Continue, "continue"}};
 
-const char* name_of(LabelledKind kind) {
+const char* name_of(OWordKind kind) {
   const auto* const found = std::find_if(std::begin(kKindNames), std::end(kKindNames),
                                          [kind](const auto& named) { return named.first == kind; });
   return found == std::end(kKindNames) ? "" : found->second;
@@ -48,7 +47,7 @@ const char* name_of(LabelledKind kind) {
 constexpr std::uint64_t key(std::uint32_t inside, std::uint32_t label) {
   return std::uint64_t{inside} << 32 | label;
 }
-Fault of_another_kind(const Labelled& own, std::string detail) {
+Fault of_another_kind(const OWord& own, std::string detail) {
   Fault fault{Cause::CallOfAnotherKind, own.at, own.width, std::move(detail)};
   fault.text = own.of_another_kind;
   return fault;
@@ -57,7 +56,7 @@ Fault of_another_kind(const Labelled& own, std::string detail) {
 /// Subprograms are known everywhere: no subprogram has this label.
 constexpr std::uint32_t kEverywhere = 0xffffffff;
 
-Fault labelled_fault(const Labelled& own, Cause cause, std::string detail) {
+Fault labelled_fault(const OWord& own, Cause cause, std::string detail) {
   return {cause, own.at, own.width, std::move(detail)};
 }
 
@@ -67,7 +66,7 @@ void put(std::string& text, std::string_view mark, std::string_view what) {
 }
 
 /// The label was met with another statement, or one that does not belong to this.
-Fault misfit(const Run& run, const Labelled& own, Cause cause, const Labels::Met& met) {
+Fault misfit(const Run& run, const OWord& own, Cause cause, const Labels::Met& met) {
   const std::string line = std::to_string(run.code->blocks[met.address].line);
   const char* kind = name_of(met.kind);
   Fault fault =
@@ -81,13 +80,13 @@ Fault misfit(const Run& run, const Labelled& own, Cause cause, const Labels::Met
   return fault;
 }
 
-bool own_value(Run& run, const Labelled& own, double& value) {
+bool own_value(Run& run, const OWord& own, double& value) {
   value = 0;
-  return own.value == Labelled::kNone || evaluate(run, own.value, value);
+  return own.value == OWord::kNone || evaluate(run, own.value, value);
 }
 
 /// What the label was met with before; an alarm where it was not.
-bool met_before(Run& run, const Labelled& own, Labels::Met*& met) {
+bool met_before(Run& run, const OWord& own, Labels::Met*& met) {
   const auto found = run.state.labels.met.find(key(run.frame().label, own.label));
   if (found == run.state.labels.met.end())
     return alarm(run, labelled_fault(own, Cause::LabelNotFound,
@@ -98,33 +97,33 @@ bool met_before(Run& run, const Labelled& own, Labels::Met*& met) {
 }
 
 /// The head of a branch or a loop: its label is new, or was met with this very block.
-bool meet(Run& run, const Labelled& own, Labels::Met*& met) {
+bool meet(Run& run, const OWord& own, Labels::Met*& met) {
   met = &run.state.labels.met[key(run.frame().label, own.label)];
   if (met->address == kNowhere) *met = {run.state.pc, own.kind, -1};
-  const bool end_of_do = own.kind == LabelledKind::While && met->kind == LabelledKind::Do;
+  const bool end_of_do = own.kind == OWordKind::While && met->kind == OWordKind::Do;
   if (met->address == run.state.pc || end_of_do) return true;
   return alarm(run, misfit(run, own, Cause::LabelGivenTwice, *met));
 }
 
 // ---- subprograms ----
 
-Fault head_again(const Run& run, const Labelled& own, Address met) {
+Fault head_again(const Run& run, const OWord& own, Address met) {
   const bool same = met == run.state.pc;
   Fault fault = labelled_fault(own, Cause::SubprogramGivenTwice,
                                same ? "the program has run into a sub that was called before"
                                     : "line " + std::to_string(run.code->blocks[met].line) +
                                           " is the head of this sub already");
   fault.name = run.code->labels[own.label];
-  if (same && own.refused != Labelled::kNone) fault.text = run.code->faults[own.refused].text;
+  if (same && own.refused != OWord::kNone) fault.text = run.code->faults[own.refused].text;
   return fault;
 }
 
 /// A head that is met while the main program runs is the beginning of what is passed over; one that
 /// a call leads to is entered.
-bool head(Run& run, const Labelled& own) {
-  const bool sub = own.kind == LabelledKind::Sub;
+bool head(Run& run, const OWord& own) {
+  const bool sub = own.kind == OWordKind::Sub;
   const OpenFrame& open = run.frame();
-  if (run.state.frames.size() > 1 && sub != (open.kind == CallKind::Labelled))
+  if (run.state.frames.size() > 1 && sub != (open.kind == CallKind::OWord))
     return alarm(run, of_another_kind(own, sub ? "M98 has led to a sub, which O call is for"
                                                : "O call has led to a program, which M98 is for"));
   const bool searched = std::exchange(run.state.labels.searching, false);
@@ -138,23 +137,23 @@ bool head(Run& run, const Labelled& own) {
   met = {run.state.pc, own.kind, -1};
   if (searched) return true;
   run.state.labels.defining = true;
-  return pass_over(run, own, run.code->labels[own.label]);
+  return skip_over(run, own, run.code->labels[own.label]);
 }
 
-bool end_of_subprogram(Run& run, const Labelled& own) {
+bool end_of_subprogram(Run& run, const OWord& own) {
   double value = 0;
-  const bool back = own.kind == LabelledKind::Back;
+  const bool back = own.kind == OWordKind::Back;
   if (!own_value(run, own, value)) return false;
   if (run.state.labels.defining) {
-    set_returned(run, value, own.value != Labelled::kNone);
-    if (own.kind != LabelledKind::EndSub) return pass_over(run, own, run.code->labels[own.label]);
+    set_returned(run, value, own.value != OWord::kNone);
+    if (own.kind != OWordKind::EndSub) return skip_over(run, own, run.code->labels[own.label]);
     run.state.labels.defining = run.state.labels.back = false;
     return true;
   }
   if (run.state.frames.size() == 1) {
     if (back) return return_now(run, run.code->calls[own.call], kVacant, kVacant);
-    set_returned(run, value, own.value != Labelled::kNone);
-    if (run.state.labels.back && own.kind == LabelledKind::Return) return true;
+    set_returned(run, value, own.value != OWord::kNone);
+    if (run.state.labels.back && own.kind == OWordKind::Return) return true;
     if (run.state.labels.back) return alarm(run, run.code->faults[own.refused]);
     return alarm(run, labelled_fault(own, Cause::ReturnInMainProgram, "no subprogram is open"));
   }
@@ -162,8 +161,8 @@ bool end_of_subprogram(Run& run, const Labelled& own) {
     return alarm(run,
                  of_another_kind(own, back ? "M99 in a sub that O call has called"
                                            : "the end of a sub in a program that M98 has called"));
-  if (back && own.refused != Labelled::kNone) return alarm(run, run.code->faults[own.refused]);
-  set_returned(run, value, own.value != Labelled::kNone);
+  if (back && own.refused != OWord::kNone) return alarm(run, run.code->faults[own.refused]);
+  set_returned(run, value, own.value != OWord::kNone);
   record_step(run);
   run.state.labels.back = run.state.frames.size() == 2;
   return leave(run, run.frame().return_to);
@@ -171,10 +170,10 @@ bool end_of_subprogram(Run& run, const Labelled& own) {
 
 /// Where a label leads: to the head that was met last, to the file of its name, or to the next head
 /// behind the call.
-bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::string& name,
+bool find_label(Run& run, const OWord& own, std::uint32_t label, const std::string& name,
                 Target& target, Address& on_the_way) {
   const auto met = run.state.labels.met.find(key(kEverywhere, label));
-  if (label != Labelled::kNone && met != run.state.labels.met.end()) {
+  if (label != OWord::kNone && met != run.state.labels.met.end()) {
     target.start = met->second.address;
   } else {
     run.state.labels.searching = true;
@@ -186,10 +185,11 @@ bool find_label(Run& run, const Labelled& own, std::uint32_t label, const std::s
     if (of_file && !may_be_read(run, own, file, name)) return false;
     const Address from =
         of_file ? run.code->programs[static_cast<std::size_t>(file)].first : run.state.pc;
-    if (label != Labelled::kNone) target.start = run.code->head_from(label, from);
+    if (label != OWord::kNone) target.start = run.code->head_from(label, from);
     on_the_way =
         of_file ? run.code->head_from(kOnTheWay, from) : run.code->head_behind(kOnTheWay, from);
-    if (target.start == kNowhere && !read_on_the_way(run, on_the_way, kNowhere, name)) return false;
+    if (target.start == kNowhere && !read_skipped_blocks(run, on_the_way, kNowhere, name))
+      return false;
   }
   if (target.start == kNowhere) {
     Fault fault = labelled_fault(own, Cause::ProgramNotFound, "the label of the call is not there");
@@ -218,7 +218,7 @@ void hand_on_locals(Run& run) {
   std::fill(own.begin() + run.code->locals_per_level + 1, own.end(), kVacant);
 }
 
-bool labelled_call(Run& run, const Labelled& own) {
+bool labelled_call(Run& run, const OWord& own) {
   const CallRecord& record = run.code->calls[own.call];
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
   if (!uses_words_beside(run, own)) return false;
@@ -226,7 +226,7 @@ bool labelled_call(Run& run, const Labelled& own) {
   std::uint32_t label = own.label;
   if (!read_98(run, record, p, l)) return false;
   const auto number = to_whole<std::int64_t>(std::clamp(is_vacant(p) ? 0 : p, -1e9, 1e9));
-  if (label == Labelled::kNone) label = run.code->label(number);
+  if (label == OWord::kNone) label = run.code->label(number);
   Target target;
   Address on_the_way = kNowhere;  // what a search reads, with the variables of the new level
   bool again = false;
@@ -235,7 +235,7 @@ bool labelled_call(Run& run, const Labelled& own) {
     target.start = run.block.next;
     target.program = run.frame().program;
   } else {
-    const bool known = label != Labelled::kNone;
+    const bool known = label != OWord::kNone;
     const std::string name = known ? run.code->labels[label] : std::to_string(number);
     if (!find_label(run, own, label, name, target, on_the_way)) return false;
   }
@@ -247,53 +247,53 @@ bool labelled_call(Run& run, const Labelled& own) {
   if (!enter(run, own.call, target, -1)) return false;
   run.frame().label = label;
   if (on_the_way == kNowhere) return true;
-  return read_on_the_way(run, on_the_way, target.start, run.code->labels[label]);
+  return read_skipped_blocks(run, on_the_way, target.start, run.code->labels[label]);
 }
 
 // ---- branches ----
 
-bool branch_of_if(Run& run, const Labelled& own) {
+bool branch_of_if(Run& run, const OWord& own) {
   double value = 0;
   if (!own_value(run, own, value)) return false;
-  const bool passing = std::exchange(run.state.labels.passing, false);
+  const bool skipping = std::exchange(run.state.labels.skipping, false);
   Labels::Met* met = nullptr;
-  if (own.kind == LabelledKind::If) {
+  if (own.kind == OWordKind::If) {
     if (!meet(run, own, met)) return false;
     run.state.labels.entered = value != 0;
     run.block.failed = value == 0;
-    return run.state.labels.entered || pass_on(run, own);
+    return run.state.labels.entered || skip_to_label(run, own);
   }
   if (!met_before(run, own, met)) return false;
-  if (met->kind != LabelledKind::If)
+  if (met->kind != OWordKind::If)
     return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
-  if (own.kind == LabelledKind::EndIf) {
+  if (own.kind == OWordKind::EndIf) {
     run.state.labels.entered = true;
     return true;
   }
-  run.block.failed = own.kind == LabelledKind::ElseIf && (run.state.labels.entered || value == 0);
-  if (run.state.labels.entered) return pass_on(run, own);
-  if (own.kind == LabelledKind::Else) {
-    run.state.labels.entered = run.state.labels.entered || passing;
+  run.block.failed = own.kind == OWordKind::ElseIf && (run.state.labels.entered || value == 0);
+  if (run.state.labels.entered) return skip_to_label(run, own);
+  if (own.kind == OWordKind::Else) {
+    run.state.labels.entered = run.state.labels.entered || skipping;
     return true;
   }
   run.state.labels.entered = value != 0;
-  return run.state.labels.entered || pass_on(run, own);
+  return run.state.labels.entered || skip_to_label(run, own);
 }
 
 // ---- loops ----
 
-bool loop_head(Run& run, const Labelled& own) {
+bool loop_head(Run& run, const OWord& own) {
   double value = 0;
   if (!own_value(run, own, value)) return false;
-  run.state.labels.passing = false;
+  run.state.labels.skipping = false;
   Labels::Met* met = nullptr;
-  if (own.kind == LabelledKind::Do) {
+  if (own.kind == OWordKind::Do) {
     met = &run.state.labels.met[key(run.frame().label, own.label)];
     if (met->address == kNowhere) *met = {run.state.pc, own.kind, -1};
     return true;
   }
   if (!meet(run, own, met)) return false;
-  if (own.kind == LabelledKind::Repeat) {
+  if (own.kind == OWordKind::Repeat) {
     if (met->repeats == -1)
       met->repeats = to_whole<std::int32_t>(std::clamp(std::nearbyint(value), -1e9, 1e9));
     if (met->repeats > 0) {
@@ -302,10 +302,10 @@ bool loop_head(Run& run, const Labelled& own) {
     }
     met->repeats = -1;
     run.block.failed = true;
-    return pass_on(run, own);
+    return skip_to_label(run, own);
   }
-  run.block.failed = value == 0 || (met->kind == LabelledKind::Do && run.state.labels.breaks);
-  if (met->kind != LabelledKind::Do) return value != 0 || pass_on(run, own);
+  run.block.failed = value == 0 || (met->kind == OWordKind::Do && run.state.labels.breaks);
+  if (met->kind != OWordKind::Do) return value != 0 || skip_to_label(run, own);
   if (value != 0 && !run.state.labels.breaks)
     run.block.next = met->address;
   else
@@ -313,65 +313,64 @@ bool loop_head(Run& run, const Labelled& own) {
   return true;
 }
 
-bool end_of_loop(Run& run, const Labelled& own) {
+bool end_of_loop(Run& run, const OWord& own) {
   Labels::Met* met = nullptr;
-  const bool passing = std::exchange(run.state.labels.passing, false);
+  const bool skipping = std::exchange(run.state.labels.skipping, false);
   if (!met_before(run, own, met)) return false;
-  const LabelledKind wanted =
-      own.kind == LabelledKind::EndWhile ? LabelledKind::While : LabelledKind::Repeat;
+  const OWordKind wanted = own.kind == OWordKind::EndWhile ? OWordKind::While : OWordKind::Repeat;
   if (met->kind != wanted) return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
-  if (passing && !std::exchange(run.state.labels.continues, false)) return true;
+  if (skipping && !std::exchange(run.state.labels.continues, false)) return true;
   run.block.next = met->address;
   return true;
 }
 
 /// break and continue. Where a loop is passed over that they stand in, they are met as well.
-bool leave_loop(Run& run, const Labelled& own) {
+bool leave_loop(Run& run, const OWord& own) {
   Labels::Met* met = nullptr;
   if (!met_before(run, own, met)) return false;
-  if (met->kind != LabelledKind::While && met->kind != LabelledKind::Do)
+  if (met->kind != OWordKind::While && met->kind != OWordKind::Do)
     return alarm(run, misfit(run, own, Cause::LabelOfAnotherKind, *met));
-  if (own.kind == LabelledKind::Break)
+  if (own.kind == OWordKind::Break)
     run.state.labels.breaks = true;
-  else if (!run.state.labels.passing)
+  else if (!run.state.labels.skipping)
     run.state.labels.continues = true;
-  return pass_on(run, own);
+  return skip_to_label(run, own);
 }
 
 }  // namespace
 
 namespace {
 
-bool obey(Run& run, const Labelled& own) {
+bool obey(Run& run, const OWord& own) {
   switch (own.kind) {
-    case LabelledKind::Sub:
-    case LabelledKind::Head:
+    case OWordKind::Sub:
+    case OWordKind::Head:
       return head(run, own);
-    case LabelledKind::EndSub:
-    case LabelledKind::Return:
-    case LabelledKind::Back:
+    case OWordKind::EndSub:
+    case OWordKind::Return:
+    case OWordKind::Back:
       return end_of_subprogram(run, own);
-    case LabelledKind::Call:
-    case LabelledKind::Call98:
+    case OWordKind::Call:
+    case OWordKind::Call98:
       return labelled_call(run, own);
-    case LabelledKind::TapeEnd:
-      if (own.refused != Labelled::kNone) return alarm(run, run.code->faults[own.refused]);
+    case OWordKind::FileEnd:
+      if (own.refused != OWord::kNone) return alarm(run, run.code->faults[own.refused]);
       record_step(run);
       return end_run(run, Stop::End);
-    case LabelledKind::If:
-    case LabelledKind::ElseIf:
-    case LabelledKind::Else:
-    case LabelledKind::EndIf:
+    case OWordKind::If:
+    case OWordKind::ElseIf:
+    case OWordKind::Else:
+    case OWordKind::EndIf:
       return branch_of_if(run, own);
-    case LabelledKind::While:
-    case LabelledKind::Do:
-    case LabelledKind::Repeat:
+    case OWordKind::While:
+    case OWordKind::Do:
+    case OWordKind::Repeat:
       return loop_head(run, own);
-    case LabelledKind::EndWhile:
-    case LabelledKind::EndRepeat:
+    case OWordKind::EndWhile:
+    case OWordKind::EndRepeat:
       return end_of_loop(run, own);
-    case LabelledKind::Break:
-    case LabelledKind::Continue:
+    case OWordKind::Break:
+    case OWordKind::Continue:
       return leave_loop(run, own);
   }
   return true;
@@ -380,11 +379,11 @@ bool obey(Run& run, const Labelled& own) {
 }  // namespace
 
 bool run_labelled(Run& run, const Block& block) {
-  const Labelled& own = run.code->labelled[block.aux];
+  const OWord& own = run.code->o_words[block.aux];
   const std::size_t depth = run.state.frames.size();
   const std::int64_t before = run.state.executed;
-  const bool passed = run.state.labels.passing &&
-                      (own.kind == LabelledKind::Break || own.kind == LabelledKind::Continue);
+  const bool passed = run.state.labels.skipping &&
+                      (own.kind == OWordKind::Break || own.kind == OWordKind::Continue);
   run.block.failed = false;
   if (!obey(run, own)) return false;
   if (run.state.executed != before || run.state.frames.size() != depth)

@@ -16,7 +16,7 @@ bool alarm(Run& run, const Fault& fault);
 bool alarm_of_motion(Run& run, Fault fault);
 /// Puts back what the running block has assigned and said, and what it has taken from outside: it
 /// alarms, or is to be run again.
-void give_back(Run& run);
+void rollback(Run& run);
 /// The calls that are open end with the last block that was executed.
 void finish_calls(Run& run);
 /// The open calls, the last one first, as an alarm shows them.

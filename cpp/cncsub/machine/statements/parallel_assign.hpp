@@ -7,6 +7,6 @@ namespace cncsub {
 
 /// Its assignments, all with the values from before, and its message. The words have their values
 /// already, and are executed behind it.
-bool set_together(Run& run);
+bool assign_in_parallel(Run& run);
 
 }  // namespace cncsub

@@ -7,7 +7,7 @@
 namespace cncsub {
 
 /// For the running block; it holds no longer than that runs.
-Outside outside(Run& run);
+MachineInputs machine_inputs(Run& run);
 
 /// The profile from N(ns) to N(nf) of the running program. Of several it is the one that stands
 /// next behind the cycle, on every control: programs that use the same numbers again write it so.

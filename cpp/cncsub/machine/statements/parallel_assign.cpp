@@ -1,4 +1,4 @@
-#include "cncsub/machine/statements/together.hpp"
+#include "cncsub/machine/statements/parallel_assign.hpp"
 
 #include <utility>
 #include <vector>
@@ -13,10 +13,10 @@ namespace {
 
 void remember(Run& run, bool local, std::size_t index) {
   const State& s = run.state;
-  const bool told = local && !s.programmed.empty();
+  const bool reported = local && !s.programmed.empty();
   const double value = local ? s.locals[index] : s.commons[index];
   run.block.before_together.variables.push_back(
-      {local, index, value, told ? s.programmed[index] : std::uint8_t{0}});
+      {local, index, value, reported ? s.programmed[index] : std::uint8_t{0}});
 }
 
 /// A variable of the system may be an offset, the clock, an image of locals.
@@ -41,8 +41,8 @@ void remember(Run& run, const Statement& statement, double number) {
 
 }  // namespace
 
-bool set_together(Run& run) {
-  const Together& all = *std::exchange(run.block.together, nullptr);
+bool assign_in_parallel(Run& run) {
+  const ParallelAssign& all = *std::exchange(run.block.parallel_assign, nullptr);
   const Statement* statements = run.code->statements.data() + all.first_statement;
   std::vector<double> values(all.statements), numbers(all.statements);
   for (std::uint32_t i = 0; i < all.statements; ++i) {
@@ -60,7 +60,7 @@ bool set_together(Run& run) {
                  : store(run, statement, values[i]);
     if (!stored) return false;
   }
-  return all.print == Labelled::kNone || print(run, run.code->prints[all.print]);
+  return all.print == OWord::kNone || print(run, run.code->prints[all.print]);
 }
 
 }  // namespace cncsub

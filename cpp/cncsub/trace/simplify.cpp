@@ -76,8 +76,8 @@ void thin_piece(const double* x, const double* y, const double* z, const std::in
   }
 }
 
-void thin(const double* x, const double* y, const double* z, const std::int32_t* key,
-          std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt) {
+void simplify(const double* x, const double* y, const double* z, const std::int32_t* key,
+              std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt) {
   in_parts(count, interrupt, [&](std::size_t first, std::size_t last) {
     thin_piece(x, y, z, key, first, last, tolerance, keep);
   });

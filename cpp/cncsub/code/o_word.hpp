@@ -8,7 +8,7 @@
 
 namespace cncsub {
 
-enum class LabelledKind : std::uint8_t {
+enum class OWordKind : std::uint8_t {
   Sub,        // o1 sub: the head of a subprogram; met in the main program it is passed over
   Head,       // O1: the head of a subprogram that M98 calls; met otherwise it is nothing
   EndSub,     // o1 endsub, o1 endsub [value]
@@ -16,7 +16,7 @@ enum class LabelledKind : std::uint8_t {
   Back,       // M99
   Call,       // o1 call [value] ...
   Call98,     // M98 P1 L1
-  TapeEnd,    // the % behind a program: passing over comes no farther
+  FileEnd,    // the % behind a program: passing over comes no farther
   If,         // o1 if [value]
   ElseIf,     // o1 elseif [value]
   Else,       // o1 else
@@ -30,10 +30,10 @@ enum class LabelledKind : std::uint8_t {
   Continue    // o1 continue
 };
 
-struct Labelled {
+struct OWord {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
-  LabelledKind kind = LabelledKind::Sub;
+  OWordKind kind = OWordKind::Sub;
   std::uint32_t label = 0;      // into Code::labels; kNone: the call's P says it
   std::uint32_t value = kNone;  // the expression of a condition, a count, a returned value
   std::uint32_t next = kNone;   // the address that passing over leads to
@@ -66,10 +66,10 @@ struct NamedVariable {
 
 /// What a block does besides its words, all of it with the values from before: assignments, then a
 /// message, then the words.
-struct Together {
+struct ParallelAssign {
   std::uint32_t first_statement = 0, statements = 0;
-  std::uint32_t print = Labelled::kNone;  // into Code::prints
-  std::uint32_t words = Labelled::kNone;  // into Code::variants
+  std::uint32_t print = OWord::kNone;  // into Code::prints
+  std::uint32_t words = OWord::kNone;  // into Code::variants
 };
 
 }  // namespace cncsub

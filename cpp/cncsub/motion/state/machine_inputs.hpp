@@ -46,7 +46,7 @@ struct MotionOutcome {
 };
 
 /// What a block needs from around it.
-struct Outside {
+struct MachineInputs {
   const Profile* profile = nullptr;      // that the block names
   SkipLists skips;                       // of what they do not tell the workpiece decides
   const Workpiece* workpiece = nullptr;  // in machine coordinates

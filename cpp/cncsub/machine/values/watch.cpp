@@ -1,4 +1,4 @@
-#include "cncsub/machine/values/changes.hpp"
+#include "cncsub/machine/values/watch.hpp"
 
 #include <algorithm>
 #include <cstring>

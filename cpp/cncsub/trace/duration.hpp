@@ -114,7 +114,7 @@ inline PlaneAxes arc_axes(const MoveState& state) { return arc_axes(state.plane,
 constexpr std::size_t centre_place(int axis) { return static_cast<std::size_t>(axis % 6); }
 
 /// A move of the tool: from one machine position to another.
-struct MoveWay {
+struct TimedMove {
   MoveKind kind = MoveKind::Rapid;
   const MoveState& state;
   const Axes &from, &to;
@@ -126,7 +126,7 @@ struct MoveWay {
 /// one that turns once a minute, so that the cut ends, late. [policy]
 inline double turning(double spindle) { return spindle > 0 ? spindle : 1; }
 /// How long a move takes, in seconds: told with each move, and summed up by the run.
-double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters);
+double seconds_of(const TimedMove& move, const Axes& rapid, std::uint32_t diameters);
 /// r/min at this diameter of a surface speed, m/min, that a limit holds, 0 where there is none.
 double spindle_at(double surface_speed, double limit, double diameter);
 /// The same of what holds for a row.
@@ -137,7 +137,7 @@ inline double spindle_at(const MoveState& state, double diameter) {
 inline double middle_diameter(double from, double to, double zero) {
   return (std::fabs(from - zero) + std::fabs(to - zero)) / 2;
 }
-constexpr double kNoWay = 1e-9;  // mm: what rounding leaves of a point that did not move
+constexpr double kNoLength = 1e-9;  // mm: what rounding leaves of a point that did not move
 /// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
 /// The length of an arc of which the way in its plane is known, with that of the other axes.

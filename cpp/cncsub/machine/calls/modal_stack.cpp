@@ -1,21 +1,21 @@
-#include "cncsub/machine/calls/saved.hpp"
+#include "cncsub/machine/calls/modal_stack.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "cncsub/machine/calls/words.hpp"
-#include "cncsub/machine/state/ends.hpp"
-#include "cncsub/machine/values/outside.hpp"
+#include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/values/machine_inputs.hpp"
 #include "cncsub/motion/saved_modes.hpp"
 
 namespace cncsub {
 
 namespace {
 
-using Saved = State::Saved;
+using ModalStackEntry = State::ModalStackEntry;
 
-Saved* saved_here(Run& run) {
-  auto& all = run.state.saved;
+ModalStackEntry* modal_stack_entry(Run& run) {
+  auto& all = run.state.modal_stack;
   const auto depth = run.state.frames.size();
   return !all.empty() && all.back().depth == depth ? &all.back() : nullptr;
 }
@@ -34,13 +34,13 @@ bool carry_out(Run& run, const ReturnToModes& block, const SavedModes& modes) {
   if (block.has_feed) set('F', std::round(modes.feed * 10) / 10);
   if (block.has_speed) set('S', std::round(modes.speed));
   Motion::Outcome outcome;
-  Outside around = outside(run);
-  const auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, around);
+  MachineInputs inputs = machine_inputs(run);
+  const auto fault = run.motion.execute(words, run.step(), run.moves(), outcome, inputs);
   return !fault || alarm_of_motion(run, *fault);
 }
 
 /// Back to modes in two blocks.
-bool take_back(Run& run, const SavedModes& modes) {
+bool restore_modes(Run& run, const SavedModes& modes) {
   const MotionView now = run.motion.view();
   if (!carry_out(run, units_to(now.facts, now.state, modes), modes)) return false;
   if (!carry_out(run, modes_to(now.facts, now.state, modes), modes)) return false;
@@ -49,10 +49,10 @@ bool take_back(Run& run, const SavedModes& modes) {
 }
 
 void save(Run& run, bool for_return) {
-  Saved* saved = saved_here(run);
+  ModalStackEntry* saved = modal_stack_entry(run);
   if (saved == nullptr) {
-    run.state.saved.push_back({run.state.frames.size(), false, false, {}});
-    saved = &run.state.saved.back();
+    run.state.modal_stack.push_back({run.state.frames.size(), false, false, {}});
+    saved = &run.state.modal_stack.back();
   }
   saved->valid = true;
   saved->for_return = saved->for_return || for_return;
@@ -64,22 +64,22 @@ void save(Run& run, bool for_return) {
 bool change_saved_modes(Run& run, const NcWords& words) {
   if (words.has(Role::SaveModes)) save(run, false);
   if (words.has(Role::KeepModes)) save(run, true);
-  Saved* const saved = saved_here(run);
+  ModalStackEntry* const saved = modal_stack_entry(run);
   if (words.has(Role::ForgetModes) && saved != nullptr) saved->valid = false;
   if (!words.has(Role::RestoreModes)) return true;
   if (saved == nullptr || !saved->valid)
     return alarm(run, {.cause = Cause::ModesNotSaved, .detail = {}, .address = 'M'});
-  return take_back(run, saved->modes);
+  return restore_modes(run, saved->modes);
 }
 
 bool come_back_to_modes(Run& run) {
-  auto& all = run.state.saved;
+  auto& all = run.state.modal_stack;
   const auto depth = run.state.frames.size();
   bool fine = true;
   while (fine && !all.empty() && all.back().depth > depth) {
-    const Saved last = all.back();
+    const ModalStackEntry last = all.back();
     all.pop_back();
-    if (last.valid && last.for_return) fine = take_back(run, last.modes);
+    if (last.valid && last.for_return) fine = restore_modes(run, last.modes);
   }
   return fine;
 }

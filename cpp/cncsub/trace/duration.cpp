@@ -1,4 +1,4 @@
-#include "cncsub/trace/way.hpp"
+#include "cncsub/trace/duration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,26 +80,26 @@ double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint
 
 namespace {
 
-double thread_time(const MoveWay& way, double spindle, std::uint32_t diameters) {
+double thread_time(const TimedMove& move, double spindle, std::uint32_t diameters) {
   double along = 0, degrees = 0;
   for (int i = 0; i < kAxes; ++i) {
-    const double d = std::fabs(way.to[i] - way.from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
+    const double d = std::fabs(move.to[i] - move.from[i]) * ((diameters >> i & 1) != 0 ? 0.5 : 1);
     double& longest = i < 3 || i > 5 ? along : degrees;
     longest = std::max(longest, d);
   }
-  if (along < kNoWay) along = degrees * way.state.degree;
-  const double rate = way.state.feed * spindle;
+  if (along < kNoLength) along = degrees * move.state.degree;
+  const double rate = move.state.feed * spindle;
   return rate > 0 ? along / rate * 60 : 0;
 }
 
 /// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as
 /// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
 /// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
-double path_of(const MoveWay& way) {
-  if (way.kind != MoveKind::Feed || others_stand(way.from, way.to)) return way.path;
-  double sum = way.path * way.path;
+double path_of(const TimedMove& move) {
+  if (move.kind != MoveKind::Feed || others_stand(move.from, move.to)) return move.path;
+  double sum = move.path * move.path;
   for (int i = 3; i < 6; ++i) {
-    const double turned = (way.to[i] - way.from[i]) * way.state.degree;
+    const double turned = (move.to[i] - move.from[i]) * move.state.degree;
     sum += turned * turned;
   }
   return std::sqrt(sum);
@@ -107,16 +107,16 @@ double path_of(const MoveWay& way) {
 
 }  // namespace
 
-double seconds_of(const MoveWay& way, const Axes& rapid, std::uint32_t diameters) {
-  if (way.kind == MoveKind::Dwell) return way.dwell;
-  if (way.kind == MoveKind::Rapid) return rapid_time(way.from, way.to, rapid, diameters);
-  const double diameter = middle_diameter(way.from[0], way.to[0], way.zero);
-  const double spindle = turning(spindle_at(way.state, diameter));
-  if (way.kind == MoveKind::Thread) return thread_time(way, spindle, diameters);
-  double rate = way.state.feed;
-  if (way.state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
-  if (way.state.feed_mode == FeedMode::PerRevolution) rate *= spindle;
-  return rate > 0 ? path_of(way) / rate * 60 : 0;
+double seconds_of(const TimedMove& move, const Axes& rapid, std::uint32_t diameters) {
+  if (move.kind == MoveKind::Dwell) return move.dwell;
+  if (move.kind == MoveKind::Rapid) return rapid_time(move.from, move.to, rapid, diameters);
+  const double diameter = middle_diameter(move.from[0], move.to[0], move.zero);
+  const double spindle = turning(spindle_at(move.state, diameter));
+  if (move.kind == MoveKind::Thread) return thread_time(move, spindle, diameters);
+  double rate = move.state.feed;
+  if (move.state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;
+  if (move.state.feed_mode == FeedMode::PerRevolution) rate *= spindle;
+  return rate > 0 ? path_of(move) / rate * 60 : 0;
 }
 
 }  // namespace cncsub

@@ -1,4 +1,4 @@
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 
 #include <limits>
 #include <string>
@@ -25,7 +25,7 @@ bool alarm(Run& run, const Fault& fault) {
   if (run.block.words_done)
     record_step(run);
   else
-    give_back(run);
+    rollback(run);
   return end_run(run, Stop::Alarm);
 }
 
@@ -58,10 +58,10 @@ void take_back_together(Run& run) {
 
 }  // namespace
 
-void give_back(Run& run) {
+void rollback(Run& run) {
   take_back_together(run);
   if (run.block.took != run.state.executed) return;
-  run.state.taken = run.block.before;
+  run.state.external_reads = run.block.before;
   run.block.took = -1;
 }
 

@@ -1,4 +1,4 @@
-// Labelled statements: subprograms, branches and loops of O-words.
+// OWord statements: subprograms, branches and loops of O-words.
 #pragma once
 
 #include "cncsub/machine/state/context.hpp"

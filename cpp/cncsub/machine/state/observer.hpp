@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
-#include "cncsub/motion/state/outside.hpp"
+#include "cncsub/motion/state/machine_inputs.hpp"
 
 namespace cncsub {
 
-struct Heard {
+struct Observer {
   /// To a variable that is neither a local nor a common: an offset, an output, #3000, #3006.
   struct Assigned {
     std::int64_t number = 0;

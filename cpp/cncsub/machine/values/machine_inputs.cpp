@@ -1,4 +1,4 @@
-#include "cncsub/machine/values/outside.hpp"
+#include "cncsub/machine/values/machine_inputs.hpp"
 
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/values/decode.hpp"
@@ -19,7 +19,7 @@ std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
     case Op::MacroCall:
     case Op::ModalCall:
     case Op::Return:
-    case Op::Choose:
+    case Op::Select:
       return Fault{Cause::ProfileCall, a, 1, "a call inside the blocks of the profile"};
     default:
       return Fault{Cause::ProfileMacro, a, 1, "a macro statement inside the blocks of the profile"};
@@ -65,14 +65,14 @@ std::optional<Fault> profile_blocks(Run& run, const ProfileNumbers& numbers, Pro
 
 }  // namespace
 
-Outside outside(Run& run) {
-  Outside around;
-  around.skips = {&run.options.inputs.skips, &run.state.taken.skips, {}};
-  around.workpiece = run.options.inputs.workpiece.get();
+MachineInputs machine_inputs(Run& run) {
+  MachineInputs inputs;
+  inputs.skips = {&run.options.inputs.skips, &run.state.external_reads.skips, {}};
+  inputs.workpiece = run.options.inputs.workpiece.get();
   run.watch.in_block = 0;
-  around.interrupted = [](void* of) { return breaks_off(*static_cast<Run*>(of)); };
-  around.run = &run;
-  return around;
+  inputs.interrupted = [](void* of) { return breaks_off(*static_cast<Run*>(of)); };
+  inputs.run = &run;
+  return inputs;
 }
 
 std::optional<Fault> read_profile(Run& run, const ProfileNumbers& numbers, Profile& found) {

@@ -1,10 +1,10 @@
-#include "cncsub/machine/calls/passing.hpp"
+#include "cncsub/machine/calls/skip_to_label.hpp"
 
 #include <utility>
 #include <vector>
 
 #include "cncsub/machine/calls/calls.hpp"
-#include "cncsub/machine/state/ends.hpp"
+#include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/motion/block/block.hpp"
 
@@ -20,7 +20,7 @@ bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
 }
 
 /// Nothing that a program comes to lies after this %.
-Fault nothing_behind(const Labelled& met) {
+Fault nothing_behind(const OWord& met) {
   Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
   fault.text = met.of_another_kind;
   return fault;
@@ -57,7 +57,7 @@ bool read_98(Run& run, const CallRecord& record, double& p, double& l) {
          alarm(run, {Cause::IllegalRepeatCount, record.l.at, record.l.width, "L is negative"});
 }
 
-bool read_on_the_way(Run& run, Address first, Address to, const std::string& sought) {
+bool read_skipped_blocks(Run& run, Address first, Address to, const std::string& sought) {
   const Address start = run.state.pc;
   Address at = first;
   for (; at != kNowhere && at <= to; at = run.code->head_behind(kOnTheWay, at)) {
@@ -66,13 +66,13 @@ bool read_on_the_way(Run& run, Address first, Address to, const std::string& sou
       if (!run.state.labels.searching) continue;
       return stopped_at(run, at, run.code->faults[block.aux], sought);
     }
-    const Labelled& met = run.code->labelled[block.aux];
-    if (met.kind == LabelledKind::TapeEnd) {
-      if (met.refused != Labelled::kNone && !begins_with_percent(run)) continue;
+    const OWord& met = run.code->o_words[block.aux];
+    if (met.kind == OWordKind::FileEnd) {
+      if (met.refused != OWord::kNone && !begins_with_percent(run)) continue;
       return stopped_at(run, at, nothing_behind(met), sought);
     }
     if (at == to) break;
-    if (met.kind == LabelledKind::Back) {
+    if (met.kind == OWordKind::Back) {
       pass_return(run);
       continue;
     }
@@ -84,7 +84,7 @@ bool read_on_the_way(Run& run, Address first, Address to, const std::string& sou
   return true;
 }
 
-bool may_be_read(Run& run, const Labelled& own, std::int32_t file, const std::string& name) {
+bool may_be_read(Run& run, const OWord& own, std::int32_t file, const std::string& name) {
   const auto opening = [&run](std::int32_t program) {
     return run.code->programs[static_cast<std::size_t>(program)].opening;
   };
@@ -97,7 +97,7 @@ bool may_be_read(Run& run, const Labelled& own, std::int32_t file, const std::st
   return alarm(run, fault);
 }
 
-bool uses_words_beside(Run& run, const Labelled& own) {
+bool uses_words_beside(Run& run, const OWord& own) {
   if (own.beside == 0) return true;
   constexpr std::uint32_t kRotary = bit('A') | bit('B') | bit('C');
   constexpr std::uint32_t kAxisWords = bit('X') | bit('Y') | bit('Z') | kRotary;
@@ -113,15 +113,15 @@ bool uses_words_beside(Run& run, const Labelled& own) {
   return !fault || alarm_of_motion(run, std::move(*fault));
 }
 
-bool pass_over(Run& run, const Labelled& own, const std::string& sought) {
+bool skip_over(Run& run, const OWord& own, const std::string& sought) {
   run.block.next = own.next;
   const Address first = run.code->head_behind(kOnTheWay, run.state.pc);
-  return read_on_the_way(run, first, own.next, sought);
+  return read_skipped_blocks(run, first, own.next, sought);
 }
 
-bool pass_on(Run& run, const Labelled& own) {
-  run.state.labels.passing = true;
-  return pass_over(run, own, full_name(run, own.label));
+bool skip_to_label(Run& run, const OWord& own) {
+  run.state.labels.skipping = true;
+  return skip_over(run, own, full_name(run, own.label));
 }
 
 }  // namespace cncsub
