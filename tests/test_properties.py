@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import encodings
+import itertools
 from pkgutil import iter_modules
 
 import pytest
@@ -115,6 +116,13 @@ def test_programs_show_what_was_written(text: str, control: str) -> None:
         for block in program.blocks:
             assert block.line >= program.line
             assert all(word.text for word in block.words)
+            tokens = block.tokens
+            assert "".join(token.text for token in tokens) == block.text
+            assert all(one.end == other.column for one, other in itertools.pairwise(tokens))
+            assert [token.word for token in tokens if token.kind == "word"] == list(block.words)
+            start = tokens[0].column - 1 if tokens else 0
+            line = text.splitlines()[block.line - 1] if text.isprintable() else ""
+            assert not line or line[start:].startswith(block.text.split("\n")[0])
         assert program.name in repr(program)
 
 

@@ -31,7 +31,7 @@ def programs_of(library: Library) -> list[Any]:
     found: list[Any] = [code.leaders]
     for place in range(len(code)):
         program = code.program(place)
-        blocks = [(program.block(i), program.words(i)) for i in range(program.blocks)]
+        blocks = [(program.block(i), program.tokens(i)) for i in range(program.blocks)]
         found.append(
             (program.name, program.file, program.line, program.text, program.comment,
              program.duplicate_of, blocks)

@@ -50,6 +50,29 @@ def test_the_count_is_written_as_the_control_takes_it(
     assert made.added == {}
 
 
+@pytest.mark.parametrize(
+    ("call", "rewritten"),
+    [
+        ("M98 P 2 L 3", "M98 P30002"),
+        ("M 98 P2 (P9) L3", "M 98 P30002 (P9)"),
+        ("/2 M98 P2 L3", "/2 M98 P30002"),
+        ("M98(M98 P5)P2L3", "M98 P30002 (M98 P5)"),
+    ],
+)
+def test_words_are_found_where_they_stand_whatever_stands_between_them(
+    call: str, rewritten: str
+) -> None:
+    library = cncsub.loads(f"O1\n{call}\nN20 M30\nO2\nM99\n", control="fanuc-0i-f")
+    made = translate(library, "gsk-980tdi")
+    assert " ".join(texts(made, "O1")[0].split()) == rewritten
+
+
+def test_a_call_under_a_condition_keeps_it() -> None:
+    library = cncsub.loads(f"O1\nIF[#1 EQ 2] THEN M98 P2 L3\nM30\n{SUB}", control="haas-ngc")
+    words = [word.text for word in library["O1"].blocks[0].words]
+    assert words == ["IF[#1EQ2]THEN", "M98", "P2", "L3"]
+
+
 def test_more_passes_than_one_call_takes_are_several_calls() -> None:
     text = f"O1\nN10 G0 X5. M98 P2000002\nN20 M30\n{SUB}"
     library = cncsub.loads(text, control="fanuc-0i-f")

@@ -16,7 +16,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     "programs": (
         "Programs",
         "Reading programs, and what stands in them.",
-        ["load", "loads", "Library", "Program", "Block", "Word", "Note", "read_variables"],
+        ["load", "loads", "Library", "Program", "Block", "Token", "Word", "Note", "read_variables"],
     ),
     "references": (
         "References",

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/system/memory.hpp"
 #include "cncsub/text/words.hpp"
@@ -121,9 +122,35 @@ std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
   return std::const_pointer_cast<Code>(code);
 }
 
+/// Kind and text of each token of a block; of a word also its address, its value and its text
+/// without blanks and comments.
+py::list tokens(ReadWord read, std::string_view block) {
+  py::list rows;
+  TokenReader reader(read, block);
+  while (const auto token = reader.next()) {
+    const auto written = py::str(std::string(block.substr(token->at, token->width)));
+    const auto kind = py::str(std::string(to_string(token->kind)));
+    const WrittenWord& word = token->word;
+    if (token->kind == BlockToken::Kind::Word)
+      rows.append(py::make_tuple(kind, written, word.address,
+                                 word.known ? py::object(py::float_(word.value)) : py::none(),
+                                 word.text));
+    else
+      rows.append(py::make_tuple(kind, written, "", py::none(), ""));
+    if (rows.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return rows;
+}
+
 }  // namespace
 
 void add_code(py::module_& m) {
+  m.def(
+      "tokens",
+      [](const std::shared_ptr<Control>& control, const std::string& block) {
+        return tokens(find_dialect(control->dialect)->read_word, block);
+      },
+      py::arg("control"), py::arg("block"));
   py::class_<ProgramData>(m, "ProgramData", py::is_final())
       .def_property_readonly(
           "code", [](const ProgramData& p) { return std::const_pointer_cast<Code>(p.code); })
@@ -156,17 +183,18 @@ void add_code(py::module_& m) {
              return py::make_tuple(sequence_number(block.n), block.line,
                                    py::str(std::string(p.code->text_of(block, p.program()))));
            })
-      .def("words", [](const ProgramData& p, std::size_t i) {
-        py::list rows;
-        const std::string_view text = p.code->text_of(p.block(i), p.program());
-        std::size_t from = 0;
-        while (const auto word = p.code->read_word(text, from)) {
-          rows.append(py::make_tuple(word->address,
-                                     word->known ? py::object(py::float_(word->value)) : py::none(),
-                                     word->text));
-          if (rows.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
-        }
-        return rows;
+      .def("column",
+           [](const ProgramData& p, std::size_t i) {
+             const std::string_view text = p.file().text.view();
+             const std::size_t at = p.block(i).text;
+             const std::size_t end_before = at == 0 ? text.npos : text.rfind('\n', at - 1);
+             const std::string_view before =
+                 text.substr(end_before + 1, at - (end_before + 1));  // npos + 1 is 0
+             return 1 + std::count_if(before.begin(), before.end(),
+                                      [](char c) { return !is_inside_character(c); });
+           })
+      .def("tokens", [](const ProgramData& p, std::size_t i) {
+        return tokens(p.code->read_word, p.code->text_of(p.block(i), p.program()));
       });
   py::class_<Code, std::shared_ptr<Code>>(m, "Code", py::is_final())
       .def_property_readonly(

@@ -92,14 +92,14 @@ py::list read_found(const py::str& before, const py::list& names, std::size_t la
   for (const py::handle& name : names) paths.push_back(folder + system_name(name));
   std::vector<ReadFile> files = read_all(paths, {largest, true});
   py::list found;
-  Texts parallel_assign;
+  Texts together;
   const auto give = [&] {
-    if (!parallel_assign.files.empty()) found.append(py::cast(std::exchange(parallel_assign, {})));
+    if (!together.files.empty()) found.append(py::cast(std::exchange(together, {})));
   };
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string_view name = std::string_view(paths[i]).substr(folder.size());
     if (as_utf8 && files[i].fault == FileFault::None && files[i].utf8 && is_text(paths[i])) {
-      parallel_assign.files.push_back({paths[i], stem_of(name), std::move(files[i].text), false});
+      together.files.push_back({paths[i], stem_of(name), std::move(files[i].text), false});
       continue;
     }
     give();

@@ -19,7 +19,7 @@ from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library
 from cncsub.loading import load, loads
-from cncsub.program import Block, Program, Word
+from cncsub.program import Block, Program, Token, Word
 from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.run_options import RunOptions
 from cncsub.setup import Setup
@@ -128,6 +128,7 @@ __all__ = [
     "Step",
     "Stop",
     "Stream",
+    "Token",
     "TranslateError",
     "Translation",
     "VariableUse",

@@ -16,6 +16,7 @@ def causes() -> list[tuple[str, str, str]]:
 def controls() -> list[Control]:
     """Every control, in listing order."""
 
+def tokens(control: Control, block: str) -> list[_Token]: ...  # of a line
 def sources() -> list[tuple[str, str, str, str, str]]:
     """Key, title, address, controls and evidence of every source."""
 
@@ -197,6 +198,9 @@ def own_control(
 def frame(state: tuple[Any, ...]) -> Frame: ...
 def alarm(state: tuple[Any, ...]) -> Alarm: ...
 
+# kind, text; of a word also its address, its value, and its text without blanks and comments
+_Token = tuple[str, str, str, float | None, str]
+
 @final
 class ProgramData:
     """One program of a library: where it stands, and its blocks by number from 0."""
@@ -220,7 +224,8 @@ class ProgramData:
     @property
     def blocks(self) -> int: ...
     def block(self, index: int) -> tuple[int | None, int, str]: ...  # n, line, text
-    def words(self, index: int) -> list[tuple[str, float | None, str]]: ...  # address, value, text
+    def column(self, index: int) -> int: ...  # of a block in its line, from 1
+    def tokens(self, index: int) -> list[_Token]: ...
 
 # kind, program, found, external, start, repeats, then the texts of a computed program, start and
 # count, the word and its column

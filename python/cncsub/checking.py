@@ -259,11 +259,6 @@ def _finding(
 _OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
 
 
-_ASSIGNED = re.compile(r"[ \t]*(#\d+)[ \t]*=")
-_O_FOR_ZERO = re.compile(r"([A-NP-Z][-+]?)O(?=[\d.;\s]|$)")
-_COMMA = re.compile(r"[A-Z][-+]?\d+$")
-
-
 def _fixes(
     rule: CheckRule, alarm: _core.Alarm | None, places: Iterable[tuple[_core.Alarm, str]]
 ) -> tuple[Edit, ...] | None:
@@ -282,22 +277,26 @@ def _fix(
         return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
     # IF[#1 EQ 2]#3=4: an assignment behind a condition has no other meaning.
     if rule.name == "if-without-then":
-        assigned = _ASSIGNED.match(source, place.column - 1)
-        if assigned is not None:
-            column = assigned.start(1) + 1
-            return (Edit(place.file, place.line, column, assigned[1], f"THEN {assigned[1]}"),)
+        after = source[place.column - 1 :].removeprefix(word).lstrip()
+        if word.startswith("#") and after.startswith("="):
+            return (Edit(place.file, place.line, place.column, word, f"THEN {word}"),)
     return None if alarm is None else _mended_word(place, alarm, source)
 
 
 def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[Edit, ...] | None:
     """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
-    zero = _O_FOR_ZERO.match(source, place.column - 1)
-    if alarm.cause == "address-without-value" and zero is not None:
-        return (Edit(place.file, place.line, place.column, zero[0], f"{zero[1]}0"),)
-    comma = alarm.cause == "value-without-address" and re.fullmatch(r",\d+", word)
-    if comma and _COMMA.search(source[: place.column - 1].upper()):
-        return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
+    written = source[place.column - 1 :].startswith(word)  # no blank or comment inside it
+    address, value = word[:1], word[1:].lstrip("+-")
+    if alarm.cause == "address-without-value" and written and address not in "Oo":
+        before = word[: len(word) - len(value)]
+        if value[:1] in ("O", "o") and (value[1:2] in (*"0123456789.", "")):
+            return (Edit(place.file, place.line, place.column, before + value[0], f"{before}0"),)
+    if alarm.cause == "value-without-address" and written and word[1:].isdecimal():
+        before = source[: place.column - 1].rstrip("0123456789")
+        whole = before != source[: place.column - 1] and before.rstrip("+-")[-1:].isalpha()
+        if address == "," and whole:
+            return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
     return None
 
 

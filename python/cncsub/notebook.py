@@ -4,11 +4,11 @@ take the colours of the page around them, dark or light.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from itertools import islice
 from typing import TYPE_CHECKING
 
+from cncsub import _core
 from cncsub.checking import check
 from cncsub.escapes import escape
 from cncsub.notebook_pieces import cut, few, line, marked, page, pale, plain, pre, table
@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 _MOST_PROGRAMS = 20
 _HEAD, _TAIL = 30, 10  # lines of a program
 _MOST_CHECKED = 20_000  # blocks of a memory
-_COMMENT = re.compile(r"\([^()]*\)?|;.*")
 
 
 def run_html(run: Run) -> str:
@@ -97,10 +96,11 @@ def program_html(program: Program) -> str:
     numbered = [(program.line + i, line) for i, line in enumerate(lines)]
     left = len(numbered) - _HEAD - _TAIL
     marks = _marks(program)
-    shown = [_numbered(*row, marks) for row in (numbered if left <= 1 else numbered[:_HEAD])]
+    head = numbered if left <= 1 else numbered[:_HEAD]
+    shown = [_numbered(*row, marks, program) for row in head]
     if left > 1:
         shown.append(pale(f"      ... {left:,} lines"))
-        shown += [_numbered(*row, marks) for row in numbered[-_TAIL:]]
+        shown += [_numbered(*row, marks, program) for row in numbered[-_TAIL:]]
     place = f"{program.name}, {program.file}:{program.line}, {len(program.blocks):,} blocks"
     return page([line(place, strong=True), pre("\n".join(shown))])
 
@@ -119,13 +119,10 @@ def _marks(program: Program) -> dict[int, str]:
     return marks
 
 
-def _numbered(number: int, text: str, marks: dict[int, str]) -> str:
-    text = cut(text)
-    parts, end = [], 0
-    for comment in _COMMENT.finditer(text):
-        parts += [escape(text[end : comment.start()]), pale(comment[0])]
-        end = comment.end()
+def _numbered(number: int, text: str, marks: dict[int, str], program: Program) -> str:
+    tokens = _core.tokens(program.data.code.control, cut(text))
+    parts = [pale(text) if kind == "comment" else escape(text) for kind, text, *_ in tokens]
     mark = ""
     if number in marks:
         mark = f'  <span style="color:#d33">&larr; {escape(cut(marks[number]))}</span>'
-    return "".join([pale(f"{number:>6}  "), *parts, escape(text[end:]), mark])
+    return "".join([pale(f"{number:>6}  "), *parts, mark])

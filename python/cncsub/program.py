@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple, overload
 
@@ -37,6 +37,35 @@ class Word(NamedTuple):
     text: str
 
 
+class Token(NamedTuple):
+    """A piece of a block: a word, or what stands between two words.
+
+    `kind`: `"word"`, `"comment"`, `"blank"` or `"ignored"`, as what a control passes over. `text`:
+    as it is written; the texts of all tokens joined are the text of the block. `column`: of its
+    first character in its line, from 1. `word`: what the control reads, `None` between the words.
+    """
+
+    kind: str
+    text: str
+    column: int
+    word: Word | None
+
+    @property
+    def end(self) -> int:
+        """The column after its last character."""
+        return self.column + len(self.text)
+
+
+def tokens_of(rows: Iterable[tuple[str, str, str, float | None, str]], column: int) -> list[Token]:
+    """The tokens that the engine told of a text that begins in this column."""
+    tokens = []
+    for kind, text, address, value, read in rows:
+        word = Word(address, value, read) if kind == "word" else None
+        tokens.append(Token(kind, text, column, word))
+        column += len(text)
+    return tokens
+
+
 @dataclass(frozen=True, slots=True)
 class Block:
     """One block of a program: sequence number, line of the file, text."""
@@ -53,9 +82,27 @@ class Block:
         return self._program
 
     @property
+    def tokens(self) -> tuple[Token, ...]:
+        """The words of the block and what stands between them, in order; a macro statement is one
+        word without an address.
+
+        >>> import cncsub
+        >>> library = cncsub.loads("O1\\nG1 X10. (to the wall) F100\\nM30\\n", control="fanuc-0i-f")
+        >>> block = library["O1"].blocks[0]
+        >>> [(token.text, token.column) for token in block.tokens if token.kind == "comment"]
+        [('(to the wall)', 9)]
+        >>> "".join(token.text for token in block.tokens) == block.text
+        True
+        """
+        data = self._program.data
+        return tuple(tokens_of(data.tokens(self._index), data.column(self._index)))
+
+    @property
     def words(self) -> tuple[Word, ...]:
-        """The words of the block, as the control reads them; none in a macro statement."""
-        return tuple(Word(*word) for word in self._program.data.words(self._index))
+        """The words of the block, as the control reads them: `tokens` without what stands between
+        them.
+        """
+        return tuple(token.word for token in self.tokens if token.word is not None)
 
     @property
     def calls(self) -> tuple[CallTo, ...]:

@@ -4,6 +4,65 @@
 
 namespace cncsub {
 
+namespace {
+
+/// Return the first token of a text that holds no word.
+BlockToken between_words(std::string_view text, std::size_t at) {
+  BlockToken token;
+  token.at = static_cast<std::uint32_t>(at);
+  const auto begins_other = [](char c) { return is_blank(c) || c == '(' || c == ';'; };
+  std::size_t end = 1;
+  if (is_blank(text[0])) {
+    token.kind = BlockToken::Kind::Blank;
+    while (end < text.size() && is_blank(text[end])) ++end;
+  } else if (text[0] == '(') {
+    token.kind = BlockToken::Kind::Comment;
+    end = text.find(')');
+    end = end == std::string_view::npos ? text.size() : end + 1;
+  } else if (text[0] == ';') {
+    token.kind = BlockToken::Kind::Comment;
+    end = text.size();
+  } else {
+    token.kind = BlockToken::Kind::Ignored;
+    while (end < text.size() && !begins_other(text[end])) ++end;
+  }
+  token.width = static_cast<std::uint32_t>(end);
+  return token;
+}
+
+}  // namespace
+
+std::string_view to_string(BlockToken::Kind kind) {
+  switch (kind) {
+    case BlockToken::Kind::Word:
+      return "word";
+    case BlockToken::Kind::Comment:
+      return "comment";
+    case BlockToken::Kind::Blank:
+      return "blank";
+    case BlockToken::Kind::Ignored:
+      return "ignored";
+  }
+  return "";
+}
+
+std::optional<BlockToken> TokenReader::next() {
+  if (!word_ && !ended_) {
+    word_ = read_(block_, from_);
+    ended_ = !word_;
+  }
+  const std::size_t word_at = word_ ? word_->at : block_.size();
+  std::optional<BlockToken> token;
+  if (done_ < word_at) {
+    token = between_words(block_.substr(done_, word_at - done_), done_);
+  } else if (word_) {
+    token = BlockToken{BlockToken::Kind::Word, word_->at, word_->width, std::move(*word_)};
+    word_.reset();
+  }
+  if (token) done_ = std::size_t{token->at} + token->width;
+  return token;
+}
+
 bool set_number(WrittenWord& word, const Number& number) {
   word.known = number.any && number.points < 2 && std::fabs(number.value) < kLargest;
   word.value = number.value;

@@ -34,6 +34,32 @@ bool take_number(Scanner& s, WrittenWord& word);
 /// without blanks and comments. Returns where the word ends: never inside a character.
 const char* place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);
 
+/// A piece of a block: a word, or what stands between two words. The tokens of a block one after
+/// the other are its text, byte by byte.
+struct BlockToken {
+  enum class Kind : std::uint8_t { Word, Comment, Blank, Ignored } kind = Kind::Word;
+  std::uint32_t at = 0, width = 0;  // the bytes of the block
+  WrittenWord word;                 // of Kind::Word
+};
+std::string_view to_string(BlockToken::Kind kind);
+
+/// Cuts a block into its tokens, one at a time.
+class TokenReader {
+ public:
+  TokenReader(ReadWord read, std::string_view block) : read_(read), block_(block) {}
+
+  /// Return the next token; nothing at the end of the block.
+  std::optional<BlockToken> next();
+
+ private:
+  ReadWord read_;
+  std::string_view block_;
+  std::size_t from_ = 0;             // where the next word is looked for
+  std::size_t done_ = 0;             // the end of the last token
+  std::optional<WrittenWord> word_;  // the next word, where it was read already
+  bool ended_ = false;               // there is no further word
+};
+
 inline std::vector<WrittenWord> written_words(ReadWord read, std::string_view block) {
   std::vector<WrittenWord> words;
   std::size_t from = 0;

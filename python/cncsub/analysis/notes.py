@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -92,14 +91,12 @@ def _no_head(library: Library) -> Note | None:
     )
 
 
-_O_WORD = re.compile(r"O\S+\s+(?:SUB|CALL|IF|WHILE|DO|REPEAT)\b", re.IGNORECASE)
-
-
 def _has_head(program: Program) -> bool:
     """Whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
     # Of a large program no more than its head.
     text = program.beginning(4 * len(program.name) + 256).lstrip()
-    if _O_WORD.match(text):  # o100 sub begins a part of the file
+    first = program.blocks[0].text if len(program.blocks) else ""
+    if first and text.startswith(first):  # `o100 sub` is a block: it begins a part of the file
         return False
     return text.startswith((":", "<")) or text.upper().startswith(program.name.upper())
 

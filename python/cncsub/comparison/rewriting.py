@@ -7,23 +7,20 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from cncsub import _core
 from cncsub._core import Control
 from cncsub.analysis.block_errors import BlockError
 from cncsub.checking import Edit
 from cncsub.comparison.cycle_counts import CycleCounts, letters_of
 from cncsub.library import Library
 from cncsub.loading import loads
-from cncsub.program import Block, Program
+from cncsub.program import Block, Program, Token, tokens_of
 from cncsub.references import CallTo, Computed, JumpTo
 
 _CODES = ("M97", "M98", "M198", "M99")
 _CALL_WORDS = "PLHQ"  # what belongs to a call and not to its block
 _MOST_CALLS = 20  # that stand for one
 _FIRST_FREE = 9001  # number of the first program that is made
-_COMMENT = re.compile(r"\([^()]*\)|;.*")
-_SKIP = re.compile(r"\s*(/\d?)")
-_CONDITION = re.compile(r"\bIF|THEN", re.IGNORECASE)
-_HEAD = re.compile(r"\s*O\d+")
 # What decides how a control takes words of a call that are computed.
 _OF_COMPUTED = ("program_word", "count_and_l", "max_program_digits", "call_values", "start_word")
 _OF_COUNTS = ("zero_repeats", "max_repeats", "too_many_repeats", "return_with_p")
@@ -109,9 +106,9 @@ class Rewriting:
                 if letter in letters or not letters or place in done:
                     continue
                 done.add(place)
-                spans = _words(block, self._line(block), letter)
-                if spans:
-                    self.replace(block, spans, letters[0] + spans[0][1][1:])
+                counts_of = _words(block, letter)
+                if counts_of:
+                    self.replace(block, counts_of, letters[0] + counts_of[0].text[1:])
 
     def _external(self) -> None:
         """The external device is not written to: what would have to change there is refused."""
@@ -134,10 +131,12 @@ class Rewriting:
         if main is None or read is None or main.name in self._called_programs:
             return
         line = self._lines[main.file][main.line - 1]
-        head = _HEAD.match(line)
-        if head is None or _number(read.name) == _number(main.name):
+        tokens = tokens_of(_core.tokens(self.library.control, line), 1)
+        head = next((token for token in tokens if token.word is not None), None)
+        headed = head is not None and head.word is not None and head.word.address == "O"
+        if head is None or not headed or _number(read.name) == _number(main.name):
             return
-        edit = Edit(main.file, main.line, 1, line, line[head.end() :].strip())
+        edit = Edit(main.file, main.line, 1, line, line[head.end - 1 :].strip())
         self.edits.setdefault(main.name, []).append(edit)
 
     def _block(self, block: Block, read: Block | None) -> None:
@@ -164,18 +163,15 @@ class Rewriting:
         elif jumps and not self._returns.rewrites(block):
             self._jump(block, jumps[0], read.jumps if read is not None else ())
         elif self._returns.rewrites(block):
-            self.replace(block, _words(block, self._line(block), "P"), "")
+            self.replace(block, _words(block, "P"), "")
         self._return_count(block)
 
     def _call(self, block: Block, call: CallTo, behind: str) -> None:
-        spans = [
-            _code(block, self._line(block), call),
-            *_words(block, self._line(block), _CALL_WORDS),
-        ]
-        letters = [text[0].upper() for _, text in spans[1:]]
+        spans = [_code(block, call), *_words(block, _CALL_WORDS)]
+        letters = [token.text[0].upper() for token in spans[1:]]
         if len(set(letters)) < len(letters):
             raise self.refused(block, "a word of the call stands twice in the block")
-        code = "M98" if call.kind == "M97" else spans[0][1]
+        code = "M98" if call.kind == "M97" else spans[0].text
         if call.repeats == 0:
             self.replace(block, spans, "", behind)
             return
@@ -278,7 +274,7 @@ class Rewriting:
         words = self.jump_words(jump.n) if isinstance(jump.n, int) else None
         if jump.conditional or jump.in_caller or words is None:
             raise self.refused(block, f"no words found by which it jumps as {jump.kind} does")
-        spans = [_code(block, self._line(block), jump), *_words(block, self._line(block), "P")]
+        spans = [_code(block, jump), *_words(block, "P")]
         self.replace(block, spans, words)
 
     def jump_words(self, n: int) -> str | None:
@@ -294,7 +290,7 @@ class Rewriting:
     def _return_count(self, block: Block) -> None:
         """M99 L: one control sets the count of passes by it, another does not look at it."""
         is_return = any(word.address == "M" and word.value == 99 for word in block.words)
-        spans = _words(block, self._line(block), "L") if is_return else []
+        spans = _words(block, "L") if is_return else []
         if not spans:
             return
         own, other = self._rules("return_with_l")
@@ -312,23 +308,22 @@ class Rewriting:
     def _line(self, block: Block) -> str:
         return self._lines[block.program.file][block.line - 1]
 
-    def replace(
-        self, block: Block, spans: Sequence[tuple[int, str]], new: str, behind: str = ""
-    ) -> None:
-        """Puts `new` in the place of the words, `behind` on a line of its own."""
+    def replace(self, block: Block, spans: Sequence[Token], new: str, behind: str = "") -> None:
+        """Put `new` in the place of the words `spans`, and `behind` on lines of its own."""
         line = self._line(block)
         mine = self.edits.get(block.program.name, ())
         if any((edit.file, edit.line) == (block.program.file, block.line) for edit in mine):
             raise self.refused(block, "two rewritings of one block")
-        first = min((at for at, _ in spans), default=len(line))
+        first = min((token.column - 1 for token in spans), default=len(line))
         rest = line[first:]
-        for at, text in sorted(spans, reverse=True):
-            rest = rest[: at - first] + rest[at - first + len(text) :]
+        for token in sorted(spans, key=lambda token: token.column, reverse=True):
+            rest = rest[: token.column - 1 - first] + rest[token.end - 1 - first :]
         joined = f"{new} {rest.strip()}".strip() if new else rest.strip()
-        if behind and _CONDITION.search(_bare(line)):
+        words = block.words
+        if behind and any(not word.address for word in words):  # IF[...] THEN before the words
             raise self.refused(block, "what has to stand behind it is not under its condition")
-        skip = _SKIP.match(line)
-        own = skip[1] if skip else ""  # a block that is skipped takes what is behind it along
+        # A block that is skipped takes the lines after it along.
+        own = words[0].text if words and words[0].address == "/" else ""
         written = "\n".join([joined, *(own + each for each in behind.split("\n") if each)])
         edit = Edit(block.program.file, block.line, first + 1, line[first:], written)
         self.edits.setdefault(block.program.name, []).append(edit)
@@ -385,36 +380,18 @@ def _computed(call: CallTo) -> bool:
     return any(isinstance(each, Computed) for each in (call.program, call.repeats, call.start))
 
 
-def _code(block: Block, line: str, of: CallTo | JumpTo) -> tuple[int, str]:
-    """The word that calls or jumps, and where it stands in the line."""
-    form = re.compile(rf"{of.kind[0]}\s*0*{of.kind[1:]}(?!\d)", re.IGNORECASE)
-    found = form.search(_bare(line))
-    if found is None:
-        raise TranslateError(
-            f"its {of.kind} is written in a way that is not known",
-            block.program.name,
-            block.n,
-            block.line,
-        )
-    return found.start(), line[found.start() : found.end()]
+def _code(block: Block, of: CallTo | JumpTo) -> Token:
+    """The word that calls or jumps."""
+    for token in block.tokens:
+        if token.word is not None and token.word[:2] == (of.kind[0], int(of.kind[1:])):
+            return token
+    reason = f"its {of.kind} is written in a way that is not known"
+    raise TranslateError(reason, block.program.name, block.n, block.line)
 
 
-def _words(block: Block, line: str, addresses: str) -> list[tuple[int, str]]:
-    """The words with one of these addresses, and where they stand in the line."""
-    bare, at, found = _bare(line), 0, []
-    for word in block.words:
-        place = bare.find(word.text, at)
-        if place < 0:
-            continue
-        at = place + len(word.text)
-        if word.address in addresses:
-            found.append((place, word.text))
-    return found
-
-
-def _bare(line: str) -> str:
-    """The line with its comments blanked out."""
-    return _COMMENT.sub(lambda comment: " " * len(comment[0]), line)
+def _words(block: Block, addresses: str) -> list[Token]:
+    """The words of a block that have one of these addresses."""
+    return [t for t in block.tokens if t.word is not None and t.word.address in tuple(addresses)]
 
 
 class _Returns:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
+from cncsub import _core
 from cncsub._core import Alarm, Control
 from cncsub.analysis.notes import Note
 from cncsub.checking import Finding
@@ -16,7 +17,7 @@ from cncsub.controls import controls
 from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.lines import lines_of
-from cncsub.program import Program
+from cncsub.program import Program, Word, tokens_of
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
 from cncsub.setup import Setup
@@ -311,7 +312,7 @@ _OF_LATHES = re.compile(r"G0*(?:32|33|34|7[0-6]|9[0267])", re.IGNORECASE)
 
 def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
     """How conditions are joined, where a block joins them otherwise."""
-    if alarm.cause != "if-format" or not _JOINS.search(_block_of(library, alarm, mdi)):
+    if alarm.cause != "if-format" or not any(map(_joins, _words_of(library, alarm, mdi))):
         return
     for parameter in library.control.parameters.values():
         if "conditions:joined" in parameter.rules:
@@ -319,17 +320,20 @@ def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
             yield f"conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
 
 
-_JOINS = re.compile(r"(?<![A-Z])(?:AND|OR|XOR)(?![A-Z])", re.IGNORECASE)
+def _joins(word: Word) -> bool:
+    """Whether a macro statement holds AND, OR or XOR."""
+    return not word.address and any(name in word.text.upper() for name in ("AND", "OR"))
 
 
-def _block_of(library: Library, alarm: Alarm, mdi: str | None) -> str:
-    """The text of the block that alarmed, without its comments."""
+def _words_of(library: Library, alarm: Alarm, mdi: str | None) -> list[Word]:
+    """The words of the block that alarmed."""
     program = library.get(alarm.program)
     if program is not None:
         text = next((b.text for b in program.blocks if b.line == alarm.line), "")
     else:
         text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
-    return re.sub(r"\([^()]*\)", "", text)
+    tokens = tokens_of(_core.tokens(library.control, text), 1)
+    return [token.word for token in tokens if token.word is not None]
 
 
 def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
@@ -428,13 +432,12 @@ def without_effect(
         for number in variables if read is not None else ():
             if number not in (read or ()):
                 yield _note("--set, --variables", f"no block reads #{number}")
-    text = "\n".join(program.text for program in programs)
     called = any(e.kind == "M198" for e in library.call_graph().edges)
     if len(library.external) and not called and not (typed and _calls_outside(typed)):
         yield _note("--external", "no block calls a program of the external device by M198")
-    if asked.get("block_skip") and "/" not in text:
+    if asked.get("block_skip") and not _any_word(programs, "/"):
         yield _note("--skip", "no block has a slash")
-    if asked.get("optional_stop") and not re.search(r"M0?1(?!\d)", text, re.I):
+    if asked.get("optional_stop") and not _any_word(programs, "M", 1):
         yield _note("--optional-stop", "no block has M01")
     if (setup := asked.get("setup")) is not None:
         yield from _of_another_machine(library.control, setup)
@@ -444,14 +447,26 @@ def without_effect(
         for number in inputs.signals if read is not None else ():
             if number not in (read or ()):
                 yield _note("--inputs", f"the signal #{number} is told, which no block reads")
-        if (inputs.skips or inputs.workpiece) and not re.search(
-            r"G\s*(?:0*31|36|37|38|04|4)(?!\d)", text, re.I
-        ):
+        if (inputs.skips or inputs.workpiece) and not _any_word(programs, "G", *_PROBING):
             yield _note("--inputs", "what is touched is told, but no block probes")
         for code in inputs.answers:
-            number = code[1:].lstrip("0") or "0"
-            if not re.search(rf"{code[0]}0*{number}(?!\d)", text, re.I):
+            if not _any_word(programs, code[0], int(code[1:])):
                 yield _note("--inputs", f"an answer to {code} is told, which no block names")
+
+
+_PROBING = (31, 36, 37, 38, 4)  # G31, those of measuring, and the dwell that a signal ends
+
+
+def _any_word(programs: Iterable[Program], address: str, *codes: int) -> bool:
+    """Whether a block may have a word of this address with one of these whole numbers, or one
+    whose number is computed; without numbers any word of the address.
+    """
+    return any(
+        word.address == address and (not codes or word.value is None or int(word.value) in codes)
+        for program in programs
+        for block in program.blocks
+        for word in block.words
+    )
 
 
 def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:

@@ -73,6 +73,23 @@ void pass_other(Scanner& s, const char* at, WrittenWord& word) {
   if (!take_number(s, word)) pass_value(s);
 }
 
+/// Passes over what is left of a statement, from its first character on: all of the block. Of an IF
+/// with words, `IF[#1 EQ 2] THEN M98 P3`, only to the words.
+void pass_statement(Scanner& s, const char* first) {
+  Scanner words{first, s.end, s.file};
+  s.at = s.end;
+  if (!words.take_word("IF") || words.peek() != '[') return;
+  int open = 0;
+  for (char c = words.peek(); c != '\0'; c = words.peek()) {
+    open += c == '[' ? 1 : c == ']' ? -1 : 0;
+    ++words.at;
+    if (open == 0) break;
+  }
+  words.take_word("THEN");
+  Scanner ahead = words;
+  if (read_lexeme(ahead, true).kind == Lexeme::Kind::Word) s.at = words.at;
+}
+
 void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
   switch (read.kind) {
     case Lexeme::Kind::Word:
@@ -93,7 +110,7 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
     case Lexeme::Kind::Statement:
     case Lexeme::Kind::End:
       if (read.address == '#') word.address = "#";
-      s.at = s.end;
+      pass_statement(s, read.at);
   }
 }
 
