@@ -46,8 +46,8 @@ struct Dialect {
   PieceReader (*pieces)(Builder& to);
   /// The spelling of what is no plain word.
   const Spelling* spelling;
-  /// The rules that it asks, by their names and separated by blanks: those that its reader asks,
-  /// and those that a run of what it can say comes to. Empty: all.
+  /// The names of the rules that it asks, separated by blanks: those that its reader asks, and
+  /// those that a run of its programs comes to. Empty: all.
   std::string_view rules;
   /// The words that it refuses if no code uses them. Empty: it takes any word.
   std::span<const WordUse> word_uses;

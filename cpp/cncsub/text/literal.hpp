@@ -3,7 +3,7 @@
 
 namespace cncsub {
 
-/// No constant: a consteval function that comes here stops the compiler at its literal.
+/// Stop the compiler at a literal: this is no constant, and a consteval function calls it.
 inline void literal_is_wrong() {}
 
 }  // namespace cncsub

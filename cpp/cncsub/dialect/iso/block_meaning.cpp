@@ -13,7 +13,7 @@ namespace cncsub {
 namespace {
 
 std::string spell(double value) {
-  return system::shortest(value + 0.0);  // nought has no sign
+  return system::shortest(value + 0.0);  // zero has no sign
 }
 
 /// Return whether an M code of this role shares its block with no other, on controls that demand
