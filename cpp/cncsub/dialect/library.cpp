@@ -166,8 +166,8 @@ class Reading {
   std::vector<bool> seen_;  // variants, which several blocks may share
 };
 
-/// Gives back many megabytes without keeping whoever interrupted the reading waiting: the system
-/// takes its time over them.
+/// Free many megabytes in a thread of its own. The system takes its time over them, and whoever
+/// interrupted the reading must not wait.
 void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   try {
     std::thread([code = std::move(code), files = std::move(files)] {}).detach();
@@ -178,7 +178,7 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
 /// Return whether this character stands in the first lines of a file: # stands for macro statements
 /// or computed words, N for numbered blocks.
 bool begin_with(const std::vector<SourceFile>& files, char mark) {
-  constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes of one file: a large one is not searched whole
+  constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes of a file: not all of a large one
   std::size_t left = std::size_t{1} << 20;              // bytes of all files
   return std::any_of(files.begin(), files.end(), [&](const SourceFile& file) {
     const std::string_view first = file.text.view().substr(0, std::min(kFirst, left));

@@ -21,7 +21,7 @@ constexpr Whole to_whole(double value) {
   constexpr Whole kHigh = std::numeric_limits<Whole>::max();
   if (value != value) return 0;
   if (value <= static_cast<double>(kLow)) return kLow;
-  if (value >= static_cast<double>(kHigh)) return kHigh;  // with 64 bits, as a double, it is kHigh + 1
+  if (value >= static_cast<double>(kHigh)) return kHigh;  // with 64 bits it is one more than kHigh
   return static_cast<Whole>(value);
 }
 

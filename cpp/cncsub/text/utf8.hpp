@@ -10,8 +10,8 @@ namespace cncsub {
 /// Return whether no byte is above 127.
 bool is_ascii(std::string_view text);
 
-/// The bytes of the character that `text` begins with; 0 where there is none: an overlong form, a
-/// surrogate, a number beyond Unicode, the middle or a part of a character.
+/// Return how many bytes the character has that `text` begins with. Return 0 if there is none: an
+/// overlong form, a surrogate, a number beyond Unicode, the middle or a part of a character.
 std::size_t utf8_character(std::string_view text);
 
 /// Return whether a text is UTF-8. `stopped` is asked before each piece; if it gives true, the

@@ -245,7 +245,7 @@ bool MeaningReader::is_length_here(const Token& token) const {
   return (step && meaning_.has_g(74, 76)) || (zone && meaning_.has_g(37.1, 37.1));
 }
 
-// ---- what does not go together ----
+// ---- words that do not go together ----
 
 std::optional<Fault> MeaningReader::check_count() const {
   const int most = control_.reading.max_words.value;

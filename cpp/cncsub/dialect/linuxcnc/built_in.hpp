@@ -12,7 +12,7 @@ namespace cncsub::linuxcnc {
 struct BuiltIn {
   struct Step {
     Ins op = Ins::End;
-    double value = 0;  // a constant or a variable number; of Common: 0 the value returned, 1 whether
+    double value = 0;  // a constant or a variable number; of Common: 0 what was returned, 1 whether
   };
   std::string_view name;
   std::array<Step, 4> steps;

@@ -15,7 +15,7 @@ namespace {
 constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
 constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
 constexpr std::string_view kAddresses = "ABCFIJKRSTUVWXYZ";    // R: of CR=
-constexpr std::string_view kDropped = "DH";                    // they are reported, and do nothing here
+constexpr std::string_view kDropped = "DH";                    // reported, and without effect here
 
 /// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
