@@ -3,7 +3,7 @@
 
 namespace cncsub {
 
-/// Stop the compiler at a literal: this is no constant, and a consteval function calls it.
+/// Stop the compiler at a wrong literal: a consteval function that calls this gives no constant.
 inline void literal_is_wrong() {}
 
 }  // namespace cncsub

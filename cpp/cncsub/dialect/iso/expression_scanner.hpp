@@ -33,8 +33,7 @@ class ExpressionScanner {
     return s_.at == s_.end ? '\0' : upper(*s_.at);
   }
   bool take(char c) { return peek() == c && (++s_.at, true); }
-  /// Return whether a number that was read as far as `at` goes on, after a gap or with another
-  /// point.
+  /// Return whether a number that was read up to `at` goes on, after a gap or with another point.
   bool number_goes_on(const char* at) const;
   /// Read the number after a # if it consists of digits only.
   bool digits_of_variable(std::uint32_t& number);

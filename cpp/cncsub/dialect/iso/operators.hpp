@@ -42,8 +42,8 @@ inline constexpr IsoOperator kNamedOperators[] = {{{"AND", 0, Ins::And, Ins::Bot
 std::span<const OperatorRow> iso_operators(LogicOrder order);
 /// Return the operator at `s`; null if there is none. Blanks may part its letters.
 const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s);
-/// Return whether the text after a logic operator is a condition: `AND #2 EQ 4` and `AND [#2 EQ
-/// 4]`, not `AND 3`.
+/// Return whether a condition follows a logic operator, as in `AND #2 EQ 4` and `AND [#2 EQ 4]`,
+/// but not in `AND 3`.
 bool is_before_condition(const Scanner& at, const IsoOperator& of);
 
 Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value right,

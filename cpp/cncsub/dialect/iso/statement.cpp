@@ -138,7 +138,7 @@ bool StatementReader::read() {
   return false;
 }
 
-/// [#NAME] = 5
+/// Read `[#NAME] = 5`.
 bool StatementReader::named_assignment() {
   if (!code_.control->macros.variable_forms.value.has(VariableForm::Names)) return false;
   Scanner ahead = s_;

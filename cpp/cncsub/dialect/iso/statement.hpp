@@ -35,7 +35,7 @@ class StatementReader {
     std::string_view word;
     void (StatementReader::*read)(const Keyword& keyword, Statement& statement);
     Op op = Op::Goto;
-    std::optional<StatementKind> kind;  // what the control may not have
+    std::optional<StatementKind> kind;  // the kind, if a control may lack it
   };
   static const Keyword kKeywords[];
 

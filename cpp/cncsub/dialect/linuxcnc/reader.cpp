@@ -55,8 +55,7 @@ class FileReader {
     Label label;
   };
 
-  /// Return 1 + the place of the % that is the first line of a text; 0 if the first line is
-  /// another.
+  /// Return 1 + the place of the % that is a text's first line; 0 if the first line is another.
   static std::uint32_t opening_of(std::string_view text) {
     const std::size_t at = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     const std::string_view line = text.substr(at, std::min(text.find('\n', at), text.size()) - at);
