@@ -10,7 +10,7 @@ namespace cncsub {
 
 namespace {
 
-/// The names of the rules that a control's language asks; none where it asks all.
+/// Return the names of the rules that a control's language asks; empty if it asks all.
 std::vector<std::string_view> names_asked(const Control& control) {
   const Dialect* const dialect = find_dialect(control.dialect);
   return split_entries(dialect == nullptr ? std::string_view() : dialect->rules);

@@ -1,5 +1,4 @@
-// The rules of a control that its language asks: of the others nobody is told, and nobody sets
-// them.
+// The rules of a control that its language asks. The other rules are neither shown nor set.
 #pragma once
 
 #include <optional>
@@ -12,8 +11,8 @@ namespace cncsub {
 
 std::vector<RuleView> asked_rules(const Control& control);
 
-/// Why a rule cannot be set that the language of the control does not ask; nothing where it does,
-/// or where no rule has this name.
+/// Return why a rule cannot be set: the language of the control does not ask it. Return nothing if
+/// the language asks it, or if no rule has this name.
 std::optional<std::string> never_asked(const Control& control, const std::string& rule_name);
 
 }  // namespace cncsub

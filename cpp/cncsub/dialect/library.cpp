@@ -28,7 +28,7 @@ const Dialect* find_dialect(std::string_view name) {
 
 namespace {
 
-constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
+constexpr std::size_t kProgram = 64;  // the work of giving a program its names, in bytes
 
 void find_near_variables(Code& code) {
   std::size_t count = 0;
@@ -61,7 +61,7 @@ void number_variables(Code& code) {
   if (!code.general_only) find_near_variables(code);
 }
 
-/// What of the control is asked for each block or each statement.
+/// List what each block and each statement asks of the control.
 void list_codes(Code& code) {
   if (code.general_only) code.code_lists.keep_none();
   const ReadingRules& rules = code.control->reading;
@@ -83,7 +83,7 @@ bool has_constant_operands(const CallRecord& call) {
   return true;
 }
 
-/// Makes a code ready for programs.
+/// Make a code ready for programs.
 void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& dialect) {
   code.control = std::move(control);
   code.read_word = dialect.read_word;
@@ -99,7 +99,7 @@ const Dialect& dialect_of(const Control& control) {
   return *dialect;
 }
 
-/// Reads the files of a library.
+/// The reading of a library's files.
 class Reading {
  public:
   Reading(Code& code, const std::function<bool()>& interrupted)
@@ -117,8 +117,8 @@ class Reading {
     read_files({code_, to_, read_, dialect_, other}, files, sharing);
   }
 
-  /// The files are read. Calls whose operands are written as numbers, of this program and those
-  /// behind it, are decided once.
+  /// Decide, once and for all, the calls whose operands are written as numbers, in program `from`
+  /// and those after it. The files have been read.
   void resolve_calls(std::size_t from) {
     to_.names().sort_heads();
     if (code_.calls.empty()) return;
@@ -153,7 +153,7 @@ class Reading {
     if (auto fault = decode_call(code_, call, operands, own, target))
       return to_.refuse(block, std::move(*fault));
     if (code_.general_only || find_target(code_, call, target))
-      return;  // told when the call is reached
+      return;  // reported when the call is reached
     call.target = target;
     call.constant = true;
   }
@@ -166,8 +166,8 @@ class Reading {
   std::vector<bool> seen_;  // variants, which several blocks may share
 };
 
-/// Gives back many megabytes without keeping whoever interrupted the reading waiting: the system
-/// takes its time over them.
+/// Free many megabytes in a thread of its own. The system takes its time over them, and whoever
+/// interrupted the reading must not wait.
 void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   try {
     std::thread([code = std::move(code), files = std::move(files)] {}).detach();
@@ -175,11 +175,11 @@ void free_aside(std::shared_ptr<Code> code, std::vector<SourceFile> files) {
   }
 }
 
-/// Whether this character stands in the first lines of a file: # where there are macro statements
-/// or computed words, N where blocks are numbered.
+/// Return whether this character stands in the first lines of a file: # stands for macro statements
+/// or computed words, N for numbered blocks.
 bool begin_with(const std::vector<SourceFile>& files, char mark) {
-  constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes: a large file is not gone through
-  std::size_t left = std::size_t{1} << 20;              // nor are very many small ones
+  constexpr std::size_t kFirst = std::size_t{1} << 16;  // bytes of a file: not all of a large one
+  std::size_t left = std::size_t{1} << 20;              // bytes of all files
   return std::any_of(files.begin(), files.end(), [&](const SourceFile& file) {
     const std::string_view first = file.text.view().substr(0, std::min(kFirst, left));
     left -= first.size();
@@ -226,7 +226,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   Reading reading(*with, interrupted);
   std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
   reading.read(typed, {.threads = 1});
-  // What is typed in MDI is no program of the memory: it is not registered, nothing finds it.
+  // A text typed in MDI is no program of the memory: it is not registered, and nothing finds it.
   reading.resolve_calls(programs);
   resolve_codes(*with);
   if (!reading.interrupted(0)) return with;

@@ -1,5 +1,5 @@
-// Files into a library: read by the dialect of the control, programs registered, calls decided that
-// are the same each time.
+// The compiler of a library: the control's dialect reads the files, the programs are registered,
+// and the calls that are the same each time are decided.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,17 @@
 
 namespace cncsub {
 
-/// Reads the files into one library of compiled programs. Never fails: what the control would
-/// refuse becomes a fault. Without an external device the memory stands in for it: M198 then finds
-/// the programs that M98 finds. `interrupted` is asked fifty times a second whether to give up; the
-/// result is null then. However it is shared out to threads, the library is the same.
-/// `general_only`: every short way is off, of the reader and of what runs the library. What a
-/// program does is the same; it takes longer.
+/// Read the files into one library of compiled programs. Never fails: what the control would refuse
+/// becomes a fault. Without an external device, M198 finds the programs that M98 finds, in memory.
+/// `interrupted` is asked fifty times a second; once it gives true, the result is null. The library
+/// does not depend on how the reading is shared among threads. `general_only` turns every fast path
+/// off, of the reader and of what runs the library: a program does the same, but takes longer.
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted = {},
                                     const Sharing& sharing = {}, bool general_only = false);
 
-/// The same library with one more program behind the others, the text typed in MDI.
+/// Return the same library with one more program at its end: the text typed in MDI.
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
                                         const std::function<bool()>& interrupted = {});
 

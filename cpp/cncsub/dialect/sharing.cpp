@@ -19,7 +19,7 @@ namespace {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-/// A run of line feeds and carriage returns, of which one is a return. The last character of each
+/// Unify a run of line feeds and carriage returns that has a return. The last character of each
 /// line's end becomes the line feed, so that no blank is left at the head of a line.
 void unify_run(char* first, char* end) {
   char* feed = end;
@@ -47,14 +47,14 @@ void unify_line_ends(char* at, char* end, InterruptCheck& interrupt) {
 
 namespace {
 
-constexpr std::size_t kProgram = 64;  // what giving a program its names is worth
-constexpr std::size_t kWorthIt = 8;   // pieces that a further thread is worth its start for
+constexpr std::size_t kProgram = 64;  // the work of giving a program its names, in bytes
+constexpr std::size_t kWorthIt = 8;   // pieces that make the start of a further thread worthwhile
 
 /// Files [first, last), or lines of the first of them.
 struct Job {
   std::size_t first = 0, last = 0;
   Lines lines;
-  char* text = nullptr;  // that of the file; null: whole files
+  char* text = nullptr;  // the text of the file; null: whole files
 
   bool begins_file() const { return text != nullptr && lines.from == 0; }
 };
@@ -89,7 +89,7 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
   return jobs;
 }
 
-/// A code of its own for one job after the other, and who writes it.
+/// A code of its own for one job after another, and its readers.
 struct WorkerPart {
   WorkerPart(const SharedReading& reading, const std::function<bool()>& stopped)
       : interrupt(stopped), to(prepared(reading), interrupt) {
@@ -150,7 +150,7 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// What a helper does: one job after the other.
+  /// Do one job after another, as a helper.
   void help() {
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -160,14 +160,14 @@ class Pool {
     }
   }
 
-  /// The next job to be read apart, never far before the one that is joined. Each thread has its
-  /// turn: whoever joins reads jobs too, to where they belong, and nothing of them has to be moved.
-  /// Where all others are taken, those are read apart as well.
+  /// Return the next job to be read apart, which is never far ahead of the job being joined. Of
+  /// `threads_` jobs one is left to the joining thread, which reads it to where it belongs, so that
+  /// nothing has to be moved. If all others are taken, such a job is read apart as well.
   std::size_t free_job() const {
     const std::size_t end = std::min(jobs_.size(), joined_ + 2 * threads_ + 2);
     std::size_t found = kNone;
     for (std::size_t k = joined_; k < end; ++k) {
-      // Nothing is known of what stands before a file.
+      // The beginning of a file is not read apart: it continues no program.
       if (slots_[k].state != Slot::State::Free || jobs_[k].begins_file()) continue;
       if (k % threads_ != 0) return k;
       found = std::min(found, k);
@@ -175,7 +175,7 @@ class Pool {
     return found;
   }
 
-  /// Reads a job apart.
+  /// Read a job apart.
   void take(std::size_t number, std::unique_lock<std::mutex>& lock) {
     slots_[number].state = Slot::State::Taken;
     std::unique_ptr<WorkerPart> worker_part;
@@ -191,7 +191,8 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// Where memory runs out, whoever joins meets that too, and tells.
+  /// Read a job into `worker_part`. If memory runs out, the joining thread meets that too, and
+  /// reports it.
   void read_in_worker(const Job& job, std::unique_ptr<WorkerPart>& worker_part) noexcept {
     try {
       if (!worker_part)
@@ -234,10 +235,10 @@ class Pool {
     unify_line_ends(job.text + job.lines.from, job.text + job.lines.to, interrupt);
   }
 
-  /// Everything before the job is in the code.
+  /// Put a job into the code, which holds everything before it.
   void do_job(std::size_t number) {
     std::unique_ptr<WorkerPart> worker_part = taken(number);
-    if (stop_) return;  // somebody may still be at it
+    if (stop_) return;  // a helper may still be reading it
     if (!worker_part || !join(number, *worker_part)) {
       if (worker_part && jobs_[number].text == nullptr)
         return_texts(jobs_[number], worker_part->code.files);
@@ -250,7 +251,7 @@ class Pool {
     changed_.notify_all();
   }
 
-  /// What was read of a job by somebody else; null where nobody took it.
+  /// Return what another thread has read of a job; null if none took it.
   std::unique_ptr<WorkerPart> taken(std::size_t number) {
     std::unique_lock lock(mutex_);
     Slot& slot = slots_[number];
@@ -307,7 +308,7 @@ class Pool {
   std::vector<Slot> slots_;
   PieceReader pieces_;
   std::size_t threads_ = 1;
-  std::mutex mutex_;  // of all that follows, and of the slots
+  std::mutex mutex_;  // guards all that follows, and the slots
   std::condition_variable changed_;
   std::size_t joined_ = 0;
   std::vector<std::unique_ptr<WorkerPart>> free_;

@@ -1,7 +1,7 @@
 // Reading a library on several cores. The text is cut into jobs: some small files, or lines of a
-// large one. Whoever is free reads the next job into a code of its own; one thread puts the codes
-// behind each other in the order of the text, and what cannot be read apart it reads itself. What
-// comes out is what one thread alone would have made.
+// large one. A free thread reads the next job into a code of its own. One thread appends the codes
+// in the order of the text, and itself reads what cannot be read apart. The result is what one
+// thread alone would have made.
 #pragma once
 
 #include <cstddef>
@@ -19,12 +19,12 @@ struct Sharing {
   std::size_t piece = std::size_t{1} << 17;  // bytes of a job
 };
 
-/// Lets each line end with one line feed. A run of line feeds and carriage returns ends as many
-/// lines as it has line feeds, or, where it has none, carriage returns: LF, CR, CR LF, and the
-/// LF CR CR that FANUC punches [B-63524EN p.649], are one end each. Blanks stand for the rest.
+/// End each line with one line feed. A run of line feeds and carriage returns ends as many lines as
+/// it has line feeds, or, if it has none, carriage returns: LF, CR, CR LF, and the LF CR CR that
+/// FANUC punches [B-63524EN p.649], are one end each. Blanks replace the rest.
 void unify_line_ends(char* at, char* end, InterruptCheck& interrupt);
 
-/// Where the files go, and how another code is made ready for a part of them.
+/// The code that the files go into, and how another code is prepared for a part of them.
 struct SharedReading {
   Code& code;
   Builder& to;
@@ -33,7 +33,7 @@ struct SharedReading {
   const std::function<void(Code&)>& prepare;
 };
 
-/// Reads the files, which are moved into the code. Stops early where interrupt is over.
+/// Read the files, which are moved into the code; stop early if an interrupt is requested.
 void read_files(const SharedReading& reading, std::vector<SourceFile>& files,
                 const Sharing& sharing);
 

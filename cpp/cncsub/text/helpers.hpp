@@ -1,4 +1,4 @@
-// Threads that help with work that is shared out.
+// Threads that help with shared work.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +9,15 @@
 
 namespace cncsub {
 
-/// As many threads as the system gives, at most `count`; each does `work` once. They are waited for
-/// where this ends.
+/// As many threads as the system gives, at most `count`, each of which does `work` once. The
+/// destructor waits for them.
 class Helpers {
  public:
   Helpers(std::size_t count, const std::function<void()>& work) {
     threads_.reserve(count);
     try {
       while (threads_.size() < count) threads_.emplace_back(work);
-    } catch (const std::system_error&) {  // those there are do all
+    } catch (const std::system_error&) {  // the threads that exist do all the work
       return;
     }
   }

@@ -1,4 +1,4 @@
-// Work on texts of any size that may be interrupted.
+// The interruption of work on texts of any size.
 #pragma once
 
 #include <chrono>
@@ -8,16 +8,16 @@
 
 namespace cncsub {
 
-/// Asks now and then, while work is done, whether somebody wants it interrupted.
+/// The check that asks now and then, while work is done, whether somebody wants it interrupted.
 class InterruptCheck {
  public:
-  static constexpr std::size_t kBlock = 8;  // what going over a block once more is worth, in bytes
-  static constexpr std::size_t kLook = 1 << 16;  // behind so many the clock is looked at
+  static constexpr std::size_t kBlock = 8;  // the work of going over a block again, in bytes
+  static constexpr std::size_t kLook = 1 << 16;  // bytes after which the clock is read
 
   explicit InterruptCheck(std::function<bool()> interrupted = {})
       : interrupted_(std::move(interrupted)) {}
 
-  /// Whether the reading is to stop; `bytes` of text were worked on since the last question.
+  /// Return whether the work is to stop; `bytes` of text were worked on since the last question.
   bool requested(std::size_t bytes) {
     worked_ += bytes;
     if (worked_ < kLook || !interrupted_ || requested_) return requested_;

@@ -1,4 +1,4 @@
-// Where the lines of a text end.
+// The ends of the lines of a text.
 #pragma once
 
 #include <bit>
@@ -12,13 +12,13 @@
 
 namespace cncsub {
 
-/// Goes through a text from one end of line to the next, and looks at 64 characters at once for it:
-/// lines are too short for memchr to be worth its call.
+/// A walk through a text from one end of line to the next. It looks at 64 characters at once,
+/// because lines are too short for memchr to be worth its call.
 class LineEnds {
  public:
   LineEnds(const char* at, const char* end) : window_(at), end_(end) { look(); }
 
-  /// The next '\n', or the end of the text.
+  /// Return the next '\n', or the end of the text.
   const char* next() {
     while (found_ == 0) {
       if (end_ - window_ <= kWindow) return end_;
@@ -43,7 +43,7 @@ class LineEnds {
       if (*at == '\n') found_ |= std::uint64_t{1} << (at - window_);
   }
 
-  /// A bit for each of 64 characters.
+  /// Return a bit for each of 64 characters: whether it ends a line.
 #ifdef __SSE2__
   static std::uint64_t ends_in(const char* at) {
     const __m128i end = _mm_set1_epi8('\n');
@@ -77,7 +77,7 @@ class LineEnds {
 #endif
 
   const char *window_, *end_;
-  std::uint64_t found_ = 0;  // in the window, and not yet told
+  std::uint64_t found_ = 0;  // in the window, and not yet returned
 };
 
 }  // namespace cncsub

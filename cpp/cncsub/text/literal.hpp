@@ -3,7 +3,7 @@
 
 namespace cncsub {
 
-/// No constant: a consteval function that comes here stops the compiler at its literal.
+/// Stop the compiler at a wrong literal: a consteval function that calls this gives no constant.
 inline void literal_is_wrong() {}
 
 }  // namespace cncsub

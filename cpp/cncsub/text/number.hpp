@@ -1,4 +1,4 @@
-// Numbers: the largest there is, and the one place where a double becomes an integer of any width.
+// Numbers: the largest one, and the one place where a double becomes an integer of any width.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace cncsub {
 /// The largest value that a variable or a word takes.
 constexpr double kLargest = 1e47;
 
-/// The whole part of a value. What the type does not hold becomes the nearest number that it holds,
-/// and a vacant value 0: no value is outside, whatever a program says.
+/// Return the whole part of a value. A value that the type does not hold becomes the nearest number
+/// that it holds, and a vacant value 0: no value is outside, whatever a program says.
 template <class Whole>
 constexpr Whole to_whole(double value) {
   static_assert(std::is_integral_v<Whole>);
@@ -21,18 +21,18 @@ constexpr Whole to_whole(double value) {
   constexpr Whole kHigh = std::numeric_limits<Whole>::max();
   if (value != value) return 0;
   if (value <= static_cast<double>(kLow)) return kLow;
-  if (value >= static_cast<double>(kHigh)) return kHigh;  // of 64 bits it is one more than kHigh
+  if (value >= static_cast<double>(kHigh)) return kHigh;  // with 64 bits it is one more than kHigh
   return static_cast<Whole>(value);
 }
 
-/// The same within limits.
+/// Return the same within limits.
 template <class Whole>
 constexpr Whole to_whole(double value, Whole low, Whole high) {
   const Whole whole = to_whole<Whole>(value);
   return whole < low ? low : whole > high ? high : whole;
 }
 
-/// std::round, at once where the value is whole.
+/// Return std::round of a value, at once if the value is whole.
 inline double rounded(double value) {
   constexpr double kSmall = 1e9;
   if (std::fabs(value) < kSmall && static_cast<double>(static_cast<std::int32_t>(value)) == value)
@@ -40,7 +40,7 @@ inline double rounded(double value) {
   return std::round(value);
 }
 
-/// The whole number that a value is but for a ten-thousandth.
+/// Return the whole number that is within a ten-thousandth of a value; nothing if there is none.
 inline std::optional<double> nearly_whole(double value) {
   constexpr double kApart = 1e-4;
   const double low = std::floor(value), rest = value - low;

@@ -13,7 +13,7 @@ struct Digits {
   std::uint64_t mantissa = 0;
   std::uint32_t decimals = 0;
   std::uint32_t kept = 0;
-  double scale = 1;  // of digits beyond what the mantissa holds
+  double scale = 1;  // the factor of the digits beyond those of the mantissa
 
   void add(char digit, Number& number) {
     const bool decimal = number.points != 0;
@@ -36,7 +36,7 @@ struct Digits {
   }
 };
 
-/// Passes over blanks and comments inside a number, if it goes on behind them.
+/// Pass over blanks and comments inside a number, if it goes on after them.
 bool pass_gap(Scanner& s) {
   Scanner ahead = s;
   const char next = ahead.peek();
@@ -45,13 +45,13 @@ bool pass_gap(Scanner& s) {
   return true;
 }
 
-/// Whether a number may go on here, behind a gap or with another point.
+/// Return whether a number may go on here, after a gap or with another point.
 bool may_go_on(const char* at, const char* end) {
   while (at != end && *at == ' ') ++at;
   return at != end && (is_digit(*at) || *at == '.' || *at == '(' || is_blank(*at));
 }
 
-/// Takes zeros in front of a number out of the counts of its digits.
+/// Take leading zeros out of the counts of a number's digits.
 void drop_zeros(const char* first, const char* end, Number& number) {
   for (; first != end && (*first == '0' || *first == '.'); ++first) {
     if (*first == '.') continue;
@@ -60,8 +60,8 @@ void drop_zeros(const char* first, const char* end, Number& number) {
   }
 }
 
-/// A number as nearly all are: a sign perhaps, digits and one point, nothing between them. False
-/// where it is another, or may go on behind a gap.
+/// Read a number in its usual form: perhaps a sign, then digits and one point, with nothing between
+/// them. Return false if it has another form, or may go on after a gap.
 bool scan_plain(Scanner& s, Number& number) {
   const char* at = s.at;
   const bool sign = at != s.end && (*at == '-' || *at == '+');

@@ -1,4 +1,4 @@
-// Characters of a block: what is skipped, what is a digit, where it ends.
+// The characters of a block: gaps, digits and letters, names and numbers.
 #pragma once
 
 #include <array>
@@ -14,25 +14,25 @@ namespace cncsub {
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 inline bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-/// A digit, a point or a sign.
+/// Return whether a character is a digit, a point or a sign.
 inline bool begins_number(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
-/// Whether a byte is one of a character's bytes, but not the first.
+/// Return whether a byte belongs to a character without beginning it.
 inline bool is_inside_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-/// The end of the character that `end` bytes of a text end in.
+/// Return the end of the character that `end` bytes of a text end in.
 inline std::size_t end_of_character(std::string_view text, std::size_t end) {
   while (end < text.size() && is_inside_character(text[end])) ++end;
   return end;
 }
-/// The character that begins a text, all bytes of it.
+/// Return the character that begins a text, with all its bytes.
 inline std::string_view first_character(std::string_view text) {
   return text.substr(0, end_of_character(text, text.empty() ? 0 : 1));
 }
-/// Blanks, and the characters of punched tape that say nothing: NUL and DEL.
+/// Return whether a character is blank, or one of punched tape that means nothing: NUL and DEL.
 inline bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\0' || c == '\x7f' || c == '\v' || c == '\f';
 }
 
-/// Characters that say nothing between two others: a blank, or a comment begins.
+/// The characters that begin a gap: blanks, and the bracket of a comment.
 inline constexpr auto kGaps = [] {
   std::array<bool, 256> gaps{};
   for (const char c : {' ', '\t', '\0', '\x7f', '\v', '\f', '('})
@@ -47,7 +47,7 @@ inline std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// A place in a block's text. The text ends where the block ends, comments are passed over like
+/// A place in a block's text. The text ends where the block ends, and comments are passed over like
 /// blanks.
 struct Scanner {
   const char* at = nullptr;
@@ -79,7 +79,7 @@ struct Scanner {
     ++at;
     return true;
   }
-  /// Passes over what is left of a comment with brackets of its own: `)` behind its end.
+  /// Pass over the rest of a comment with brackets of its own: the `)` after its end.
   void rest_of_comment() {
     while (at != end && *at == ')') {
       const char* before = at;
@@ -90,7 +90,7 @@ struct Scanner {
     }
   }
 
-  /// Takes a word if it stands here, letters apart or not.
+  /// Take a word if it stands here, even with gaps between its letters.
   bool take_word(std::string_view word) {
     const char* start = at;
     for (const char c : word) {
@@ -102,7 +102,7 @@ struct Scanner {
     }
     return true;
   }
-  /// Takes the name of a variable: letters, digits and _.
+  /// Take the name of a variable: letters, digits and _.
   std::string take_name() {
     std::string name;
     for (char c = peek(); is_letter(c) || is_digit(c) || c == '_'; c = peek()) {
@@ -115,9 +115,9 @@ struct Scanner {
 
 /// A number as written.
 struct Number {
-  double value = 0;                // at most kLargest: whoever takes more digits looks at these
+  double value = 0;                // at most kLargest: whoever takes long numbers checks `digits`
   std::uint32_t digits = 0;        // without leading zeros
-  std::uint32_t whole_digits = 0;  // of them before the point
+  std::uint32_t whole_digits = 0;  // of these, those before the point
   std::uint32_t decimals = 0;
   std::uint32_t written = 0;  // digits with leading zeros
   std::uint8_t points = 0;
@@ -126,16 +126,16 @@ struct Number {
   bool any = false;  // at least one digit
 };
 
-/// The digits of a number without its sign, as they are read: all of them as one whole number.
+/// The digits of a number without its sign, all of them as one whole number.
 struct Mantissa {
   std::uint64_t value = 0;
   std::ptrdiff_t whole = 0, decimals = 0;  // how many digits
   bool point = false;
 };
 
-/// Reads digits, perhaps a point, and digits. The first character behind them must be readable, and
-/// more than 15 digits are more than the value holds. (Eight characters at a time take longer: most
-/// numbers are alike in length, and the loops are foreseen.)
+/// Read digits, perhaps a point, and digits. The first character after them must be readable, and
+/// the value does not hold more than 15 digits. (Eight characters at a time take longer: most
+/// numbers are alike in length, so the branches of the loops are predicted.)
 inline Mantissa scan_mantissa(const char*& at) {
   Mantissa m;
   const char* first = at;
@@ -154,7 +154,7 @@ inline constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                           1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/// Reads sign, digits, points; blanks may stand inside. Leaves the scanner behind it.
+/// Read sign, digits and points, with blanks allowed inside; leave the scanner after them.
 Number scan_number(Scanner& s);
 
 }  // namespace cncsub

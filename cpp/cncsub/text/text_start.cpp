@@ -30,9 +30,9 @@ constexpr std::string_view kOtherStarts[] = {"PK\x03\x04"sv,
                                              "\xd0\xcf\x11\xe0"sv};
 constexpr std::string_view kMarks[] = {kMarkOfBytes, "\xff\xfe"sv, "\xfe\xff"sv, "\0\0\xfe\xff"sv};
 
-/// How many of these bytes are of no text and no punched tape: those have NUL, tab, line ends, SO,
-/// SI, DC1 to DC4 but DLE, the DOS end of file and ESC. Told by comparing and adding, which is done
-/// for many bytes at once.
+/// Return how many of these bytes belong to no text and to no punched tape. Those have NUL, tab,
+/// line ends, SO, SI, DC1 to DC4 but DLE, the DOS end of file and ESC. The bytes are compared and
+/// added up, which is done for many of them at once.
 std::size_t strange_bytes(std::string_view bytes) {
   const auto between = [](char c, int first, int last) {
     return static_cast<unsigned char>(c - first) <= last - first ? 1U : 0U;

@@ -1,4 +1,4 @@
-// The words of a block as they are written, for messages, people and tools; the engine itself runs
+// The words of a block as they are written, for messages, people and tools. The engine itself runs
 // code.
 #pragma once
 
@@ -18,20 +18,20 @@ struct WrittenWord {
   bool known = false;   // the value is written as a number
   double value = 0;
   std::string text;                 // "X10."
-  std::uint32_t at = 0, width = 1;  // the bytes of the block
+  std::uint32_t at = 0, width = 1;  // its bytes in the block
 };
 
-/// Reads the word of a block at `from` or behind it, and leaves `from` behind the word; nothing
-/// where the block has no more. Each dialect has its own way.
+/// The function of a dialect that reads the word of a block at `from` or after it, and leaves
+/// `from` after the word. It returns nothing if the block has no more words.
 using ReadWord = std::optional<WrittenWord> (*)(std::string_view block, std::size_t& from);
 
-/// Gives a word the value of a number; false where that has no digit.
+/// Give a word the value of a number; return false if the number has no digit.
 bool set_number(WrittenWord& word, const Number& number);
-/// Reads the number that stands here as the value of a word; false where none with a digit does.
+/// Read the number that stands here as the value of a word; return false if it has no digit.
 bool take_number(Scanner& s, WrittenWord& word);
 
-/// Gives a word its text and its place: what stands from one character of its block to another,
-/// without blanks and comments. Returns where the word ends: never inside a character.
+/// Give a word its text and its place: the characters of its block from `from` to `to`, without
+/// blanks and comments. Return where the word ends, which is never inside a character.
 const char* place_word(WrittenWord& word, std::string_view block, const char* from, const char* to);
 
 /// A piece of a block: a word, or what stands between two words. The tokens of a block one after

@@ -11,7 +11,7 @@ namespace cncsub {
 
 namespace {
 
-/// A block that does what `then` does where its condition holds.
+/// Make `block` do what `then` does if its condition holds.
 void conditional(Builder& to, Statement statement, const Block& then, Block& block) {
   statement.then = to.keep(then);
   to.become(block, Op::IfThen, statement);
@@ -39,7 +39,7 @@ void BlockReader::read_any(Scanner& s, Block& block) {
   if (words.words(tokens_)) write(block, tokens_, true);
 }
 
-/// The words behind a condition, as a block of their own; nothing where the block is refused.
+/// Read the words after a condition as a block of their own; nothing if the block is refused.
 std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
   Block behind = block;
   tokens_.clear();
@@ -51,7 +51,7 @@ std::optional<Block> BlockReader::words_behind(Scanner& s, Block& block) {
   return std::nullopt;
 }
 
-/// `[#1 LT 10] M99 P10`
+/// Read a block such as `[#1 LT 10] M99 P10`.
 void BlockReader::conditional_return(Scanner& s, Block& block) {
   Statement statement;
   statement.at = s.offset();
@@ -67,7 +67,7 @@ void BlockReader::conditional_return(Scanner& s, Block& block) {
   conditional(to_, statement, *back, block);
 }
 
-/// `calls`: codes may call.
+/// Write the code of a block. `calls`: its codes may call programs.
 void BlockReader::write(Block& block, const Tokens& tokens, bool calls) {
   for (std::size_t i = 0; i < tokens.size(); ++i)
     if (tokens[i].letter == '/') return write_slash(block, tokens, i, calls);
@@ -88,7 +88,8 @@ void BlockReader::write(Block& block, const Tokens& tokens, bool calls) {
   to_.become(block, Op::Select, variant);
 }
 
-/// A slash that is not at the head: the words behind it do not count while its switch is on.
+/// Write a block with a slash after its head. The words after the slash do not count while its
+/// switch is on.
 void BlockReader::write_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls) {
   Tokens without(tokens.begin(), tokens.begin() + static_cast<std::ptrdiff_t>(slash));
   Tokens with = without;

@@ -1,4 +1,4 @@
-// Reads blocks: what the text says, by the control's lexical rules, compiled into code.
+// The reader of blocks: it compiles their text into code by the control's lexical rules.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +20,8 @@ class BlockReader {
         rules_(to.code()),
         expressions_(to, rules_.expressions),
         plain_(to, rules_, expressions_) {}
-  /// Compiles what stands between the scanner and its end into `block`, whose text and line are
-  /// set. Where interrupt is over, the block is not what its text says.
+  /// Compile the text between the scanner and its end into `block`, whose text and line are set.
+  /// An interrupt leaves `block` unfinished.
   void read(Scanner& scanner, Block& block) {
     block.op = Op::Words;
     if (!plain_.read(scanner, block)) read_any(scanner, block);

@@ -55,7 +55,7 @@ void BlockWriter::call() {
   to_.become(block_, op_of(meaning_.code_kind), std::move(call));
 }
 
-/// Takes a word that says which program is called, from where and how often. A code that calls says
+/// Take a word that says which program is called, from where and how often. A code that calls names
 /// the program itself.
 std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) const {
   const bool says_program = meaning_.registered == nullptr;
@@ -82,7 +82,7 @@ std::optional<Fault> BlockWriter::operand(CallRecord& call, const Token& token) 
   return std::nullopt;
 }
 
-/// Whether a word that says something of a call, a return or a jump elsewhere says nothing here.
+/// Return whether a word has no meaning here, although it has one in some call, return or jump.
 bool BlockWriter::is_unheard(const Token& token) const {
   const CallRules& rules = control_.calls;
   if (token.comma) return false;
@@ -93,7 +93,7 @@ bool BlockWriter::is_unheard(const Token& token) const {
       control_.macros.call_passes_words.value)
     return false;
   if (token.letter == 'Q') return rules.start_word.value != StartWord::Q;
-  if (token.letter == 'H')  // beside a G code it is that one's
+  if (token.letter == 'H')  // beside a G code it belongs to that code
     return rules.start_word.value != StartWord::H && meaning_.g.size() == 0;
   const auto is_name = [](const Token& of) { return of.letter == '<'; };
   return token.letter == 'L' && rules.program_word.value == ProgramWord::CountAndNumber &&
@@ -106,7 +106,7 @@ void BlockWriter::drop_unheard() {
     if (is_unheard(token)) to_.drop(token.operand.at, token.operand.width);
 }
 
-/// P of an M code that calls or jumps on other controls, and is nothing but an M code here.
+/// Drop the P of an M code that calls or jumps on other controls and is only an M code here.
 void BlockWriter::drop_plain_p() {
   const Roles& roles = control_.calls.roles.value;
   const auto elsewhere = [&](const Token* token) {
@@ -171,7 +171,7 @@ void BlockWriter::back() {
   to_.become(block_, Op::Return, std::move(back));
 }
 
-/// Q names an input; the jump is made while it is 0.
+/// Read the input that Q names: the jump is made while the input is 0.
 std::optional<Fault> BlockWriter::input_of_jump(JumpRecord& jump) {
   Operand q;
   for (const Token& token : tokens_)
@@ -208,7 +208,7 @@ void BlockWriter::jump() {
   to_.become(block_, Op::Jump, jump);
 }
 
-/// H makes G65 a statement, unless words stand there that only a macro call has.
+/// Return whether H makes G65 a statement. It does not beside words that only a macro call has.
 bool BlockWriter::is_h_code() const {
   const auto is_h = [](const Token& token) { return token.letter == 'H'; };
   const auto of_h_code = [](const Token& token) {

@@ -13,10 +13,11 @@ namespace cncsub {
 namespace {
 
 std::string spell(double value) {
-  return system::shortest(value + 0.0);  // nought has no sign
+  return system::shortest(value + 0.0);  // zero has no sign
 }
 
-/// Whether an M code of this role shares its block with no other where the control says so.
+/// Return whether an M code of this role shares its block with no other, on controls that demand
+/// it.
 bool must_be_alone(Role role) {
   switch (role) {
     case Role::Stop:
@@ -31,7 +32,7 @@ bool must_be_alone(Role role) {
   }
 }
 
-/// What a code calls by its role; the letter is that of the codes which call so.
+/// The call that a role makes; `letter` is that of the codes which call so.
 struct CallOfRole {
   char letter;
   Role role;
@@ -63,7 +64,7 @@ std::optional<Fault> MeaningReader::read() {
 
 // ---- the words ----
 
-/// Behind G65 and its family every letter but G L N O P is an argument.
+/// Sort a word by its meaning. After G65 and its family every letter but G L N O P is an argument.
 std::optional<Fault> MeaningReader::sort(const Token& token) {
   if (token.letter == 'G') return sort_g(token);
   if (token.letter == 'O')
@@ -97,7 +98,7 @@ std::optional<Fault> MeaningReader::sort_g(const Token& token) {
   if (code < 0 || code >= 1000 || !rules_.code.g_codes.test(code10))
     return fault_of(token, Cause::GCodeNotAvailable,
                     "G" + spell(code) + " is no code of this control");
-  if (meaning_.calls_macro()) return std::nullopt;  // told as an argument
+  if (meaning_.calls_macro()) return std::nullopt;  // reported as an argument
   return executed();
 }
 
@@ -136,7 +137,7 @@ std::optional<Fault> MeaningReader::sort_m(const Token& token) {
   return fault_of(token, Cause::TooManyWords, "too many M codes in one block");
 }
 
-/// A letter whose codes may call: T, S, B, or one of a parameter.
+/// Sort a letter whose codes may call: T, S, B, or one of a parameter.
 void MeaningReader::sort_letter(const Token& token) {
   if (!may_call_ || token.comma || !is_letter(token.letter) || token.letter == 'P' ||
       token.letter == 'L' || token.operand.kind != Operand::Kind::Constant)
@@ -166,7 +167,7 @@ bool MeaningReader::call_by_role(const Token& token, Role role) {
 
 void MeaningReader::call(const Token& token, CallKind kind, CodeCallKind code_kind,
                          const RegisteredCall* registered) {
-  if (meaning_.calls()) {  // of more than two, told at the first G code or the last M code
+  if (meaning_.calls()) {  // of more than two, the first G code or the last M code is reported
     if (meaning_.second_call == nullptr || token.letter == 'M') meaning_.second_call = &token;
     return;
   }
@@ -184,7 +185,8 @@ Role MeaningReader::role_of_m(const Operand& operand) const {
 
 // ---- signs, points and digits ----
 
-/// Whether a sign, a point or digits may not be, as far as the words up to this one tell.
+/// Return whether the sign, point or digits are not allowed, as far as the words up to this one
+/// tell.
 bool MeaningReader::is_odd(const Token& token) const {
   if (meaning_.calls_macro() && token.letter != 'P' && token.letter != 'L')  // an argument
     return std::fabs(token.operand.value) >= kPowersOfTen[kMostDigits];
@@ -194,7 +196,7 @@ bool MeaningReader::is_odd(const Token& token) const {
   return !all_decide && !is_length_here(token);
 }
 
-/// The same of P and H, which all words of the block decide.
+/// Return the same for P and H, for which all words of the block decide.
 bool MeaningReader::is_bad_in_block(const Token& token) const {
   if (may_be_increment(token)) return meaning_.calls_subprogram();
   if (token.letter != 'P') return false;
@@ -202,14 +204,14 @@ bool MeaningReader::is_bad_in_block(const Token& token) const {
   return !name && !takes_point_here(token) && !is_length_here(token);
 }
 
-/// P of a call, a return or a jump has digits of its own: those of a program or a block, and a
-/// count.
+/// Return whether P names a program or a block, as in a call, a return or a jump. Such a P has
+/// digits of its own: those of the number and of a count.
 bool MeaningReader::names_by_p() const {
   const bool by_code = meaning_.registered != nullptr && !meaning_.calls_macro();
   return (meaning_.calls() && !by_code) || meaning_.back != nullptr || meaning_.jump != nullptr;
 }
 
-/// P of a dwell takes a point on some controls, and P of G51.
+/// Return whether P may take a point: P of a dwell and P of G51 take one on some controls.
 bool MeaningReader::may_take_point(const Token& token) const {
   return token.letter == 'P' && token.wrong == Cause::IllegalDecimalPoint &&
          (control_.motion.dwell_point.value != DwellPoint::Refused ||
@@ -224,7 +226,7 @@ bool MeaningReader::takes_point_here(const Token& token) const {
          (control_.motion.scale_unit.value == ScaleUnit::AsWritten && meaning_.has_g(51, 51));
 }
 
-/// Whether the block begins a drilling cycle, or has no code that would keep it from drilling the
+/// Return whether the block begins a drilling cycle, or has no code that keeps it from drilling the
 /// next hole of one.
 bool MeaningReader::may_drill() const {
   const auto goes_with_cycle = [](const Token* token) {
@@ -234,8 +236,8 @@ bool MeaningReader::may_drill() const {
   return std::all_of(meaning_.g.begin(), meaning_.g.end(), goes_with_cycle);
 }
 
-/// P of G74 to G76 is a length on some lathes and takes a point there, and D of G37.1 the zone of a
-/// Mitsubishi. [TA 12, 13, 21; M7 p.555]
+/// Return whether the word is a length, which takes a point: P of G74 to G76 on some lathes, and D
+/// of G37.1, the zone of a Mitsubishi. [TA 12, 13, 21; M7 p.555]
 bool MeaningReader::is_length_here(const Token& token) const {
   if (token.wrong != Cause::IllegalDecimalPoint) return false;
   const bool step = token.letter == 'P' && control_.turning.cycle_point.value;
@@ -243,7 +245,7 @@ bool MeaningReader::is_length_here(const Token& token) const {
   return (step && meaning_.has_g(74, 76)) || (zone && meaning_.has_g(37.1, 37.1));
 }
 
-// ---- what does not go together ----
+// ---- words that do not go together ----
 
 std::optional<Fault> MeaningReader::check_count() const {
   const int most = control_.reading.max_words.value;
@@ -302,8 +304,8 @@ std::optional<Fault> MeaningReader::check_g_codes() const {
   return std::nullopt;
 }
 
-/// The chamfer or corner word that the control refuses beside M98. An L is one only beside an axis
-/// word: else it is the count of the call.
+/// Return the fault of a chamfer or corner word that the control refuses beside M98. L is such a
+/// word only beside an axis word: otherwise it is the count of the call.
 std::optional<Fault> MeaningReader::check_corner() const {
   const CornerLetters& refused = rules_.corners_not_with_call;
   if (refused.empty() || !meaning_.calls() || meaning_.kind != CallKind::Subprogram)

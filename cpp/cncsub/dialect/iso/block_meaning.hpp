@@ -1,4 +1,4 @@
-// What the words of a block say together: a call, a return, an end, or words only.
+// The meaning of a block's words together: a call, a return, an end, or words only.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace cncsub {
 /// The G or the M codes that a block executes, in the order written.
 class CodeWords {
  public:
-  /// False where there is no room for one more.
+  /// Add a code; return false if there is no room for it.
   bool add(const Token& token) {
     if (count_ == words_.size()) return false;
     words_[count_++] = &token;
@@ -42,13 +42,13 @@ struct BlockMeaning {
   const Token* end = nullptr;     // M02, M30
   const Token* cancel = nullptr;  // G67
   CodeWords g, m;
-  const Token* alone_word = nullptr;  // an M code that wants to be alone
+  const Token* alone_word = nullptr;  // an M code that must be alone
   int m_words = 0;
 
   bool calls() const { return call != nullptr; }
   bool calls_macro() const { return calls() && is_macro(kind, code_kind); }
   bool calls_subprogram() const { return calls() && !is_macro(kind, code_kind); }
-  /// Whether a G code from `first` to `last` is written.
+  /// Return whether a G code from `first` to `last` is written.
   bool has_g(double first, double last) const {
     return std::any_of(g.begin(), g.end(), [&](const Token* token) {
       return token->operand.value >= first && token->operand.value <= last;
@@ -56,10 +56,10 @@ struct BlockMeaning {
   }
 };
 
-/// Finds the meaning of a block's words, or what does not go together.
+/// The reader that finds the meaning of a block's words, or which of them do not go together.
 class MeaningReader {
  public:
-  /// `calls`: codes may call.
+  /// `calls`: codes may call programs.
   MeaningReader(const BlockRules& rules, const Tokens& tokens, bool calls, BlockMeaning& meaning)
       : rules_(rules),
         control_(rules.control),
@@ -101,7 +101,8 @@ class MeaningReader {
   BlockMeaning& meaning_;
 };
 
-/// H may be an increment of C, which takes a point: the machine that runs the block decides.
+/// Return whether H may be an increment of C, which takes a point. The machine that runs the block
+/// decides.
 inline bool may_be_increment(const Token& token) {
   return token.letter == 'H' && !token.comma && token.wrong == Cause::IllegalDecimalPoint;
 }

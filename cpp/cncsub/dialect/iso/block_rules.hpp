@@ -1,4 +1,4 @@
-// What a control says of the words of a block, made ready to be asked for every one of them.
+// The control's rules for the words of a block, prepared for use in every block.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace cncsub {
 
-/// The letters of lengths and angles: a whole number counts in increments where the control says
-/// so.
+/// The letters of lengths and angles. A whole number of them counts in increments where the control
+/// says so.
 constexpr std::string_view kLengths = "ABCHIJKQRUVWXYZ";
 
 struct BlockRules {
@@ -28,7 +28,7 @@ struct BlockRules {
 
   bool takes_point(char letter) const { return has(letter, kPoint); }
   bool takes_minus(char letter) const { return has(letter, kMinus); }
-  /// Whether a number of the letter that has no point counts in increments, or in thousandths.
+  /// Return whether a number of the letter without a point counts in increments, or in thousandths.
   bool in_increments(char letter) const { return has(letter, kIncrements); }
 
  private:

@@ -11,7 +11,7 @@ namespace cncsub {
 
 namespace {
 
-/// What the address of a word is in a mask.
+/// Return the bit of a word's address in a mask.
 int place_of(const Token& token) {
   if (!token.comma) return token.letter - 'A';
   return token.letter == 'C'   ? kCommaC
@@ -32,7 +32,7 @@ void BlockWriter::write() {
   if (meaning_.end != nullptr) block_.op = Op::EndProgram;
 }
 
-/// The words that the block executes: G and M codes, and the values of its addresses.
+/// Write the words that the block executes: G and M codes, and the values of its addresses.
 void BlockWriter::words() {
   WordList words;
   values(words);
@@ -40,7 +40,7 @@ void BlockWriter::words() {
   to_.words(block_, words);
 }
 
-/// Of an address given twice the last counts.
+/// Write the values of the addresses. Of an address given twice the last value counts.
 void BlockWriter::values(WordList& words) {
   const bool dwell = (control_.motion.dwell_unit.value == DwellUnit::Milliseconds ||
                       control_.motion.dwell_point.value != DwellPoint::Refused) &&
@@ -82,8 +82,7 @@ void BlockWriter::codes(WordList& words) {
   }
 }
 
-/// Whether a word is one of those that the block executes; the others belong to its call, its
-/// return or its jump.
+/// Return whether the block executes a word. The other words belong to its call, return or jump.
 bool BlockWriter::executed(const Token& token) const {
   const bool address = token.letter != 'G' && token.letter != 'M' && token.letter != '<' &&
                        token.letter != '/' && !token.trailing_n;
@@ -103,8 +102,8 @@ bool BlockWriter::belongs_to_call(const Token& token) const {
          (letter == 'H' && control_.calls.start_word.value == StartWord::H);
 }
 
-/// The value of a word. A length with more digits than the least increment has is cut when the
-/// block runs: how far depends on the unit in force.
+/// Return the value of a word. A length with more digits than the least increment has is cut when
+/// the block runs, because the unit in force decides how far.
 WordValue BlockWriter::value_of(const Operand& operand, int place) {
   if (!operand.fine || !control_.reading.cuts_fine_digits.value)
     return {operand.kind == Operand::Kind::Expression, operand.expression, operand.value};

@@ -1,4 +1,4 @@
-// Writes the code of a block: its words, and its call with operands and arguments.
+// The writer of a block's code: its words, and its call with operands and arguments.
 #pragma once
 
 #include <cstdint>

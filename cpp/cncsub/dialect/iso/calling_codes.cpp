@@ -18,7 +18,7 @@ CallingCodes::CallingCodes(const Code& code) {
   for (const auto& entry : code.control->calls.registered_codes.value) add_registered(code, entry);
 }
 
-/// What a rule registers is held to what the control says of the address.
+/// Add what a rule registers, within the limits that the control sets for the address.
 void CallingCodes::add_registered(const Code& code, const RegisteredCodes::Entry& entry) {
   const auto& lists = code.control->code_calls;
   const auto own = std::find_if(lists.begin(), lists.end(), [&entry](const CodeCall& list) {
@@ -36,7 +36,7 @@ void CallingCodes::add_registered(const Code& code, const RegisteredCodes::Entry
 void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t number,
                             std::int32_t program) {
   RegisteredCall call{list.kind, program, list.variable};
-  if (list.address == '@') {  // the parameter holds the letter, every code of which calls
+  if (list.address == '@') {  // the parameter holds a letter, and every code of it calls
     call.ascii = true;
     if (number >= 'A' && number <= 'Z') add_letter(static_cast<char>(number), call);
     return;

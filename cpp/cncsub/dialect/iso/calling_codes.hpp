@@ -10,7 +10,7 @@
 
 namespace cncsub {
 
-/// What a code calls.
+/// The program that a code calls, and how.
 struct RegisteredCall {
   CodeCallKind kind = CodeCallKind::Subprogram;
   std::int32_t program = 0;
@@ -22,25 +22,25 @@ struct RegisteredCall {
 class CallingCodes {
  public:
   explicit CallingCodes(const Code& code);
-  /// What a code calls, null where it calls nothing.
+  /// Return what a code calls; null if it calls nothing.
   const RegisteredCall* find(char address, double code) const;
-  /// Whether any code of an address calls.
+  /// Return whether any code of an address calls.
   bool any(char address) const;
 
  private:
   void add_registered(const Code& code, const RegisteredCodes::Entry& entry);
-  /// `number` as a parameter holds it: negative where it calls modally.
+  /// Add a code by its `number` as a parameter holds it: negative if it calls modally.
   void add_code(const Code& code, const CodeCall& list, std::int32_t number, std::int32_t program);
   void add_letter(char address, const RegisteredCall& call);
   static std::size_t place(char address) { return static_cast<std::size_t>(address - 'A'); }
-  static constexpr int kAddress = 48;  // its place in a key
+  static constexpr int kAddress = 48;  // the bits of a key below the address
   static std::int64_t key(char address, std::int64_t tenths) {
     return (static_cast<std::int64_t>(address) << kAddress) | tenths;
   }
 
   std::unordered_map<std::int64_t, RegisteredCall> codes_;  // by address and tenths of a code
   std::vector<RegisteredCall> of_letters_;
-  std::array<std::size_t, 26> letters_{};  // 1 + the place there, 0 = not every code calls
+  std::array<std::size_t, 26> letters_{};  // 1 + the index in of_letters_; 0 = not every code calls
 };
 
 }  // namespace cncsub

@@ -1,4 +1,4 @@
-// What a word, a statement and a condition hold.
+// The expressions of words and statements, and conditions.
 #include "cncsub/dialect/iso/expression.hpp"
 
 #include <string>
@@ -7,7 +7,7 @@ namespace cncsub {
 
 namespace {
 
-/// How many characters a text has that begins where `s` stands, without the gap at its end.
+/// Return how many characters a text has from `s` on, without the gap at its end.
 std::ptrdiff_t length_of(Scanner s) {
   const char* const first = s.at;
   const char* last = first;
@@ -15,7 +15,7 @@ std::ptrdiff_t length_of(Scanner s) {
   return last - first;
 }
 
-/// Whether an operator of arithmetic or of logic stands here, and no slash before a word.
+/// Return whether an operator of arithmetic or logic stands here. A slash before a word is none.
 bool computes(const ExpressionRules& rules, const Scanner& s) {
   const IsoOperator* const of = find_operator(rules, s);
   if (of == nullptr || of->op != Ins::Divide) return of != nullptr && !of->compares();
@@ -33,7 +33,7 @@ std::optional<std::uint32_t> ExpressionReader::finished(Value value, std::uint32
   if (!out_.is_number(value))
     return out_.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
   if (negative)
-    out_.emit(Ins::Negate, at);  // of a vacant variable it stays vacant: X-#1 is no word then
+    out_.emit(Ins::Negate, at);  // a vacant variable stays vacant: X-#1 is no word then
   return out_.finish(at, offset() - at);
 }
 
@@ -72,7 +72,7 @@ std::optional<std::uint32_t> ExpressionReader::word_value(Scanner& s, char addre
   return arithmetic_of_word(s, address);
 }
 
-/// A variable, or what stands in brackets, without the sign before it.
+/// Read a variable or a value in brackets, without the sign before it.
 Value ExpressionReader::value_of_word(std::uint32_t at) {
   const bool is_variable = peek() == '#';
   const StatementKind kind = is_variable ? StatementKind::Variables : StatementKind::Brackets;
@@ -110,7 +110,7 @@ std::optional<std::uint32_t> ExpressionReader::read_condition() {
   return out_.finish(at, offset() - at);
 }
 
-/// The variable of an assignment, where more than digits stand behind its #.
+/// Read the variable of an assignment if more than digits follow its #.
 std::optional<ExpressionReader::Variable> ExpressionReader::read_target(const Scanner& s,
                                                                         std::uint32_t hash) {
   begin(s);

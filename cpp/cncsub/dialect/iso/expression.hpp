@@ -8,27 +8,26 @@
 
 namespace cncsub {
 
-/// Compiles what stands in brackets, behind an equals sign or behind an address. One reader reads
-/// all of a tape, an expression after the other; what is read is passed over by the scanner.
+/// The compiler of expressions in brackets, after an equals sign or after an address. One reader
+/// reads all expressions of a tape, one after the other, and moves the scanner past each.
 class ExpressionReader : private ValueReader {
  public:
   ExpressionReader(Builder& to, const ExpressionRules& rules) : ValueReader(to, rules) {}
 
   const ExpressionRules& rules() const { return rules_; }
-  /// An expression that gives a number; nothing where it is faulty (see `fault`). Reads as far as
-  /// the expression goes.
+  /// Read an expression that gives a number, as far as it goes; nothing if it is faulty (see
+  /// `fault`).
   std::optional<std::uint32_t> number(Scanner& s);
-  /// The value behind an address: `#1`, `-#1`, `[...]`, `-[...]`. In a word, ROUND rounds to the
-  /// address's increment.
+  /// Read the value after an address: `#1`, `-#1`, `[...]`, `-[...]`. In a word, ROUND rounds to
+  /// the address's increment.
   std::optional<std::uint32_t> word_value(Scanner& s, char address);
-  /// Whether the value of a word goes on here by arithmetic without brackets: `#1+10`.
+  /// Return whether the value of a word goes on here by arithmetic without brackets: `#1+10`.
   bool goes_on(const Scanner& s) const;
-  /// The same value, from its beginning.
+  /// Read a value with such arithmetic, from its beginning.
   std::optional<std::uint32_t> arithmetic_of_word(Scanner& s, char address);
-  /// The condition of IF and WHILE, brackets included.
+  /// Read the condition of IF or WHILE, brackets included.
   std::optional<std::uint32_t> condition(Scanner& s);
-  /// What stands behind the # of a variable, which is at `hash`: its number, or an expression that
-  /// gives it.
+  /// The variable after a # (at `hash`): its number, or an expression that gives the number.
   struct Variable {
     std::int64_t number = -1;
     std::uint32_t expression = 0;
@@ -42,9 +41,9 @@ class ExpressionReader : private ValueReader {
     return read;
   }
 
-  /// Whether comments may stand in or behind the number that was read last.
+  /// Return whether comments may stand in or after the number that was read last.
   bool comments() const { return comments_; }
-  /// What is wrong with the expression that was read last.
+  /// Return the fault of the expression that was read last.
   const Fault& fault() const { return out_.fault(); }
 
  private:

@@ -7,8 +7,7 @@ namespace cncsub {
 
 namespace {
 
-// Whatever the control allows: brackets inside each other. What is inside is read by functions
-// inside each other.
+// The limit of nested brackets, whatever the control allows: nested calls of functions read them.
 constexpr int kDeepestBrackets = 64;
 
 constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},

@@ -1,4 +1,4 @@
-// What a control says of expressions, made ready to be asked for every one of them.
+// The control's rules for expressions, prepared for use in every one of them.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace cncsub {
 
 struct FunctionName {
   Function function;
-  Ins one, two = Ins::End;  // of one argument, of two; End: it does not take so many
+  Ins one, two = Ins::End;  // for one argument, for two; End: it does not take so many
 };
 
 struct ExpressionRules {
@@ -34,19 +34,19 @@ struct ExpressionRules {
   bool word_arithmetic;  // X#1+10
   bool modulo;
   int most_brackets;
-  std::ptrdiff_t most_digits;  // that a constant may have without a look at what they are
+  std::ptrdiff_t most_digits;  // of a constant that needs no closer look
   static constexpr std::ptrdiff_t kMostVariableDigits = 9;
 
-  /// Whether a variable is one whose number stands in another: #9100 is #[#100].
+  /// Return whether the number of a variable stands in another variable: #9100 is #[#100].
   bool is_indirect(std::int64_t number) const {
     return indirect && number >= 9000 && number <= 9999;
   }
-  /// Whether a function, or an operator that some controls have not, is there.
+  /// Return whether the control has a function, or an operator that some controls lack.
   bool has(Function function) const { return control.macros.functions.value.has(function); }
-  /// The function of this name, or of the name that it abbreviates; null where there is none.
+  /// Return the function of this name, or of the name that it abbreviates; null if there is none.
   const FunctionName* function(std::string_view name) const;
-  /// The function whose name of up to five letters begins at `at`, and ends before a bracket; null
-  /// where there is none. `width`: how many characters that is, with the bracket.
+  /// Return the function whose name of up to five letters stands at `at` before a bracket; null if
+  /// there is none. `width`: the length of the name with the bracket.
   const FunctionName* function_at(const char* at, const char* end, int& width) const {
     if (end - at > 3 && at[3] == '[') {
       width = 4;
@@ -60,7 +60,7 @@ struct ExpressionRules {
 
  private:
   static constexpr std::size_t kSlots = 64;
-  static constexpr int kLongest = 5;  // letters of the longest of those
+  static constexpr int kLongest = 5;  // letters of the longest such name
 
   const FunctionName* packed(std::uint64_t name) const {
     for (std::size_t slot = slot_of(name);; slot = (slot + 1) % kSlots)
@@ -73,8 +73,8 @@ struct ExpressionRules {
     return (name ^ name >> 6 ^ name >> 13 ^ name >> 27) % kSlots;
   }
 
-  // Functions of up to five letters, each in the first free slot from its own on; fewer than there
-  // are.
+  // Functions of up to five letters, each in the first free slot from its own on. There are more
+  // slots than functions.
   std::array<std::uint64_t, kSlots> short_names_{};
   std::array<const FunctionName*, kSlots> short_functions_{};
 };

@@ -29,7 +29,7 @@ bool ExpressionScanner::opens_behind_gap() {
   return false;
 }
 
-/// What stands where brackets should close, behind a gap; the bracket is taken.
+/// Take a closing bracket after a gap, or refuse the text that stands in its place.
 bool ExpressionScanner::not_closed() {
   const char c = peek();
   if (c == ']') return closes();

@@ -1,4 +1,4 @@
-// The text of an expression as it is read: what says nothing, digits and brackets.
+// The text of an expression as it is read: gaps, digits and brackets.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace cncsub {
 
-/// Where an expression is read, how many of its brackets are open, and where its instructions go.
+/// The place where an expression is read, the brackets open there, and its instructions.
 class ExpressionScanner {
  protected:
   ExpressionScanner(Builder& to, const ExpressionRules& rules)
@@ -23,7 +23,7 @@ class ExpressionScanner {
   }
   std::uint32_t offset() const { return s_.offset(); }
 
-  /// Passes over blanks and comments.
+  /// Pass over blanks and comments.
   void gap() {
     if (begins_gap(*s_.at)) [[unlikely]]
       pass_gap();
@@ -33,11 +33,11 @@ class ExpressionScanner {
     return s_.at == s_.end ? '\0' : upper(*s_.at);
   }
   bool take(char c) { return peek() == c && (++s_.at, true); }
-  /// Whether a number that was read as far as `at` goes on, behind a gap or with another point.
+  /// Return whether a number that was read up to `at` goes on, after a gap or with another point.
   bool number_goes_on(const char* at) const;
-  /// Reads the number behind a #, where it is digits and nothing else.
+  /// Read the number after a # if it consists of digits only.
   bool digits_of_variable(std::uint32_t& number);
-  /// Takes the bracket that opens or closes here; false where it is missing, which is told.
+  /// Take the bracket that opens or closes here; false if it is missing, which is reported.
   bool opens();
   bool closes();
   void put(Ins op, std::uint32_t at) { written_.put(ExpressionCell::of(op, out_.address(), at)); }
@@ -46,9 +46,9 @@ class ExpressionScanner {
   ValueWriter out_;
   OpenInstructions& written_;
   Scanner s_;
-  int brackets_ = 0;      // that are open
-  int nots_ = 0;          // that wait
-  bool comments_ = true;  // may stand in what was read, or behind it
+  int brackets_ = 0;      // open brackets
+  int nots_ = 0;          // NOT whose condition is still to come
+  bool comments_ = true;  // may stand in the text that was read, or after it
 
  private:
   void pass_gap();

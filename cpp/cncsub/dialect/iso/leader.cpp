@@ -10,13 +10,13 @@ bool heads(const Code& code, ProgramHead head) {
 
 namespace {
 
-/// Whether a line that starts with % is the head of a program.
+/// Return whether a line that starts with % is the head of a program.
 bool percent_head(const Code& code, Scanner line) {
   ++line.at;
   return heads(code, ProgramHead::Percent) && is_digit(line.peek());
 }
 
-/// Whether a line is the head of a program by another mark.
+/// Return whether another mark makes a line the head of a program.
 bool other_head(const Code& code, Scanner line) {
   const char c = line.peek();
   ++line.at;
@@ -24,8 +24,8 @@ bool other_head(const Code& code, Scanner line) {
   return c == '<' && heads(code, ProgramHead::Name);
 }
 
-/// Whether a tape begins with this %: a program's head follows, or blocks that another % ends. The
-/// text after it may belong to a piece of another thread, which unifies its ends of lines.
+/// Return whether a tape begins with this %: a program's head follows, or blocks that another %
+/// ends. The text after it may belong to a piece whose line ends another thread is unifying.
 bool file_begins(Builder& to, std::string_view text, const Scanner& percent) {
   const char* const end = text.data() + text.size();
   bool blocks = false;
@@ -43,9 +43,9 @@ bool file_begins(Builder& to, std::string_view text, const Scanner& percent) {
   return false;
 }
 
-/// Whether a block is one of a program, and no words of a title: it has a sequence number, or the
-/// control can read it and it has a G or an M code, moves, or is a macro statement. T12 and S355
-/// may be titles.
+/// Return whether a block belongs to a program and not to a title. It does if it has a sequence
+/// number, or if the control can read it and it has a G or an M code, moves, or is a macro
+/// statement. T12 and S355 may be titles.
 bool could_run(const Code& code, const Block& block) {
   if (block.n >= 0) return true;
   if (block.op == Op::Select) return could_run(code, code.variants[code.selects[block.aux].first]);

@@ -1,4 +1,4 @@
-// What stands before the first % of a file: a leader, or a program.
+// The text before the first % of a file: a leader, or a program.
 #pragma once
 
 #include <string_view>
@@ -8,11 +8,11 @@
 
 namespace cncsub {
 
-/// Whether the head of a program may begin with this mark.
+/// Return whether the head of a program may begin with this mark.
 bool heads(const Code& code, ProgramHead head);
 
-/// Whether what the open program, the first of its file and without a head, holds before the % at
-/// `percent` is a leader: a tape begins there, and no block before it could run. `text`: the file.
+/// Return whether the open program is a leader: a tape begins at `percent`, and no block before
+/// that % could run. The open program is the first of its file and has no head. `text`: the file.
 bool is_leader(Builder& to, std::string_view text, const Scanner& percent);
 
 }  // namespace cncsub

@@ -6,26 +6,26 @@ namespace {
 
 bool begins_expression(char c) { return c == '#' || c == '['; }
 
-/// The character that is next, without looking behind blanks where there are none.
+/// Return the next character. The text is searched for it only if a gap stands here.
 char next_of(Scanner& s) {
   const char c = s.at == s.end ? '\0' : *s.at;
   return is_blank(c) || c == '(' ? s.peek() : c;
 }
 
-/// The character behind the next one.
+/// Return the character after the next one.
 char behind_next(Scanner s) {
   ++s.at;
   return s.peek();
 }
 
-/// X1= and Y2=: whether the number behind an address is that of an axis and a part of it.
+/// Return whether the number after an address is that of an axis and a part of it: X1=, Y2=.
 bool is_axis(const Lexeme& word, char behind) {
   const Number& number = word.number;
   return word.address >= 'X' && word.axis == 0 && !word.comma && number.any && number.points == 0 &&
          number.value >= 1 && number.value <= 2 && behind == '=';
 }
 
-/// What stands behind the address.
+/// Read the value after the address.
 void read_value(Scanner& s, Lexeme& word, bool axes) {
   const char c = next_of(s);
   const bool sign = c == '-' || c == '+';
@@ -52,8 +52,8 @@ void read_slash(Scanner& s, Lexeme& slash) {
   ++s.at;
 }
 
-/// Two letters begin a statement. Behind a G by itself, which some controls read as G00, the next
-/// word stands.
+/// Return whether two letters begin a statement. After a bare G, which some controls read as G00,
+/// the next word may stand: only GO begins a statement then.
 bool begins_statement(char first, char behind) {
   return is_letter(behind) && (first != 'G' || behind == 'O');
 }

@@ -1,5 +1,5 @@
-// The lexemes of a block: what stands in it one behind the other, as it is written and whatever it
-// means. The engine and the words that people and tools see are both made of these.
+// The lexemes of a block: its parts one after another, as they are written and whatever they mean.
+// The engine and the words that people and tools see are both made of lexemes.
 #pragma once
 
 #include <cstdint>
@@ -8,21 +8,21 @@
 
 namespace cncsub {
 
-/// What is written, without its value where that is an expression.
+/// A lexeme as it is written, without its value if that is an expression.
 struct Lexeme {
   enum class Kind : std::uint8_t {
     End,        // of the block
     Word,       // X10. or ,C5 or X1=10 or G: an address with its value
     Slash,      // / or /3
-    Name,       // < of <NAME>, which stands behind it
+    Name,       // the < of <NAME>; the name follows it
     Statement,  // the # or the letter that begins an assignment, IF, GOTO: the rest of the block
     Other,      // a character that begins none of these
   };
-  /// Of a word.
+  /// The value of a word.
   enum class Value : std::uint8_t {
     None,
-    Number,      // is read; it may have no digit (`X-`)
-    Expression,  // stands behind the lexeme with its sign: `#1`, `-[2*#1]`
+    Number,      // has been read; it may have no digit (`X-`)
+    Expression,  // follows the lexeme, with its sign: `#1`, `-[2*#1]`
   };
 
   Kind kind = Kind::End;
@@ -30,14 +30,14 @@ struct Lexeme {
   char address = 0;       // a capital
   bool comma = false;     // ,C
   std::uint8_t axis = 0;  // X1=10: the number of the axis
-  std::uint8_t skip = 0;  // of a slash: the number of its switch, 0 where none is written
+  std::uint8_t skip = 0;  // of a slash: the number of its switch, 0 if none is written
   Number number;
   const char* value_at = nullptr;  // where the number begins, with its sign
   const char* at = nullptr;        // its first character
 };
 
-/// Reads the lexeme that stands here, and leaves the scanner behind it. `axes`: X1=10 is a word of
-/// the first of the axes X, not of X with something behind it.
+/// Read the lexeme at `s` and leave the scanner after it. With `axes`, X1=10 is a word of the first
+/// axis X, and not X with more text after it.
 Lexeme read_lexeme(Scanner& s, bool axes);
 
 }  // namespace cncsub

@@ -8,14 +8,14 @@ namespace {
 
 constexpr int kMostSets = 10;  // of I, J and K
 
-/// #i of an argument letter by specification I, 0 for the letters that are none.
+/// Return the variable number of an argument letter (specification I); 0 if the letter is none.
 int argument_variable(char letter) {
   static constexpr int kVariables[26] = {1, 2, 3, 7,  8,  9,  0,  11, 4,  5,  6,  0,  13,
                                          0, 0, 0, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
   return kVariables[letter - 'A'];
 }
 
-/// X1 and its like: #27 to #32.
+/// Return the variable of a numbered axis such as X1: #27 to #32.
 int numbered_variable(const Token& token) { return 24 + 3 * token.axis + (token.letter - 'X'); }
 
 }  // namespace
@@ -51,7 +51,7 @@ std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
   return std::nullopt;
 }
 
-/// A code that the control does not let stand with the call.
+/// Return the fault of a code that the control does not let stand with the call.
 std::optional<Fault> MacroArguments::refused_code(const Token& token) const {
   if (token.letter != 'G' && token.letter != 'M') return std::nullopt;
   const auto code = static_cast<int>(code_index(token.operand));
@@ -69,7 +69,7 @@ std::optional<Fault> MacroArguments::refused_code(const Token& token) const {
   return std::nullopt;
 }
 
-/// The set of an I, J or K, from 1.
+/// Return the set of an I, J or K, counted from 1.
 int MacroArguments::set_of(char letter) {
   switch (control_.macros.argument_sets.value) {
     case ArgumentSets::ByOrder:

@@ -10,13 +10,13 @@
 
 namespace cncsub {
 
-/// The arguments of a macro call, each as the local it sets, in the order written: the later one
-/// wins.
+/// The arguments of a macro call, each with the local that it sets, in the order written. A later
+/// argument of the same local wins.
 class MacroArguments {
  public:
   MacroArguments(const BlockRules& rules, const BlockMeaning& meaning)
       : rules_(rules), control_(rules.control), meaning_(meaning) {}
-  /// The local that a word behind the call sets, or what is wrong with it.
+  /// Find the local that a word after the call sets; return what is wrong with the word.
   std::optional<Fault> add(const Token& token, int& variable);
 
  private:
@@ -27,7 +27,7 @@ class MacroArguments {
   const Control& control_;
   const BlockMeaning& meaning_;
   std::uint32_t seen_ = 0;
-  // Of I, J and K: the set in which the last one stands, which that was, and how many of each.
+  // For I, J and K: the set of the last one, its letter, and how many of each were read.
   int set_ = 1;
   char last_ = 0;
   std::array<int, 3> of_letter_{};

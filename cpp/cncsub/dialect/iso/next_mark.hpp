@@ -1,4 +1,4 @@
-// Marks that most lines of a text do not have.
+// A search for marks that most lines of a text do not have.
 #pragma once
 
 #include <cstddef>
@@ -6,14 +6,15 @@
 
 namespace cncsub {
 
-/// Where a character stands in a text that is gone through from front to back: looked for once.
+/// The next place of a character in a text that is read from front to back. Each place is found
+/// once.
 class NextMark {
  public:
   NextMark() = default;
   NextMark(char mark, const char* at, const char* end) : end_(end), mark_(mark) { seek(at); }
 
   bool in(const char* at, const char* end) { return from(at) < end; }
-  /// The next one from there on, or the end of the text.
+  /// Return the next mark from `at` on, or the end of the text.
   const char* from(const char* at) {
     if (next_ < at) seek(at);
     return next_;

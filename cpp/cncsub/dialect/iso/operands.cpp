@@ -7,7 +7,7 @@ namespace cncsub {
 
 namespace {
 
-constexpr int kMostNots = 64;  // that wait at once
+constexpr int kMostNots = 64;  // whose condition is still to come
 
 struct ConstantName {
   Function word;
@@ -38,7 +38,7 @@ Refused ValueReader::no_operand() {
 
 // ---- numbers and signs ----
 
-/// A number of many digits, with blanks inside, or that is none.
+/// Read a number with many digits or with blanks inside; refuse a text that is no number.
 Value ValueReader::other_constant() {
   comments_ = true;
   const std::uint32_t at = offset();
@@ -53,7 +53,7 @@ Value ValueReader::other_constant() {
   return out_.constant(number.value, at);
 }
 
-/// A sign, and the value that it is of.
+/// Read a sign and the value after it.
 Value ValueReader::with_sign() {
   const std::uint32_t at = offset();
   const bool negative = *s_.at++ == '-';
@@ -66,7 +66,7 @@ Value ValueReader::with_sign() {
   return negative ? out_.negated(value, at) : value;
 }
 
-/// NOT before a condition.
+/// Read the condition after NOT.
 Value ValueReader::negation(std::uint32_t at) {
   if (++nots_ > kMostNots) return out_.refuse(Cause::ExpressionFormat, at, "too many NOT in a row");
   const Value value = one_operand();
@@ -80,8 +80,8 @@ Value ValueReader::negation(std::uint32_t at) {
 
 // ---- variables ----
 
-/// What more than digits name; `at`: the #, behind which nothing is read, or the digits of an
-/// indirect one.
+/// Read a variable that is not named by digits alone. The reading starts again after its #, at
+/// `at`.
 Value ValueReader::other_variable(std::uint32_t at) {
   s_.at = s_.file + at + 1;
   const char first = peek();
@@ -98,11 +98,9 @@ Value ValueReader::other_variable(std::uint32_t at) {
   return Value::variable(out_.emit(Ins::IndirectRaw, at));
 }
 
-/// The number of a variable that is not in brackets, where it is written behind the #; else
-/// kComputed, and instructions give it.
 std::optional<std::int64_t> ValueReader::variable_number(std::uint32_t at) {
   if (starts_name(peek()) && rules_.names) {
-    comments_ = true;  // between its letters
+    comments_ = true;  // may stand between its letters
     out_.emit(Ins::Named, at, static_cast<double>(names_.text(s_.take_name())));
     return kComputed;
   }
@@ -128,7 +126,7 @@ std::optional<std::int64_t> ValueReader::written_number() {
 
 // ---- functions ----
 
-/// A function, a value with a name, NOT; blanks may part its letters.
+/// Read a function, a named value or NOT; blanks may part its letters.
 Value ValueReader::other_word() {
   const std::uint32_t at = offset();
   std::string word;
@@ -146,7 +144,7 @@ Value ValueReader::other_word() {
   return found->one == Ins::Programmed ? programmed(at) : arguments(*found, at);
 }
 
-/// ATAN[a]/[b], ATAN[a,b] and ATAN[a], behind the first brackets.
+/// Read the rest of ATAN[a]/[b], ATAN[a,b] or ATAN[a], after the first brackets.
 Value ValueReader::arc_tangent(std::uint32_t at, bool two) {
   Scanner ahead = s_;
   if (begins_gap(*ahead.at)) comments_ = true;
@@ -160,7 +158,8 @@ Value ValueReader::arc_tangent(std::uint32_t at, bool two) {
   return Value::number();
 }
 
-/// AR[#23]: how the word was programmed, so the variable itself counts, by its number.
+/// Read AR[#23], which asks how a word was programmed: the number of the variable counts, not its
+/// value.
 Value ValueReader::programmed(std::uint32_t at) {
   if (!opens() || peek() != '#')
     return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");

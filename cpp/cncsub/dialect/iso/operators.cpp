@@ -21,12 +21,12 @@ const IsoOperator* find_in(const IsoOperator (&names)[N], Scanner s) {
   return nullptr;
 }
 
-/// Goes through what stands behind a logic operator, as far as the next one.
+/// A scan of the text after a logic operator, as far as the next one.
 class Lookahead {
  public:
   explicit Lookahead(const Scanner& behind) : s_(behind), bracket_(s_.peek() == '[') {}
 
-  /// Whether it is a condition: `AND #2 EQ 4` or `AND [#2 EQ 4]`, not `AND 3`.
+  /// Return whether the text is a condition: `AND #2 EQ 4` or `AND [#2 EQ 4]`, not `AND 3`.
   bool finds_condition() {
     for (char c = s_.peek(); c != '\0'; c = s_.peek()) {
       if (is_letter(c)) {
@@ -54,7 +54,8 @@ class Lookahead {
     return own && found != nullptr && found->compares();
   }
 
-  /// A logic operator, or a word that is none: what was behind the first one ends.
+  /// Return whether a logic operator stands here, or a word that is no operator: the text after the
+  /// first operator ends there.
   bool joins() const {
     const IsoOperator* found = find_in(kNamedOperators, s_);
     return depth_ == 0 && (found == nullptr || found->op != Ins::Modulo);
@@ -73,7 +74,7 @@ class Lookahead {
   }
 
   Scanner s_;
-  bool bracket_;  // what stands behind begins with one
+  bool bracket_;  // the text begins with a bracket
   int depth_ = 0, deepest_ = 0;
   bool value_ = false;  // the value of an operand has ended: an operator follows
 };

@@ -1,5 +1,4 @@
-// Operators of the ISO family: how each is written, how tightly it binds, what it makes of two
-// values.
+// Operators of the ISO family: the spelling of each, its precedence, and its result.
 #pragma once
 
 #include <array>
@@ -13,8 +12,9 @@
 
 namespace cncsub {
 
-/// An operator where logic comes last, and the level at which it binds where logic binds like
-/// arithmetic. `other`: of logic, on two conditions; of arithmetic, with a constant on the right.
+/// An operator. `level` is its precedence where logic comes last, `alike` where logic binds like
+/// arithmetic. `other` is the instruction of logic on two conditions, or of arithmetic with a
+/// constant on the right.
 struct IsoOperator : OperatorRow {
   int alike;
 
@@ -38,12 +38,12 @@ inline constexpr IsoOperator kNamedOperators[] = {{{"AND", 0, Ins::And, Ins::Bot
                                                   {{"GE", 1, Ins::GreaterEqual}, 0},
                                                   {{"LE", 1, Ins::LessEqual}, 0}};
 
-/// All of them, at the levels of a control.
+/// Return all operators, with their precedence on a control.
 std::span<const OperatorRow> iso_operators(LogicOrder order);
-/// The operator that stands here; null where none does. Blanks may part its letters.
+/// Return the operator at `s`; null if there is none. Blanks may part its letters.
 const IsoOperator* find_operator(const ExpressionRules& rules, const Scanner& s);
-/// Whether what stands behind a logic operator is a condition: `AND #2 EQ 4` and `AND [#2 EQ 4]`,
-/// not `AND 3`.
+/// Return whether a condition follows a logic operator, as in `AND #2 EQ 4` and `AND [#2 EQ 4]`,
+/// but not in `AND 3`.
 bool is_before_condition(const Scanner& at, const IsoOperator& of);
 
 Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value right,
@@ -51,7 +51,8 @@ Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value righ
 Value join_by_logic(ValueWriter& out, const IsoOperator& of, std::uint32_t at, Value left,
                     Value right, std::uint32_t end);
 
-/// Joins two values by the operator at `at`; `end`: behind them. There is room for an instruction.
+/// Join two values by the operator at `at`; they end before `end`. There is room for an
+/// instruction.
 inline Value apply(ValueWriter& out, const IsoOperator& of, std::uint32_t at, Value left,
                    Value right, std::uint32_t end) {
   if (!of.is_arithmetic())

@@ -25,7 +25,7 @@ void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
   to_.become(block_, Op::Print, std::move(print));
 }
 
-/// `#100[53]`: five digits before the point, three behind it.
+/// Read a field such as `#100[53]`: five digits before the point, three after it.
 bool StatementReader::print_field(Print& print) {
   PrintField field;
   field.is_variable = true;
@@ -54,7 +54,7 @@ bool StatementReader::print_field(Print& print) {
   return true;
 }
 
-/// SETVN 510[TOOLNO, WORKNO].
+/// Read SETVN 510[TOOLNO, WORKNO].
 void StatementReader::name_variables(const Keyword& /*keyword*/, Statement& statement) {
   if (!code_.control->macros.variable_forms.value.has(VariableForm::Names))
     return refuse(Cause::StatementNotAvailable, statement.at, 5, "this control has no SETVN");

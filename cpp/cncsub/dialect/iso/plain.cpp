@@ -11,7 +11,7 @@ namespace cncsub {
 namespace {
 
 constexpr int kMostWords = 20;
-constexpr std::size_t kDwell = 4;  // of G04 it counts whether a value has a point
+constexpr std::size_t kDwell = 4;  // for G04 it matters whether a value has a point
 constexpr std::uint64_t kMostM = 1000;
 
 }  // namespace
@@ -19,7 +19,7 @@ constexpr std::uint64_t kMostM = 1000;
 struct PlainReader::Words {
   std::array<Cell, 26> values;  // NOLINT: written where the mask says so
   std::uint32_t mask = 0;
-  Cell::Extra extra{};    // `whole`: those that count in increments
+  Cell::Extra extra{};    // `whole`: the words that count in increments
   std::array<int, 12> g;  // NOLINT: the first of them
   std::size_t g_count = 0;
   bool dwell = false;
@@ -36,7 +36,7 @@ PlainReader::PlainReader(Builder& to, const BlockRules& rules, ExpressionReader&
       max_n_(rules.control.reading.max_sequence_number.value),
       cuts_fine_digits_(rules.control.reading.cuts_fine_digits.value) {
   if (to.code().general_only) return;  // no block is plain then
-  // It is within every limit but an unusually tight one.
+  // A plain block keeps every limit but an unusually tight one.
   const auto tight = [](int limit, int usual) { return limit > 0 && limit < usual; };
   if (tight(rules.control.reading.max_block_length.value, kLongest) ||
       tight(rules.control.reading.max_words.value, kMostWords))
@@ -72,7 +72,7 @@ inline bool PlainReader::take_value(Words& words, char letter, bool negative,
   const bool refused = (negative & no_minus) | (number.point & !rules_.takes_point(letter));
   const std::uint32_t mark = bit(letter);
   if (refused || (words.mask & mark) != 0) return false;
-  // Signs come as they like: nothing branches on them.
+  // Signs follow no pattern: nothing branches on them.
   const double value =
       static_cast<double>(static_cast<std::int64_t>(number.value)) / kPowersOfTen[number.decimals];
   words.values[static_cast<std::size_t>(letter - 'A')].value = std::bit_cast<double>(
@@ -92,13 +92,13 @@ inline bool PlainReader::take_g(Words& words, const Mantissa& number) const {
   return true;
 }
 
-/// An M code that is nothing to the order of blocks.
+/// Take an M code that does not change the order of blocks.
 inline bool PlainReader::take_m(Words& words, const Mantissa& number) const {
   if (words.m >= 0 || number.value >= kMostM) return false;
   const int m = static_cast<int>(number.value);
   const Role role = rules_.control.calls.roles.value.of_m(m);
   if (role != Role::None && role < Role::SpindleForward) return false;
-  if (calls_elsewhere(rules_.control.calls.roles.value, m)) return false;  // its P says nothing
+  if (calls_elsewhere(rules_.control.calls.roles.value, m)) return false;  // its P has no meaning
   if (rules_.calling.find('M', m) != nullptr) return false;
   words.m = m;
   return true;
@@ -123,7 +123,7 @@ inline bool PlainReader::take(Words& words, char letter, bool negative,
 
 namespace {
 
-/// Passes over a comment, behind its bracket; false where it is not closed.
+/// Pass over a comment with its closing bracket; false if it is not closed.
 bool pass_comment(const char*& at, const char* end) {
   at = std::find(at, end, ')');
   return at++ != end;
@@ -131,7 +131,7 @@ bool pass_comment(const char*& at, const char* end) {
 
 }  // namespace
 
-/// A value that an expression at `at` gives.
+/// Take a value that an expression at `at` gives.
 bool PlainReader::take_computed(Words& words, char letter, const char*& at, Scanner& s) {
   const std::uint32_t mark = bit(letter);
   if ((words.mask & mark) != 0 || (letter == 'P' && rules_.control.calls.bracket_names.value))
@@ -150,7 +150,7 @@ CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(Scanner& s, Words& word
   const char* p = s.at;
   for (;;) {
     while (*p == ' ') ++p;
-    if (p >= s.end) return true;  // a character that is in no word stands there
+    if (p >= s.end) return true;  // the character there is in no word
     const char letter = *p++;
     const Kind kind = kinds_[static_cast<unsigned char>(letter)];
     if (kind == Kind::Comment && pass_comment(p, s.end)) continue;
@@ -167,14 +167,15 @@ CNCSUB_ALWAYS_INLINE inline bool PlainReader::take_words(Scanner& s, Words& word
   }
 }
 
-/// Whether a dwell is one value and nothing else of which a point tells something.
+/// Return whether a dwell has one value, no expression and no comment. A point in the block is then
+/// one of this value.
 bool PlainReader::is_plain_dwell(const Scanner& s, const Words& words) {
   const std::string_view text(s.at, static_cast<std::size_t>(s.end - s.at));
   return std::has_single_bit(words.mask) && words.extra.expressions == 0 &&
          text.find('(') == std::string_view::npos;
 }
 
-/// An assignment behind its N.
+/// Read an assignment after its N.
 bool PlainReader::numbered_assignment(Scanner& s, Block& block) {
   const char* at = s.at + 1;
   Words head;  // NOLINT(cppcoreguidelines-pro-type-member-init)
@@ -188,7 +189,7 @@ bool PlainReader::numbered_assignment(Scanner& s, Block& block) {
   return true;
 }
 
-/// Behind a slash at the head, whose switch passes over the block.
+/// Read a block after a slash at its head; the switch of the slash skips the block.
 bool PlainReader::read_skipped(Scanner& s, Block& block) {
   const char* const slash = s.at++;
   const bool numbered = *s.at >= '1' && *s.at <= '9';

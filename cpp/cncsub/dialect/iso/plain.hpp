@@ -1,6 +1,6 @@
-// Blocks such as `N10 G90 G1 X10.5 Y-3. F200` or `S500 M3`, which are most of what is read, and
-// which every control reads alike, and assignments such as `#101=[#102+1.5]`: they are compiled in
-// one pass.
+// The reader of blocks such as `N10 G90 G1 X10.5 Y-3. F200` or `S500 M3`, and of assignments such
+// as `#101=[#102+1.5]`. Most blocks are of this kind and every control reads them alike: they are
+// compiled in one pass.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ namespace cncsub {
 class PlainReader {
  public:
   PlainReader(Builder& to, const BlockRules& rules, ExpressionReader& expressions);
-  /// Compiles a block that is that plain. False where it is not: it is left to the general way,
-  /// which gives the same code, and the scanner stands where it stood.
+  /// Compile a block if it is that plain. Return false if it is not: the scanner then stands where
+  /// it stood, and the general reader, which gives the same code, reads the block.
   bool read(Scanner& s, Block& block) {
     if (*s.at != '#' || !assigns_ || s.end - s.at >= kLongest) return read_words(s, block);
     StatementReader(to_, expressions_, s, block).assign();
@@ -54,7 +54,7 @@ class PlainReader {
   int max_n_;
   bool cuts_fine_digits_;
   bool assigns_ = false, dwells_ = false;
-  bool whole_dwell_ = false;  // whether a value has a point counts in G04
+  bool whole_dwell_ = false;  // for G04 it matters whether a value has a point
 };
 
 }  // namespace cncsub

@@ -1,4 +1,4 @@
-// A file of the ISO family: where programs begin and end on its tape, and their blocks.
+// The reader of a file of the ISO family: it finds the programs on a tape and their blocks.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -20,8 +20,8 @@ namespace cncsub {
 
 namespace {
 
-/// The first such mark outside of comments and, for %, of brackets, in which DPRNT has its text; or
-/// the end.
+/// Return the first such mark outside of comments, or the end. A % in brackets does not count:
+/// DPRNT has its text there.
 const char* outside(char mark, const char* at, const char* end) {
   bool comment = false;
   int brackets = 0;
@@ -35,7 +35,8 @@ const char* outside(char mark, const char* at, const char* end) {
   return end;
 }
 
-/// What a block begins with, and neither a comment, a tape's mark nor the head of a program.
+/// The characters that begin a block and neither a comment, a tape's mark nor the head of a
+/// program.
 constexpr auto kBeginsBlock = [] {
   std::array<bool, 256> begins{};
   for (const char c : std::string_view("#/ABCDEFGHIJKLMNPQRSTUVWXYZ"))
@@ -44,7 +45,7 @@ constexpr auto kBeginsBlock = [] {
 }();
 bool begins_block(char c) { return kBeginsBlock[static_cast<unsigned char>(c)]; }
 
-/// The first comment of the head's line becomes the title.
+/// Make the first comment of the head's line the title.
 void title(Program& program, const char* file, const char* start, const char* end) {
   const char* open = std::find(start, end, '(');
   if (open == end) return;
@@ -53,7 +54,8 @@ void title(Program& program, const char* file, const char* start, const char* en
   program.comment_length = static_cast<std::uint32_t>(close_at - open - 1);
 }
 
-/// Whether a comment that begins in a block is not closed there, and the control alarms at that.
+/// Return whether a comment that begins in a block is not closed there and the control alarms at
+/// that.
 bool comment_not_closed(const Code& code, NextMark& comments, const Scanner& s) {
   if (!comments.in(s.at, s.end)) return false;
   if (code.control->reading.open_comment.value != OpenComment::Alarm) return false;
@@ -69,7 +71,7 @@ class ProgramFileReader {
  public:
   explicit ProgramFileReader(Builder& to) : to_(to), code_(to.code()), reader_(to) {}
 
-  /// Stops early where interrupt is over.
+  /// Read a file; stop early if an interrupt is requested.
   void read(std::uint32_t file_index) {
     const std::string_view text = code_.files[file_index].text.view();
     begin(file_index, text);
@@ -93,8 +95,8 @@ class ProgramFileReader {
     return apart_ ? std::optional(line_) : std::nullopt;
   }
 
-  /// What `of` read apart is the rest of a program. Where the marks that a tape begins with may
-  /// still come, none of them ended it.
+  /// Append what `of` read apart: it begins with the rest of the open program. Return false if it
+  /// must be read again, for example because a % that may follow a leader ended that rest.
   bool join(Joined& of, std::uint32_t lines) {
     if (!to_.in_program() || first_in_file_) return false;
     const bool ended_apart = of.code.programs.size() > 1 || !of.from.in_program();
@@ -108,7 +110,7 @@ class ProgramFileReader {
     line_ += lines;
     if (!ended_apart) return true;
     if (code_.statements.size() > statements_) match_structure(to_, code_.programs[program]);
-    statements_ = 0;  // of the program that is open: it may have some
+    statements_ = 0;  // the open program may have some
     return true;
   }
 
@@ -123,7 +125,7 @@ class ProgramFileReader {
   }
 
   void finish() {
-    // A file without a block is still a program of the memory, an empty one.
+    // A file without a block is still a program of the memory: an empty one.
     if (first_in_file_) begin_headless(0);
     close(static_cast<std::uint32_t>(text_.size()));
   }
@@ -154,7 +156,7 @@ class ProgramFileReader {
     }
   }
 
-  /// The blocks of a line: the first alone where a semicolon begins a comment.
+  /// Read the blocks of a line; only the first if a semicolon begins a comment.
   void split(const char* at, const char* end) {
     const bool several = code_.control->reading.semicolon.value == Semicolon::EndOfBlock;
     do {
@@ -164,13 +166,13 @@ class ProgramFileReader {
     } while (several && at < end);
   }
 
-  /// A block, and perhaps the % after its words: it ends the tape as one on a line of its own does,
-  /// and what follows it on the line belongs to no program.
+  /// Read a block and any % after its words. The % ends the tape like one on a line of its own, and
+  /// the rest of the line belongs to no program.
   void block(const char* at, const char* end) {
     if (!percents_.in(at, end)) return words(at, end);
     while (at != end && is_blank(*at)) ++at;
     if (*at == '%') return percent({at, end, begin_});
-    const bool ends_tape = !heads(code_, ProgramHead::Percent);  // there % begins programs
+    const bool ends_tape = !heads(code_, ProgramHead::Percent);  // otherwise % begins programs
     const char* const percent = ends_tape ? outside('%', at, end) : end;
     words(at, percent);
     if (percent != end) end_tape({percent, end, begin_});
@@ -189,7 +191,7 @@ class ProgramFileReader {
     comments_first(s);
   }
 
-  /// A block before which comments may stand.
+  /// Read a block before which comments may stand.
   void comments_first(Scanner& s) {
     const bool open_comment = comment_not_closed(code_, comments_, s);
     s.blanks();
@@ -212,7 +214,7 @@ class ProgramFileReader {
     to_.append(block);
   }
 
-  /// A line that starts with %: the tape's mark, or the head of a program.
+  /// Read a line that starts with %: the tape's mark, or the head of a program.
   void percent(Scanner s) {
     const char* start = s.at;
     ++s.at;
@@ -226,13 +228,13 @@ class ProgramFileReader {
     title(to_.program(), begin_, start, s.end);
   }
 
-  /// The tape's mark: it ends the open program.
+  /// End the open program at the tape's mark.
   void end_tape(const Scanner& percent) {
     drop_leader(percent);
     if (to_.in_program()) close(percent.offset());
   }
 
-  /// What stands before the first % of a tape may be no program.
+  /// Drop the text before the first % of a tape if it is no program.
   void drop_leader(const Scanner& percent) {
     if (!std::exchange(leader_possible_, false) || !to_.in_program()) return;
     if (!is_leader(to_, text_, percent)) return;
@@ -243,7 +245,7 @@ class ProgramFileReader {
     first_in_file_ = true;
   }
 
-  /// O0001, :1 or <NAME> at the head of a line begins a program.
+  /// Begin a program if O0001, :1 or <NAME> stands at the head of a line.
   bool head(Scanner& s) {
     const char c = upper(*s.at);
     if (c == 'O' || c == ':') return number_head(s);
@@ -270,7 +272,7 @@ class ProgramFileReader {
     return true;
   }
 
-  /// A number that no program may have is a block that is refused.
+  /// Append a refused block if no program may have this number.
   void check_number(double number, const char* start, const char* end) {
     const int largest = code_.control->reading.max_program_number.value;
     const bool zero =
@@ -299,14 +301,14 @@ class ProgramFileReader {
     return true;
   }
 
-  /// A program that begins with its head, at `start`; its name is a part of the file's text.
+  /// Begin a program whose head is at `start`; its name is a part of the file's text.
   void begin_program(std::string_view name, std::int64_t number, const char* start) {
     const auto offset = static_cast<std::uint32_t>(start - begin_);
     if (to_.in_program()) {
       const Program& before = code_.programs.back();
       const bool empty = before.first == to_.next_address();
       if (empty && is_rest()) {
-        apart_ = false;  // whether it is empty is not known
+        apart_ = false;  // it may not be empty: its beginning is not known
       } else if (empty && heads(code_, ProgramHead::Percent) && before.text < offset) {
         // An O line right before a % line only names the file.
         to_.drop_program();
@@ -320,7 +322,7 @@ class ProgramFileReader {
     open(program, offset, heads(code_, ProgramHead::File));
   }
 
-  /// A program without a head, named by its file.
+  /// Begin a program without a head, named by its file.
   void begin_headless(std::uint32_t offset) {
     leader_possible_ = leader_possible_ && first_in_file_;
     open({}, offset, true);
@@ -348,7 +350,7 @@ class ProgramFileReader {
     if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
   }
 
-  /// Whether the open program began before the lines that are read apart.
+  /// Return whether the open program began before the lines that are read apart.
   bool is_rest() const { return apart_ && code_.programs.size() == 1; }
 
   Builder& to_;

@@ -5,6 +5,6 @@
 
 namespace cncsub {
 
-const std::string_view iso_rules;  // all: they were made for it
+const std::string_view iso_rules;  // empty: all rules, for they were made for it
 
 }  // namespace cncsub

@@ -6,12 +6,12 @@
 
 namespace cncsub {
 
-// No control takes an IF behind THEN; what stands there is read to tell what is wrong with it.
+// No control takes an IF after THEN. Such an IF is read only to report what is wrong with it.
 constexpr int kDeepestThen = 10;
 
 namespace {
 
-/// Where the value of an assignment goes, which stands in cell `value`.
+/// Return the target of an assignment whose value stands in cell `value`.
 Assigned assigned_by(const ExpressionRules& rules, const ExpressionReader::Variable& variable,
                      std::uint32_t value) {
   using enum Statement::Target;
@@ -28,14 +28,14 @@ Assigned assigned_by(const ExpressionRules& rules, const ExpressionReader::Varia
   return {Variable, static_cast<std::uint32_t>(std::min(variable.number, kLargestNumber))};
 }
 
-/// The first comment in a text: behind a value it is data of #3000 and #3006.
+/// Return the first comment in a text: after a value it is data of #3000 and #3006.
 std::string_view comment_in(std::string_view text) {
   const std::size_t open = text.find('(');
   if (open == std::string_view::npos) return {};
   return text.substr(open + 1, std::min(text.find(')', open), text.size()) - open - 1);
 }
 
-/// `#2=` rather than a stray variable.
+/// Return whether `#2=` stands here, and not a stray variable.
 bool starts_assignment(Scanner s) {
   if (!s.take('#')) return false;
   while (is_digit(s.peek())) ++s.at;
@@ -44,7 +44,7 @@ bool starts_assignment(Scanner s) {
 
 }  // namespace
 
-// END begins ENDIF and ENDW too.
+// ENDIF and ENDW stand before END, with which both begin.
 const StatementReader::Keyword StatementReader::kKeywords[] = {
     {"ENDIF", &StatementReader::bare, Op::EndIf, {}},
     {"ELSE", &StatementReader::bare, Op::Else, {}},
@@ -60,7 +60,8 @@ const StatementReader::Keyword StatementReader::kKeywords[] = {
     {"PCLOS", &StatementReader::device, Op::CloseOutput, StatementKind::Pclos},
     {"SETVN", &StatementReader::name_variables, Op::NameVariables, {}}};
 
-/// ELSE, ENDIF and ENDW are words of a control where its IF and its loops have these forms.
+/// Return whether the control has a keyword. ELSE, ENDIF and ENDW depend on its forms of IF and
+/// loops.
 bool StatementReader::has(const Keyword& keyword) const {
   const MacroRules& rules = code_.control->macros;
   if (keyword.op == Op::EndIf || keyword.op == Op::Else)
@@ -76,8 +77,7 @@ void StatementReader::refuse(Cause cause, std::uint32_t at, std::uint32_t width,
   refuse({cause, at, width, std::move(detail)});
 }
 
-/// A keyword stands here: whole, or its first two letters with something behind them that is no
-/// letter of a longer word.
+/// Take a keyword that stands here: whole, or its first two letters if no letter follows them.
 bool StatementReader::keyword(std::string_view word) {
   Scanner ahead = s_;
   if (ahead.take_word(word)) {
@@ -93,7 +93,7 @@ bool StatementReader::keyword(std::string_view word) {
   return true;
 }
 
-/// Refuses a statement that the control does not have, or of which nobody says whether it has it.
+/// Refuse a statement that the control does not have, or of which no source says whether it has it.
 bool StatementReader::refuses(StatementKind kind, std::uint32_t at, std::string_view name) {
   auto wrong = code_.lacks(kind, at);
   if (wrong && !name.empty())
@@ -102,7 +102,7 @@ bool StatementReader::refuses(StatementKind kind, std::uint32_t at, std::string_
   return wrong.has_value();
 }
 
-/// Nothing may stand behind a statement.
+/// Return whether the block ends after the statement; refuse any text that follows.
 bool StatementReader::ends(Cause otherwise) {
   s_.blanks();
   if (code_.control->reading.open_comment.value == OpenComment::RestOfBlock) s_.rest_of_comment();
@@ -138,7 +138,7 @@ bool StatementReader::read() {
   return false;
 }
 
-/// [#NAME] = 5
+/// Read `[#NAME] = 5`.
 bool StatementReader::named_assignment() {
   if (!code_.control->macros.variable_forms.value.has(VariableForm::Names)) return false;
   Scanner ahead = s_;
@@ -179,7 +179,7 @@ void StatementReader::assignment(bool bracketed) {
   to_.become(block_, Op::Assign, statement);
 }
 
-/// A statement that is its keyword and nothing else.
+/// Read a statement that consists of its keyword only.
 void StatementReader::bare(const Keyword& keyword, Statement& statement) {
   if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, keyword.op, statement);
 }
@@ -188,7 +188,7 @@ void StatementReader::device(const Keyword& keyword, Statement& /*statement*/) {
   if (at_end(Cause::NcAndMacroInBlock)) block_.op = keyword.op;
 }
 
-/// The condition behind IF and WHILE, whose faults are those of the statement's format.
+/// Read the condition after IF or WHILE; its faults become faults of the statement's format.
 bool StatementReader::condition(Statement& statement, Cause format) {
   statement.at = s_.offset() - 2;
   if (const auto condition = expressions_.condition(s_)) {
@@ -220,7 +220,7 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
   then_statement(statement);
 }
 
-/// THEN takes one macro statement, kept as a block of its own.
+/// Read the one macro statement that THEN takes, and keep it as a block of its own.
 void StatementReader::then_statement(Statement& statement) {
   Block then = block_;
   const std::uint32_t at = s_.offset();

@@ -1,4 +1,4 @@
-// Macro statements of a block, compiled.
+// The compiler of the macro statements of a block.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,11 @@
 
 namespace cncsub {
 
-/// Compiles a macro statement into `block`. False where no statement stands here and the block is
-/// one of words.
+/// The reader that compiles a macro statement into `block`. `read` returns false if no statement
+/// begins here: the block is then one of words.
 class StatementReader {
  public:
-  /// `thens`: behind how many THEN of the block the statement stands.
+  /// `thens`: how many THEN of the block stand before the statement.
   StatementReader(Builder& to, ExpressionReader& expressions, Scanner& scanner, Block& block,
                   int thens = 0)
       : to_(to),
@@ -22,20 +22,20 @@ class StatementReader {
         block_(block),
         thens_(thens) {}
   bool read();
-  /// The same where a # stands.
+  /// Read the assignment that begins here with a #.
   void assign() {
     if (!lacks(StatementKind::Variables, s_.offset())) assignment(false);
   }
-  /// An IF whose condition was read and whose words, which stand here now, were not.
+  /// Return the IF whose condition was read and whose words, which begin here, were not.
   const std::optional<Statement>& before_words() const { return before_words_; }
 
  private:
-  /// A word that a statement begins with.
+  /// A word that begins a statement.
   struct Keyword {
     std::string_view word;
     void (StatementReader::*read)(const Keyword& keyword, Statement& statement);
     Op op = Op::Goto;
-    std::optional<StatementKind> kind;  // what the control may not have
+    std::optional<StatementKind> kind;  // the kind, if a control may lack it
   };
   static const Keyword kKeywords[];
 
@@ -48,7 +48,7 @@ class StatementReader {
   bool named_assignment();
   void assignment(bool bracketed);
 
-  // What stands behind a keyword; `statement` has its place.
+  // Each reads the text after a keyword; `statement` has the keyword's place.
   void bare(const Keyword& keyword, Statement& statement);
   void device(const Keyword& keyword, Statement& statement);
   void loop(const Keyword& keyword, Statement& statement);

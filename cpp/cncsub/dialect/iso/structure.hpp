@@ -1,4 +1,4 @@
-// What the statements of a program lead to: the partners of loops and IF blocks, the blocks that
+// The structure of a program's statements: the partners of loops and IF blocks, and the blocks that
 // jumps go to.
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace cncsub {
 
-/// Pairs WHILE and DO with END, IF with ELSE and ENDIF, and finds the blocks of GOTO. What has no
-/// partner becomes a fault where it stands.
+/// Pair WHILE and DO with END, IF with ELSE and ENDIF, and find the blocks of GOTO. A statement
+/// without a partner becomes a fault where it stands.
 void match_structure(Builder& to, const Program& program);
 
 }  // namespace cncsub

@@ -1,4 +1,4 @@
-// The instructions of one expression, and what kind of value the last of them left.
+// The writer of an expression's instructions, and the kind of value that the last of them left.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,15 @@
 
 namespace cncsub {
 
-/// What a part of an expression gives: a number, or whether a condition holds. Neither where it was
-/// refused.
+/// The value of a part of an expression: a number or a condition. It is neither if it was refused.
 class Value {
  public:
   Value() = default;
   static Value number() { return Value(kNumber); }
   static Value condition() { return Value(kCondition); }
-  /// That of the instruction at a place, which is one variable and may still be vacant.
+  /// Return the value of the instruction at `place`: one variable, which may still be vacant.
   static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(2 * place)); }
-  /// That of the instruction at a place, which is a number as it is written.
+  /// Return the value of the instruction at `place`: a number as it is written.
   static Value constant(std::uint32_t place) {
     return Value(static_cast<std::int32_t>(2 * place + 1));
   }
@@ -29,7 +28,7 @@ class Value {
   bool is_condition() const { return of_ == kCondition; }
   bool is_variable() const { return of_ >= 0 && (of_ & 1) == 0; }
   bool is_constant() const { return of_ >= 0 && (of_ & 1) != 0; }
-  /// Of a variable or a constant.
+  /// Return the place of a variable or a constant.
   std::uint32_t place() const { return static_cast<std::uint32_t>(of_) / 2; }
 
  private:
@@ -40,7 +39,7 @@ class Value {
   std::int32_t of_ = kNone;
 };
 
-/// What is returned where something was refused: nothing, of whatever is asked for.
+/// The result of a refusal: an empty value of whatever type is asked for.
 struct Refused {
   // NOLINTBEGIN(*-explicit-constructor)
   operator Value() const { return {}; }
@@ -55,13 +54,13 @@ class ValueWriter {
       : out_(to.expressions()), open_(out_.open()), rules_(rules) {}
 
   const ExpressionRules& rules() const { return rules_; }
-  /// What was refused, where something was.
+  /// Return what was refused; something must have been.
   const Fault& fault() const { return *fault_; }  // NOLINT(bugprone-unchecked-optional-access)
-  /// The first fault counts.
+  /// Refuse the expression. The first fault counts.
   Refused refuse(Cause cause, std::uint32_t at, std::string detail = {});
 
-  /// Another expression begins. `address`: of the word whose value it is, 0 in a statement: ROUND
-  /// rounds otherwise.
+  /// Begin another expression. `address`: that of the word whose value it is, 0 in a statement.
+  /// ROUND rounds differently in a word.
   void begin(char address) {
     fault_.reset();
     open_.begin();
@@ -70,27 +69,28 @@ class ValueWriter {
   std::uint8_t address() const { return address_; }
   bool in_word() const { return address_ != 0; }
   OpenInstructions& instructions() { return open_; }
-  /// An instruction that holds nothing, or a value: its place.
+  /// Write an instruction, with a value if it takes one; return its place.
   std::uint32_t emit(Ins op, std::uint32_t at, double value = 0) {
     const std::uint32_t place = out_.next();
     out_.emit({op, address_, at, value});
     return place;
   }
-  /// Pushes a number.
+  /// Push a number.
   Value constant(double value, std::uint32_t at) {
     return Value::constant(emit(Ins::Constant, at, value));
   }
-  /// Pushes the value of a variable, which may be vacant.
+  /// Push the value of a variable, which may be vacant.
   Value load(std::int64_t number, std::uint32_t at);
-  /// The value with the sign at `at` before it.
+  /// Return the value with the minus sign at `at` before it.
   Value negated(Value value, std::uint32_t at);
 
-  /// A comparison leaves 1 or 0, which is a number where the control says so.
+  /// Return whether the value is a number. A comparison leaves 1 or 0, which is one where the
+  /// control says so.
   bool is_number(Value& value) const {
     if (value.is_condition() && rules_.values) value = Value::number();
     return value.is_number();
   }
-  /// From here on the value is a number: a vacant variable counts as 0. What is none is refused.
+  /// Make the value a number: a vacant variable counts as 0. Refuse a value that cannot be one.
   bool arithmetic(Value& value, std::uint32_t at) {
     if (value.is_variable())
       count_vacant(value.place());
@@ -100,12 +100,12 @@ class ValueWriter {
     return true;
   }
 
-  /// Ends the expression: its number.
+  /// End the expression; return its number.
   std::uint32_t finish(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
 
  private:
   bool no_number(std::uint32_t at);
-  /// The load of a variable at a place gives 0 where it is vacant.
+  /// Make the load of a variable at `place` give 0 if the variable is vacant.
   void count_vacant(std::uint32_t place) {
     const Ins op = open_.op(place);
     if (op == Ins::CommonRaw)

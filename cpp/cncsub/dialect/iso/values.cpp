@@ -1,4 +1,4 @@
-// What most expressions hold: operators, and the values between them as nearly all are written.
+// The operators of expressions, and the values between them in their usual forms.
 #include "cncsub/dialect/iso/values.hpp"
 
 #include <array>
@@ -9,14 +9,14 @@ namespace cncsub {
 
 namespace {
 
-/// The signs of arithmetic by their character.
+/// The arithmetic operators by their character.
 constexpr auto kSigns = [] {
   std::array<const IsoOperator*, 256> signs{};
   for (const IsoOperator& of : kArithmetic) signs[static_cast<unsigned char>(of.spelling[0])] = &of;
   return signs;
 }();
 
-/// Operators of letters, by some bits of the first two.
+/// Return the slot of an operator of letters: some bits of its first two letters.
 constexpr std::size_t slot_of(char a, char b) {
   return (static_cast<std::size_t>(a) % 32) * 32 + static_cast<std::size_t>(b) % 32;
 }
@@ -26,7 +26,8 @@ constexpr auto kByLetters = [] {
     by_letters[slot_of(of.spelling[0], of.spelling[1])] = &of;
   return by_letters;
 }();
-/// The operator whose capitals begin at `at`, where three characters stand; null where none does.
+/// Return the operator whose capitals begin at `at`, where three characters stand; null if none
+/// does.
 const IsoOperator* named_operator(const char* at) {
   const IsoOperator* const of = kByLetters[slot_of(at[0], at[1])];
   if (of == nullptr || of->spelling[0] != at[0] || of->spelling[1] != at[1]) return nullptr;
@@ -35,7 +36,7 @@ const IsoOperator* named_operator(const char* at) {
 
 }  // namespace
 
-/// What stands in brackets.
+/// Read a value in brackets.
 Value ValueReader::bracket() {
   if (!opens()) return {};
   const Value value = values();
@@ -44,7 +45,7 @@ Value ValueReader::bracket() {
 
 // ---- functions ----
 
-/// A function whose name of capitals stands before its bracket; others are left to other_word.
+/// Read a function whose name of capitals stands before its bracket; other_word reads any other.
 CNCSUB_ALWAYS_INLINE inline Value ValueReader::word() {
   const std::uint32_t at = offset();
   int width = 0;
@@ -55,13 +56,13 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::word() {
   return arguments(*of, at);
 }
 
-/// One argument of a function; false where it is none, which is told.
+/// Read one argument of a function; false if it is none, which is reported.
 bool ValueReader::argument() {
   Value value = values();
   return value && out_.arithmetic(value, offset());
 }
 
-/// The arguments of the function at `at` in their brackets, and what it makes of them.
+/// Read the arguments of the function at `at` in their brackets, and write the function.
 Value ValueReader::arguments(const FunctionName& of, std::uint32_t at) {
   const bool slash = of.one == Ins::Atan && !rules_.has(Function::Atan2);
   if (!opens() || !argument()) return {};
@@ -78,7 +79,7 @@ Value ValueReader::arguments(const FunctionName& of, std::uint32_t at) {
 
 // ---- operands ----
 
-/// A number as nearly all are.
+/// Read a number in its usual form; other_constant reads any other.
 CNCSUB_ALWAYS_INLINE inline Value ValueReader::constant() {
   const char* at = s_.at;
   const Mantissa m = scan_mantissa(at);
@@ -93,7 +94,7 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::constant() {
   return value;
 }
 
-/// #1; others are left to other_variable.
+/// Read a variable such as #1; other_variable reads any other.
 CNCSUB_ALWAYS_INLINE inline Value ValueReader::variable() {
   const std::uint32_t at = offset();
   ++s_.at;
@@ -155,12 +156,13 @@ const IsoOperator* ValueReader::operator_of_name() {
   Scanner behind = s_;
   behind.take_word(of->spelling);
   behind_operator_ = behind.at;
-  comments_ = true;  // between its letters
+  comments_ = true;  // may stand between its letters
   return of;
 }
 
-/// Where logic of numbers binds first, what stands behind tells whether it is of numbers on the
-/// right side of a comparison: `#1EQ3AND#2EQ4` joins two, `3EQ#1AND3` is one.
+/// Return the precedence of an operator. Where logic of numbers binds first, the text after the
+/// operator tells whether it joins numbers on the right of a comparison: `#1EQ3AND#2EQ4` joins two
+/// conditions, `3EQ#1AND3` is one.
 template <class Left>
 CNCSUB_ALWAYS_INLINE inline int ValueReader::level_of(const IsoOperator& of, Value& value,
                                                       Left& left) {

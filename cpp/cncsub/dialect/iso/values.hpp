@@ -31,14 +31,14 @@ class ValueReader : protected ExpressionScanner {
   ValueReader(Builder& to, const ExpressionRules& rules)
       : ExpressionScanner(to, rules), names_(to.names()) {}
 
-  /// Operands and the operators between them, as far as the text goes.
+  /// Read operands and the operators between them, as far as the text goes.
   Value values();
-  /// A value with its signs, and no operator behind it.
+  /// Read a value with its signs, but no operator after it.
   Value one_operand();
-  /// What stands in brackets, with them.
+  /// Read a value in brackets.
   Value bracket();
-  /// The number of a variable that is not in brackets, where it is written behind the #, which is
-  /// at `at`; else kComputed, and instructions give it.
+  /// Return the number of a variable that is not in brackets, if it is written after the # at `at`.
+  /// Else write instructions that give the number and return kComputed.
   std::optional<std::int64_t> variable_number(std::uint32_t at);
 
  private:
@@ -59,7 +59,7 @@ class ValueReader : protected ExpressionScanner {
   std::optional<std::int64_t> written_number();
 
   Names& names_;
-  const char* behind_operator_ = nullptr;  // behind the one that was found last
+  const char* behind_operator_ = nullptr;  // after the operator that was found last
 };
 
 }  // namespace cncsub

@@ -8,12 +8,12 @@ namespace cncsub {
 
 namespace {
 
-/// The bit of the switch of a slash, that of 1 where no number stands.
+/// Return the mask bit of a slash's switch; a slash without a number has switch 1.
 std::uint16_t mask_of(const Lexeme& slash) {
   return static_cast<std::uint16_t>(1U << (slash.skip == 0 ? 1U : slash.skip));
 }
 
-/// Whether another sign stands behind the sign of a number.
+/// Return whether a second sign follows the sign of a number.
 bool two_signs(const Number& number, Scanner behind) {
   if (number.any || !number.has_sign || number.points != 0) return false;
   const char next = behind.peek();
@@ -144,8 +144,8 @@ bool WordScanner::other(const Lexeme& read, Tokens& tokens) {
   return stray(read.address == ',' ? read.at + 1 : read.at);
 }
 
-/// A slash behind words. A second one of a switch says nothing new: the first has dropped the rest,
-/// or none does.
+/// Read a slash after other words. A second slash of the same switch changes nothing: the first has
+/// dropped the rest of the block already, or neither drops it.
 bool WordScanner::skip(const Lexeme& read, Tokens& tokens) {
   if (control_.reading.block_skip.value == BlockSkip::HeadOnly)
     return refuse({Cause::IllegalCharacter, offset(read), 1,
@@ -156,7 +156,7 @@ bool WordScanner::skip(const Lexeme& read, Tokens& tokens) {
   return true;
 }
 
-/// Something that is no word.
+/// Refuse a character that begins no word.
 bool WordScanner::stray(const char* from) {
   s_.at = from;
   const char c = s_.peek();
@@ -205,8 +205,8 @@ bool WordScanner::number(Token& token, const Number& number) {
   return check(token, number);
 }
 
-/// What is wrong whatever the word is for; what only an argument of a macro may have is kept in the
-/// token.
+/// Refuse a number that is wrong in any word; note in the token what only a macro argument may
+/// have.
 bool WordScanner::check(Token& token, const Number& number) {
   if (two_signs(number, s_))
     return refuse(
@@ -238,7 +238,7 @@ Fault bad_word(const Control& control, const Token& token) {
   return fault_of(token, token.wrong, std::move(detail));
 }
 
-/// A value that an expression gives, or the name in brackets of what P calls.
+/// Read a value that an expression gives, or the bracketed name of the program that P calls.
 bool WordScanner::computed(Token& token) {
   if (token.letter == 'P' && s_.peek() == '[' && is_name_here() && calls_by_name()) {
     s_.take('[');
@@ -260,7 +260,7 @@ bool WordScanner::computed(Token& token) {
   return true;
 }
 
-/// X10+#1, a value that begins with a number.
+/// Read arithmetic that begins with a number: X10+#1.
 bool WordScanner::arithmetic(Token& token, const char* from) {
   Operand& operand = token.operand;
   if (token.letter == 'O')
@@ -290,7 +290,7 @@ bool WordScanner::no_value(Token& token, const char* letter) {
                  std::string(1, token.letter) + " stands without a value"});
 }
 
-/// The fault of a statement that stands where a word does.
+/// Return the fault of a macro statement that stands in the place of a word.
 std::optional<Fault> WordScanner::statement_at(const char* letter) const {
   Scanner ahead = s_;
   ahead.at = letter;
@@ -311,7 +311,7 @@ std::optional<Fault> WordScanner::statement_at(const char* letter) const {
 
 // ---- names ----
 
-/// Whether the brackets may hold a name: in P[#100] a variable stands.
+/// Return whether the brackets may hold a name: P[#100] holds a variable.
 bool WordScanner::is_name_here() const {
   if (!control_.calls.bracket_names.value) return false;
   Scanner inside = s_;
@@ -321,8 +321,8 @@ bool WordScanner::is_name_here() const {
   return !variable || inside.peek() != ']';
 }
 
-/// Whether a code of the block calls what P names; P[...] of G04 is an expression. Asked once for
-/// all P of a block.
+/// Return whether a code of the block calls what P names: P[...] of G04 is an expression. The
+/// answer is kept for all P of the block.
 bool WordScanner::calls_by_name() {
   if (names_call_) return *names_call_;
   names_call_ = false;
@@ -343,7 +343,7 @@ bool WordScanner::calls_by_name() {
   return *names_call_;
 }
 
-/// A name up to the character that closes it.
+/// Read a name up to the character that closes it.
 bool WordScanner::name(Token& token, char close) {
   const char* start = s_.at;
   while (s_.at != s_.end && *s_.at != close) ++s_.at;
@@ -360,7 +360,7 @@ bool WordScanner::name(Token& token, char close) {
   return wrong.empty() || refuse(fault_of(token, Cause::IllegalProgramName, std::move(wrong)));
 }
 
-/// What is wrong with the name of a program, nothing where it is a good one.
+/// Return what is wrong with the name of a program; empty if nothing is.
 std::string WordScanner::wrong_name(std::string_view name) const {
   if (name.empty()) return "the name is empty";
   if (name[0] == '.') return "a name does not begin with a point";

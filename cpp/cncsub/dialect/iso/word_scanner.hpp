@@ -1,4 +1,4 @@
-// Reads the words of a block, one by one, whatever they mean together.
+// The scanner that reads the words of a block one by one, whatever they mean together.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace cncsub {
 
-/// A lexeme with what it gives: a number, an expression, a name.
+/// A lexeme with its value: a number, an expression or a name.
 struct Token {
   char letter = 0;        // '/' for a block-skip slash, '<' for a name
   bool comma = false;     // ,C
@@ -24,7 +24,7 @@ struct Token {
   std::uint16_t skip = 0;
   Operand operand;
   std::string_view name;    // <NAME>, P[NAME]
-  bool trailing_n = false;  // an N behind other words
+  bool trailing_n = false;  // an N after other words
   bool bad_number = false;  // a sign, a point or digits that only an argument may have
   Cause wrong{};
 };
@@ -33,16 +33,17 @@ using Tokens = std::vector<Token>;
 inline Fault fault_of(const Token& token, Cause cause, std::string detail) {
   return {cause, token.operand.at, token.operand.width, std::move(detail)};
 }
-/// The fault of an odd word.
+/// Return the fault of a word whose number is odd.
 Fault bad_word(const Control& control, const Token& token);
-/// Ten times a written code, as an index into the sets of codes; 10000 where it is none.
+/// Return ten times a written code, as an index into the sets of codes; 10000 if it is none.
 inline std::size_t code_index(const Operand& operand) {
   const bool known =
       operand.kind == Operand::Kind::Constant && operand.value >= 0 && operand.value < 1000;
   return known ? to_whole<std::size_t>(operand.value * 10 + 0.5) : std::size_t{10000};
 }
 
-/// Where it gives false, the block is refused or the reading interrupted.
+/// The scanner of one block. A function that returns false has refused the block, or was
+/// interrupted.
 class WordScanner {
  public:
   WordScanner(Builder& to, const BlockRules& rules, ExpressionReader& expressions, Scanner& scanner,
@@ -54,9 +55,9 @@ class WordScanner {
         s_(scanner),
         block_(block) {}
 
-  /// The block-skip slashes and the sequence number at the head of the block.
+  /// Read the block-skip slashes and the sequence number at the head of the block.
   bool head();
-  /// The words up to its end.
+  /// Read the words up to the end of the block.
   bool words(Tokens& tokens);
 
  private:
@@ -95,7 +96,7 @@ class WordScanner {
   Block& block_;
   const bool axes_ = control_.macros.numbered_axis_arguments.value;
   std::uint16_t slashes_ = 0;       // switches whose slash was read
-  std::optional<bool> names_call_;  // whether a call stands in the block that takes a name
+  std::optional<bool> names_call_;  // whether a code of the block calls by name
 };
 
 }  // namespace cncsub

@@ -1,5 +1,4 @@
-// The words of a block as the ISO family writes them: its lexemes, each with all that belongs to
-// it.
+// The words of a block as the ISO family writes them: its lexemes, each with its whole value.
 #include "cncsub/text/words.hpp"
 
 #include <string_view>
@@ -12,8 +11,8 @@ namespace cncsub {
 
 namespace {
 
-/// Passes over the name of an operator or of a function, where arithmetic goes on with one:
-/// `#1 MOD 2`, `#1+SIN[30]`.
+/// Pass over the name of an operator, or of a function after an arithmetic operator: `#1 MOD 2`,
+/// `#1+SIN[30]`.
 bool pass_named(Scanner& s, char before) {
   for (const std::string_view name : {"MOD", "AND", "XOR", "OR"})
     if (s.take_word(name)) return true;
@@ -25,13 +24,13 @@ bool pass_named(Scanner& s, char before) {
   return true;
 }
 
-/// Whether a slash divides: it does before a variable and before brackets.
+/// Return whether a slash divides: it does before a variable and before brackets.
 bool divides(Scanner s) {
   ++s.at;
   return s.peek() == '#' || s.peek() == '[';
 }
 
-/// What stands behind an address that is no number: up to the next word outside brackets.
+/// Pass over a value that is no number, up to the next word outside brackets.
 void pass_value(Scanner& s) {
   int brackets = 0;
   char before = '\0';
@@ -47,13 +46,13 @@ void pass_value(Scanner& s) {
   }
 }
 
-/// Whether arithmetic goes on behind a number: `10+#1`.
+/// Return whether arithmetic goes on after a number: `10+#1`.
 bool goes_on(Scanner s) {
   const char c = s.peek();
   return c == '+' || c == '-' || c == '*' || (c == '/' && divides(s));
 }
 
-/// X, `,C`, X1 of an axis.
+/// Return the address: X, `,C`, or X1 of an axis.
 std::string address_of(const Lexeme& read) {
   std::string address(read.comma ? "," : "");
   address += read.address;
@@ -66,7 +65,7 @@ void pass_name(Scanner& s) {
   if (s.at != s.end) ++s.at;
 }
 
-/// A character that begins no word, which may be of several bytes, with what stands behind it.
+/// Pass over a character that begins no word and may have several bytes, and over its value.
 void pass_other(Scanner& s, const char* at, WrittenWord& word) {
   word.address = first_character({at, s.end});
   s.at = at + word.address.size();

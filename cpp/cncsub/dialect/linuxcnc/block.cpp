@@ -21,11 +21,11 @@ WordValue word_of(const Value& value, double factor = 1) {
   return {value.computed, value.expression, value.number * factor};
 }
 
-constexpr std::int32_t kMessageSwitch = 5599;  // (DEBUG,...) says nothing where it is 0 or below
+constexpr std::int32_t kMessageSwitch = 5599;  // (DEBUG,...) shows nothing while it is 0 or below
 
 constexpr int kCycleOff = 800;  // in tenths
 
-/// A byte beyond ASCII is shown by its number. [rs274 2.9]
+/// Return how a character is shown: a byte beyond ASCII is shown by its number. [rs274 2.9]
 std::string shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (byte < 0x80) return {c};
@@ -34,8 +34,8 @@ std::string shown(char c) {
   return text.data();
 }
 
-/// G80 gives way to another motion code of its line, wherever it stands. False where the line has
-/// no G80. [rs274 2.9]
+/// Let another motion code of the line replace its G80, wherever that stands. Return false if the
+/// line has no G80. [rs274 2.9]
 bool replace_cycle_off(LineWords& line, WordList& list, int code) {
   const auto found = std::find(line.g.begin(), line.g.end(), kCycleOff);
   if (found == line.g.end()) return false;
@@ -46,7 +46,7 @@ bool replace_cycle_off(LineWords& line, WordList& list, int code) {
   return true;
 }
 
-/// The number of the M code that stands here, where it is written as one.
+/// Return the number of the M code that stands here, if it is written as a number.
 std::optional<int> plain_m(const Line& line) {
   std::string_view rest = line.rest();
   if (!rest.starts_with('m')) return std::nullopt;
@@ -112,7 +112,7 @@ bool BlockReader::number(Block& block) {
   if (digits.empty())
     return refuse(block, Cause::AddressWithoutValue, "Bad format unsigned integer", at);
   if (digits.size() <= 9) std::from_chars(digits.data(), digits.data() + digits.size(), block.n);
-  if (line_.take('.')) line_.take_digits();  // a fraction is read and forgotten
+  if (line_.take('.')) line_.take_digits();  // a fraction is read and ignored
   return true;
 }
 
@@ -125,7 +125,7 @@ bool BlockReader::words(Block& block) {
   return true;
 }
 
-/// Whether a word of the line is refused beside the others.
+/// Refuse a word of the line that is wrong beside the others; return whether there is one.
 bool BlockReader::refuse_wrong(Block& block, const LineWords& line) {
   const auto wrong = wrong_word(line);
   if (!wrong) return false;
@@ -160,7 +160,7 @@ bool BlockReader::item(Block& block, Words& words) {
   return refuse(block, Cause::IllegalCharacter, "Bad character '" + shown(c) + "' used", at);
 }
 
-/// @ and ^: the radius and the angle of a point.
+/// Read @ or ^: the radius or the angle of a point.
 bool BlockReader::polar_word(Block& block, Words& words, char sign) {
   const std::uint32_t at = line_.offset(line_.place() - 1);
   Value value;
@@ -274,7 +274,7 @@ bool BlockReader::assignment(Block& block, Words& words) {
   return true;
 }
 
-/// Of several comments of a line the last one counts.
+/// Read a comment. Of several comments of a line the last one counts.
 bool BlockReader::comment(Block& block, Words& words) {
   const std::uint32_t at = line_.offset();
   std::string text;
@@ -308,8 +308,8 @@ bool BlockReader::comment(Block& block, Words& words) {
 
 namespace {
 
-/// %d, %f or %.3f: so many decimals have the values behind it. Of what is no such format the
-/// percent sign, or that of %. the sign alone, is no part of the text. [rs274 2.9]
+/// Take %d, %f or %.3f, and return how many decimals the values after it have. Any other text
+/// stays, except that %. loses its percent sign. [rs274 2.9]
 int take_format(std::string_view& text, std::string& plain, int decimals) {
   const auto at = [&text](std::size_t place) { return place < text.size() ? text[place] : '\0'; };
   if (at(1) == 'd' || at(1) == 'f') {
@@ -327,7 +327,7 @@ int take_format(std::string_view& text, std::string& plain, int decimals) {
 
 }  // namespace
 
-/// `#5` and `#<name>` in a message are their values.
+/// Write a message into `print`: `#5` and `#<name>` in it stand for their values.
 void BlockReader::message(std::string_view text, std::uint32_t at, Print& print) {
   std::string plain;
   int decimals = 6;
@@ -371,7 +371,7 @@ void BlockReader::write(Block& block, Words& words) {
   Block own = block;
   if (words.any) {
     to_.words(own, words.list);
-    own.op = Op::Words;  // a plain move would be made without what stands beside it
+    own.op = Op::Words;  // a plain move would leave out what stands beside it
     if (words.ends) own.op = Op::EndProgram;
   }
   to_.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr,

@@ -1,4 +1,4 @@
-// A line of words, assignments and comments, or an O-word, compiled into a block.
+// The compiler of a line: words, assignments and comments, or an O-word.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace cncsub::linuxcnc {
 
-/// What a line is to those that look for it by its label.
+/// The facts of a line that a search for a label needs.
 struct Label {
   std::uint32_t label = OWord::kNone;
-  std::optional<OWordKind> kind;  // none: the line is none of them, or a fault stands there
-  bool unreadable = false;        // nothing passes this line over: its fault is told at once
-  bool unknown = false;           // nor this one, but where a subprogram is defined
-  bool computed = false;          // values of an M98, which are read where it is passed over
+  std::optional<OWordKind> kind;  // none: the line is no such statement, or it is faulty
+  bool unreadable = false;        // no search passes over this line: its fault is reported at once
+  bool unknown = false;           // likewise, but the search for a definition's end passes it
+  bool computed = false;          // an M98 with values that are read even where it is passed over
 
   bool is_head() const { return kind && *kind <= OWordKind::Head; }
 };
@@ -26,7 +26,7 @@ class BlockReader {
  public:
   explicit BlockReader(Builder& to) : to_(to), expression_(to, line_) {}
 
-  /// Compiles a line into `block`, whose text and line are set. False where nothing stands there.
+  /// Compile a line into `block`, whose text and line are set. Return false if the line is empty.
   bool read(std::string_view text, Block& block, Label& label);
 
  private:

@@ -8,7 +8,7 @@ namespace {
 
 using Step = BuiltIn::Step;
 
-// What the control tells about itself lies at these numbers, beyond those that programs can name.
+// The control keeps its own state at these numbers, beyond those that programs can name.
 constexpr double kModal = 14000, kWord = 14100, kMachine = 15020, kWork = 15040;
 
 constexpr Step modal(int group) { return {Ins::Variable, kModal + group}; }
@@ -31,7 +31,7 @@ constexpr std::array<BuiltIn, 41> kBuiltIns = {{
     {"_b", {work(4)}},
     {"_c", {work(5)}},
     {"_call_level", {Step{Ins::Level, 0}}},
-    {"_ccomp", {modal(7), Step{Ins::Floor, 0}, number(10), times()}},  // of G41.1 that of G41
+    {"_ccomp", {modal(7), Step{Ins::Floor, 0}, number(10), times()}},  // G41.1 counts as G41
     {"_coord_system", {modal(14), number(10), times()}},
     {"_feed", {word('F')}},
     {"_ijk_absolute_mode", {modal(23), number(90.1), equal()}},

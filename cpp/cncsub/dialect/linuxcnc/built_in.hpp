@@ -12,17 +12,17 @@ namespace cncsub::linuxcnc {
 struct BuiltIn {
   struct Step {
     Ins op = Ins::End;
-    double value = 0;  // a constant, a variable's number; of Common: 0 what was returned, 1 whether
+    double value = 0;  // a constant or a variable number; of Common: 0 what was returned, 1 whether
   };
   std::string_view name;
   std::array<Step, 4> steps;
 };
 
-/// Null where it is none that is answered here.
+/// Return the variable of this name; null if it is none that is answered here.
 const BuiltIn* find_built_in(std::string_view name);
-/// Whether it is one that nobody answers without a machine.
+/// Return whether the variable of this name tells about a machine, and is not answered here.
 bool tells_of_machine(std::string_view name);
-/// Whether it is one of both, which cannot be assigned to.
+/// Return whether the variable of this name is either: it cannot be assigned to.
 bool is_read_only(std::string_view name);
 
 }  // namespace cncsub::linuxcnc

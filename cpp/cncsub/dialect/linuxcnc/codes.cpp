@@ -15,7 +15,7 @@ struct Group {
   std::initializer_list<int> codes;
 };
 
-/// The group of each code, -1 where it is none.
+/// The group of each code; -1 if it is in none.
 template <std::size_t N>
 using GroupOf = std::array<std::int8_t, N>;
 
@@ -33,7 +33,7 @@ int find(const GroupOf<N>& of, int code) {
   return code >= 0 && static_cast<std::size_t>(code) < N ? of[static_cast<std::size_t>(code)] : -1;
 }
 
-// In tenths of a code. [rs274 2.9; LC overview, modal groups]
+// Codes are in tenths. [rs274 2.9; LC overview, modal groups]
 constexpr auto kGGroups = groups_of<1000>({
     {0, {40, 53, 63, 100, 280, 281, 300, 301, 520, 530, 920}},
     {1, {0,   10,  20,  30,  50,  51,  52,  330, 331, 382, 383, 384, 385, 700, 710, 711, 712,

@@ -11,7 +11,7 @@ namespace cncsub::linuxcnc {
 
 namespace {
 
-constexpr int kDeepest = 200;  // values inside each other, more than a line has room for
+constexpr int kDeepest = 200;  // nested values, more than a line has room for
 
 struct Function {
   std::string_view name;
@@ -30,7 +30,7 @@ constexpr std::array<Function, 12> kFunctions = {{{"abs", Ins::Abs},
                                                   {"tan", Ins::TangentOf},
                                                   {"exp", Ins::Raise}}};
 
-// All bind to the left, powers too. [rs274 2.9]
+// All operators are left-associative, powers too. [rs274 2.9]
 constexpr OperatorRow kRows[] = {{"**", 4, Ins::Raise},        {"*", 3, Ins::Multiply},
                                  {"/", 3, Ins::Divide},        {"mod", 3, Ins::PositiveModulo},
                                  {"+", 2, Ins::Add},           {"-", 2, Ins::Subtract},
@@ -149,7 +149,7 @@ bool ExpressionReader::read_number() {
   return true;
 }
 
-/// The values of one pair of brackets.
+/// The reader of the values of one pair of brackets.
 class OperatorReader {
  public:
   using Value = bool;  // whether one was read

@@ -12,11 +12,11 @@
 
 namespace cncsub::linuxcnc {
 
-/// The largest number that a program can name, besides commons that were given to the control.
+/// The largest number that a program can name, except commons that were given to the control.
 /// [rs274 2.9: #5602 is out of range]
 inline constexpr std::int64_t kLastVariable = 5601;
 
-/// The operators, those of one spelling that begins another behind that.
+/// The operators. An operator whose spelling begins another's stands after that one.
 extern const std::span<const OperatorRow> kOperators;
 
 struct Value {
@@ -33,27 +33,27 @@ struct Place {
   std::uint32_t number = 0;  // Indirect: the expression of its number
 };
 
-/// Writes an instruction of what stands at this place of the line.
+/// Write an instruction for the text at this place of the line.
 void push(Builder& to, const Line& line, Ins op, double value = 0, std::uint32_t index = 0);
 
 class ExpressionReader {
  public:
   ExpressionReader(Builder& to, Line& line) : to_(to), line_(line) {}
 
-  /// What was read on a line before is forgotten.
+  /// Forget what was read on the line before.
   void begin_line() { set_here_.clear(); }
 
-  /// The value that stands here; nothing where it is none: then `fault` says why.
+  /// Read the value that stands here; return false if there is none: then `fault` says why.
   bool value(Value& value);
-  /// The same, in brackets.
+  /// Read a value in brackets.
   bool bracketed(Value& value);
-  /// A value that is whole but for a hair.
+  /// Read a value that is whole or nearly so.
   bool whole(Value& value);
-  /// Behind the # of an assignment.
+  /// Read the variable after the # of an assignment.
   bool place(Place& place);
-  /// The variable of a DEBUG comment: `#5` or `#<name>`. The value is vacant where it is not set.
+  /// Read the variable of a DEBUG comment: `#5` or `#<name>`. Its value is vacant if it is not set.
   bool shown(Value& value);
-  /// The expression of a value, of a number too.
+  /// Return the expression of a value, even of a number.
   std::uint32_t expression_of(const Value& value);
 
   std::optional<Fault> fault;
@@ -73,10 +73,10 @@ class ExpressionReader {
   bool wrong(Cause cause, std::string text, std::size_t place);
   bool finish(Value& value, std::uint32_t at);
   void emit(Ins op, double value = 0, std::uint32_t index = 0);
-  /// The number of a variable that the last value is; nothing where there is none: `fault` says
-  /// why.
+  /// Return the number of the variable that the last value names; nothing if there is no such
+  /// variable: `fault` says why.
   std::optional<std::int64_t> variable_number(std::size_t place);
-  /// The number that a value is but for a hair; nothing where it is not whole: `fault` says why.
+  /// Return the whole number that a value nearly is; nothing if it is not whole: `fault` says why.
   std::optional<double> whole_number(double value, std::size_t place);
 
   Builder& to_;
@@ -85,7 +85,7 @@ class ExpressionReader {
   std::optional<double> constant_;            // the last value was this number and nothing else
 };
 
-/// Whether a variable cannot be assigned to.
+/// Return whether a variable cannot be assigned to.
 bool is_read_only(std::int64_t number);
 
 }  // namespace cncsub::linuxcnc

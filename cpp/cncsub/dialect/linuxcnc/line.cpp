@@ -17,7 +17,7 @@ void Line::set(std::string_view text, std::uint32_t at) {
   places_.clear();
   next_ = 0;
   nested_ = false;
-  bool comment = false, rest = false;  // inside ( ), behind a semicolon
+  bool comment = false, rest = false;  // inside ( ), after a semicolon
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (!comment && !rest && (c == ' ' || c == '\t' || c == '\r')) continue;

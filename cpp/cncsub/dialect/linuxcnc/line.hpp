@@ -1,4 +1,4 @@
-// A line as the interpreter looks at it: in small letters and without blanks, but for its comments.
+// A line as the interpreter reads it: in small letters and without blanks, except in comments.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace cncsub::linuxcnc {
 
 class Line {
  public:
-  /// `at`: where the line stands in its file.
+  /// Set the text of the line, which stands at `at` in its file.
   void set(std::string_view text, std::uint32_t at);
 
   char peek(std::size_t ahead = 0) const {
@@ -22,21 +22,21 @@ class Line {
   char take() { return at_end() ? '\0' : text_[next_++]; }
   bool take(char c) { return peek() == c && (++next_, true); }
   bool take(std::string_view word);
-  /// What stands up to `close`, which is taken too; nothing where it is missing.
+  /// Take the text up to `close`, and `close` too; return false if it is missing.
   bool take_up_to(char close, std::string& text);
-  /// The digits that stand here.
+  /// Take the digits that stand here.
   std::string_view take_digits();
   std::string_view take_all(std::string_view characters);
   std::string_view rest() const { return std::string_view(text_).substr(next_); }
 
   std::size_t place() const { return next_; }
   void go_back(std::size_t place) { next_ = place; }
-  /// Where in the file a place is.
+  /// Return where in the file a place of the line is.
   std::uint32_t offset(std::size_t place) const;
   std::uint32_t offset() const { return offset(next_); }
   std::uint32_t width_from(std::uint32_t at) const;
 
-  /// A comment that is not closed, or one inside another.
+  /// Return whether a comment is not closed, or stands inside another.
   bool unclosed() const { return unclosed_; }
   bool nested() const { return nested_; }
 

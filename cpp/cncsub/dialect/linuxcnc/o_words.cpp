@@ -38,8 +38,8 @@ constexpr Word kWords[] = {{"sub", OWordKind::Sub},
                            {"endrepeat", OWordKind::EndRepeat},
                            {"return", OWordKind::Return}};
 
-/// What is said where the label was met with another statement, or the subprogram is of another
-/// kind. [rs274 2.9]
+/// Return the message for a label that was met with another statement, or for a subprogram of
+/// another kind. [rs274 2.9]
 const char* refusal(OWordKind kind) {
   using enum OWordKind;
   switch (kind) {
@@ -77,12 +77,13 @@ const char* refusal(OWordKind kind) {
   return "";
 }
 
+/// Take the letter, and as many characters as the number has digits. [rs274 2.9: M098 leaves its 8]
 void take_m(Line& line, int number) {
   for (std::size_t left = 1 + std::to_string(number).size(); left > 0; --left) line.take();
 }
 
-/// What is said of an endsub in the main program once a call has come back to it, and where the
-/// program runs into a sub that was called before. [rs274 2.9]
+/// Keep the refusal of an endsub that the main program reaches after a call has returned, or of a
+/// sub that was called before and that the program runs into. [rs274 2.9]
 void keep_refusal(Builder& to, OWord& own, Cause cause, const char* text) {
   Fault fault{cause, own.at, own.width, ""};
   fault.text = text;
@@ -93,8 +94,7 @@ void keep_refusal(Builder& to, OWord& own, Cause cause, const char* text) {
 
 // ---- M98, M99 ----
 
-/// The letter, and as many characters as the number has digits. [rs274 2.9: M098 leaves its 8]
-/// The words behind M98; of others than P and L nothing happens.
+/// Read the words after M98. Words other than P and L have no effect.
 bool BlockReader::words_of_98(Block& block, CallRecord& call, Words& words) {
   while (!line_.at_end()) {
     const char letter = line_.peek();
@@ -118,7 +118,7 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call, Words& words) {
                           words.line.at[static_cast<std::size_t>(wrong->letter - 'a')]);
 }
 
-/// M98 stands first, and its words behind it.
+/// Read an M98 that stands first in its line, and the words after it.
 bool BlockReader::call_98(Block& block, int m, Label& label) {
   const std::uint32_t at = line_.offset();
   take_m(line_, m);
@@ -129,14 +129,14 @@ bool BlockReader::call_98(Block& block, int m, Label& label) {
   call.width = line_.width_from(at);
   Words words;
   if (!words_of_98(block, call, words)) return false;
-  if (refuse_wrong(block, words.line)) return true;  // but where it is passed over
+  if (refuse_wrong(block, words.line)) return true;  // refused unless it is passed over
   if (!call.p.present())
     return refuse(block, Cause::ProgramNumberMissing,
                   "Found 'm" + std::to_string(m) + "' code with no P-word", at);
   OWord own;
   if (is_in_mode(words.line) && !words.line.computed) {
     own.beside = unused_letters(words.line);
-    const std::string_view axes = words.line.has_g({431}) ? "" : "XYZABC";  // of G43.1 its lengths
+    const std::string_view axes = words.line.has_g({431}) ? "" : "XYZABC";  // G43.1 takes lengths
     for (const char axis : axes) own.beside |= words.list.mask & bit(axis);
   }
   own.kind = OWordKind::Call98;

@@ -1,4 +1,4 @@
-// Files of LinuxCNC: a file is a program, its subprograms are parts of it.
+// Files of LinuxCNC: a file is a program, and its subprograms are parts of it.
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
@@ -28,7 +28,7 @@ class FileReader {
     program.line = 1;
     program.opening = opening_of(text);
     to_.begin_program(program);
-    bool first = true;          // nothing was written so far
+    bool first = true;          // only empty lines were read so far
     bool program_file = false;  // the first line is a %, and another one ends the program
     std::uint32_t line = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -55,7 +55,7 @@ class FileReader {
     Label label;
   };
 
-  /// The place of the % that is the first line of a text, and 1; 0 where another line is.
+  /// Return 1 + the place of the % that is a text's first line; 0 if the first line is another.
   static std::uint32_t opening_of(std::string_view text) {
     const std::size_t at = std::min(text.find_first_not_of(" \t\r\n"), text.size());
     const std::string_view line = text.substr(at, std::min(text.find('\n', at), text.size()) - at);
@@ -71,7 +71,7 @@ class FileReader {
     if (text == "%") {
       end_of_file(block, program_file);
       (program_file ? label.unreadable : label.computed) =
-          true;  // behind a tape's end nobody looks
+          true;  // no search goes past a tape's end
     } else if (!blocks_.read(text, block, label)) {
       return;
     }
@@ -80,7 +80,7 @@ class FileReader {
     to_.append(block);
   }
 
-  /// A %; where no other one begins the file, it is refused when a program comes to it.
+  /// Write a %. If no other % begins the file, this one is refused when a program comes to it.
   void end_of_file(Block& block, bool program_file) {
     OWord own;
     own.kind = OWordKind::FileEnd;
@@ -94,7 +94,7 @@ class FileReader {
     to_.become(block, Op::OWord, own);
   }
 
-  /// What lies behind a line, as far as it matters where passing over leads.
+  /// The lines after a line that decide where passing over leads.
   struct Ahead {
     Address end;
     Address wall = end;        // the next line that nothing passes over
@@ -116,7 +116,7 @@ class FileReader {
     }
   };
 
-  /// Where passing over leads from each statement, from behind.
+  /// Find where passing over leads from each statement, from the last statement to the first.
   void link(Address end) {
     Ahead ahead{end};
     for (auto met = lines_.rbegin(); met != lines_.rend(); ++met)
@@ -146,7 +146,7 @@ class FileReader {
     }
   }
 
-  /// The subprograms of the file, each up to its endsub, or to the next one.
+  /// Add the subprograms of the file, each up to its endsub or to the next subprogram.
   void parts(Address end) {
     const auto whole = static_cast<std::int32_t>(to_.code().programs.size()) - 1;
     const std::string_view text = to_.code().files[file_].text.view();
@@ -169,7 +169,7 @@ class FileReader {
     }
   }
 
-  /// Where the subprogram ends whose head is line `i` of those with labels.
+  /// Return where the subprogram ends whose head is line `i` of those with labels.
   Address part_end(std::size_t i, Address end) const {
     const Label& head = lines_[i].label;
     for (++i; i < lines_.size(); ++i) {
@@ -182,7 +182,7 @@ class FileReader {
     return end;
   }
 
-  /// The name behind the O of a subprogram: <name>, or digits.
+  /// Set the name of a subprogram, which stands after its O: <name>, or digits.
   static void place_name(Program& part, std::string_view text) {
     std::size_t from = part.text + std::size_t{1};
     while (is_blank(text[from])) ++from;
@@ -209,7 +209,7 @@ cncsub::FileReader linuxcnc_reader(Builder& to) {
   return [reader](std::uint32_t file) { reader->read(file); };
 }
 
-// What a label means depends on what stands before it.
+// Null: what a label means depends on the lines before it.
 PieceReader (*const linuxcnc_pieces)(Builder& to) = nullptr;
 
 }  // namespace cncsub

@@ -1,4 +1,4 @@
-// The rules that LinuxCNC's language asks: it has its own way with characters, numbers, words and
+// The rules that LinuxCNC's language asks. It has its own way with characters, numbers, words and
 // statements, and no codes of corners, rotation, scaling or stored stroke.
 #include <string_view>
 

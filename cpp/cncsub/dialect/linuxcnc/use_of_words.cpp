@@ -1,5 +1,5 @@
-// The interpreter refuses words that no code of the line uses. [rs274 2.9: check_other_codes,
-// enhance_block]
+// The check for words that no code of the line uses: the interpreter refuses them. [rs274 2.9:
+// check_other_codes, enhance_block]
 #include "cncsub/dialect/linuxcnc/use_of_words.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ bool any_of(const std::vector<int>& there, std::initializer_list<int> wanted) {
   });
 }
 
-// What goes with G81 to G89 is written out; G in tenths.
+// The words of G81 to G89 are written out; G codes are in tenths.
 const WordUse kUses[] = {
     {'D',
      {410, 420, 411, 421, 700, 710, 711, 712, 720, 721, 722, 960},
@@ -65,7 +65,7 @@ const WordUse kUses[] = {
 constexpr std::string_view kAxes = "xyzabcuvw@^";
 constexpr std::string_view kArcWords = "rijk";
 
-/// Codes of the motion group, G80 left out.
+/// Return whether a code belongs to the motion group, G80 left out.
 bool is_motion(int code10) {
   const bool low = code10 <= 30 || (code10 >= 50 && code10 <= 53);
   const bool cycle = code10 >= 700 && code10 <= 890 && code10 != 800;
@@ -76,7 +76,7 @@ bool has_axes(const LineWords& line) {
   return std::any_of(kAxes.begin(), kAxes.end(), [&](char axis) { return line.has(axis); });
 }
 
-/// Whether a motion code stands in the line that does not do without an axis.
+/// Return whether the line has a motion code that needs an axis.
 bool needs_axes(const LineWords& line) {
   return std::any_of(line.g.begin(), line.g.end(), [](int code10) {
     const bool without = code10 <= 30 || code10 == 52 || (code10 >= 700 && code10 <= 722);
@@ -84,7 +84,7 @@ bool needs_axes(const LineWords& line) {
   });
 }
 
-/// Words that are missing, or that stand beside a code which wants none.
+/// Return a word that is missing, or that stands beside a code which takes none.
 std::optional<WrongWord> against_code(const LineWords& line) {
   if (line.has_g({800}) && has_axes(line) && !line.has_g({100, 280, 300, 520, 920})) {
     const char axis =
@@ -118,7 +118,7 @@ WrongWord wrong(char letter, Cause cause, std::string_view text) {
   return {letter, cause, std::string(text)};
 }
 
-/// Numbers that M19, which turns the spindle to an angle, does not take.
+/// Return a word whose number M19, which turns the spindle to an angle, does not take.
 std::optional<WrongWord> against_orientation(const LineWords& line) {
   const double p = line.number('p', 0), r = line.number('r', 0), q = line.number('q', 1);
   if (std::fabs(std::round(p) - p) > 0.001)
@@ -131,7 +131,7 @@ std::optional<WrongWord> against_orientation(const LineWords& line) {
   return std::nullopt;
 }
 
-/// Words that an M code, or the spindle, wants and does not find.
+/// Return a word that an M code or the spindle needs and that is missing or wrong.
 std::optional<WrongWord> against_m(const LineWords& line) {
   if (line.has_g({960}) && !line.has('s'))
     return wrong('g', Cause::MotionWordMissing, "S word missing with G96");

@@ -1,4 +1,4 @@
-// Variables, by number and by name, where they are read, assigned to and shown.
+// Variables by number and by name: their reading, their assignment and their display.
 #include <charconv>
 
 #include "cncsub/control/variable_table.hpp"
@@ -13,7 +13,7 @@ namespace {
 constexpr std::int64_t kFirstPosition = 5420, kLastPosition = 5428;
 constexpr std::int64_t kPositionShown = 15040;  // the same, beyond what programs can name
 
-/// The place of a name among Code::named_variables.
+/// Return the place of a name among Code::named_variables.
 std::uint32_t named(Builder& to, const std::string& name) {
   return to.names().variable(name, name.starts_with('_'));
 }
@@ -24,7 +24,7 @@ void push_load(Builder& to, const Line& line, std::int64_t number) {
   push(to, line, load, static_cast<double>(number), static_cast<std::uint32_t>(place.index));
 }
 
-/// The variable of a name, vacant where it is not set.
+/// Push the variable of a name; its value is vacant if it is not set.
 void push_raw(Builder& to, const Line& line, const std::string& name) {
   const NamedVariable& variable = to.code().named_variables[named(to, name)];
   push(to, line, variable.common ? Ins::CommonRaw : Ins::LocalRaw, 0,
@@ -80,7 +80,7 @@ bool ExpressionReader::read_variable(int depth) {
   return true;
 }
 
-/// <name>
+/// Read a name: <name>.
 bool ExpressionReader::read_name(std::string& name, std::size_t place) {
   line_.take('<');
   if (line_.take_up_to('>', name)) return true;
@@ -125,7 +125,7 @@ bool ExpressionReader::read_exists(int depth) {
   } else {
     if (!read_value(depth)) return false;
     constant_.reset();
-    emit(Ins::WholeNumber);  // of a number: whether there is a variable of this number
+    emit(Ins::WholeNumber);  // a number asks whether there is a variable of this number
     emit(Ins::Constant, 1);
     emit(Ins::IsWithin, static_cast<double>(kLastVariable));
   }
@@ -185,7 +185,7 @@ bool ExpressionReader::shown(Value& value) {
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  if (number >= kFirstPosition && number <= kLastPosition) {  // a message tells it at any time
+  if (number >= kFirstPosition && number <= kLastPosition) {  // a message shows it at any time
     push_load(to_, line_, number - kFirstPosition + kPositionShown);
     return finish(value, at);
   }

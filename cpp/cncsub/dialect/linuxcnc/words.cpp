@@ -1,5 +1,5 @@
-// The words of a line as LinuxCNC writes them: an O-word is one with all that stands behind it, and
-// so is an assignment with its value.
+// The words of a line as LinuxCNC writes them. An O-word is one word with all the text after it,
+// and an assignment is one with its value.
 #include "cncsub/text/words.hpp"
 
 #include "cncsub/dialect/dialect.hpp"
@@ -19,7 +19,7 @@ void pass_bracket(Scanner& s) {
   }
 }
 
-/// A number, #5, #<name>, [1 + 2] or SIN[30], with its signs.
+/// Pass over a number, #5, #<name>, [1 + 2] or SIN[30], with its signs.
 void pass_value(Scanner& s) {
   while (s.peek() == '+' || s.peek() == '-' || s.peek() == '#') ++s.at;
   if (s.peek() == '<') {
@@ -41,7 +41,7 @@ constexpr std::string_view kPolar = "@^";
 
 }  // namespace
 
-// A comment in brackets behind a message would be what is said: the last one counts.
+// A comment in brackets after a message would be shown instead: the last comment counts.
 const Spelling linuxcnc_spelling{.comment = {";", ""},
                                  .value = {"[", "]"},
                                  .message = {"(MSG,", ")"},

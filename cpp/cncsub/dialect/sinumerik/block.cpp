@@ -15,9 +15,9 @@ namespace {
 constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
 constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
 constexpr std::string_view kAddresses = "ABCFIJKRSTUVWXYZ";    // R: of CR=
-constexpr std::string_view kDropped = "DH";                    // they are told, and do nothing here
+constexpr std::string_view kDropped = "DH";                    // reported, and without effect here
 
-/// Whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
+/// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
   const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
   return structure && (block.skip != 0 || o_word);
@@ -71,7 +71,7 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   return true;
 }
 
-/// `/` and `/0` are the first switch, `/1` the one of this number.
+/// Read the skip switches: `/` and `/0` are the first one, `/1` and up the one of this number.
 void BlockReader::skip_level(Block& block) {
   marked_at_ = line_.offset();
   while (line_.take('/')) {
@@ -82,7 +82,7 @@ void BlockReader::skip_level(Block& block) {
   }
 }
 
-/// N10, or :10 of a main block. [802D p.133]
+/// Read N10, or :10 of a main block. [802D p.133]
 bool BlockReader::number(Block& block) {
   const std::uint32_t at = line_.offset();
   const char c = line_.peek();
@@ -96,7 +96,7 @@ bool BlockReader::number(Block& block) {
   return refuse(block, Cause::IllegalSequenceNumber, "a block number that is too large", at);
 }
 
-/// The label that begins the block: two letters or _ and more, with a colon. [NCI labels]
+/// Read the label that begins the block: two letters or _, perhaps more, and a colon. [NCI labels]
 void BlockReader::take_label(std::string& label) {
   const std::string_view name = line_.name();
   if (name.size() < kShortestLabel || name.size() > kLongestLabel || is_digit(name[1])) return;
@@ -121,7 +121,7 @@ bool BlockReader::item(Block& block, Words& words) {
   return refuse(block, Cause::IllegalCharacter, "no word begins with this character", at);
 }
 
-/// X10, X=R1, G1, M30, L100, R1=5.
+/// Read X10, X=R1, G1, M30, L100 or R1=5.
 bool BlockReader::address(Block& block, Words& words) {
   const std::uint32_t at = line_.offset();
   const char letter = line_.peek();
@@ -209,7 +209,7 @@ bool BlockReader::assignment(Block& block, Words& words) {
   return true;
 }
 
-/// A word of two letters and more: CR=5, MSG("..."), BRISK, or the name of a program.
+/// Read a word of two letters or more: CR=5, MSG("..."), BRISK, or the name of a program.
 bool BlockReader::named(Block& block, Words& words) {
   const std::uint32_t at = line_.offset();
   const std::string_view written = line_.name();
@@ -242,7 +242,7 @@ bool BlockReader::named(Block& block, Words& words) {
   return not_computed(block, name, at);
 }
 
-/// MSG("text"), and MSG() that takes it away.
+/// Read MSG("text"), or MSG(), which takes the message away.
 bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
   line_.pass(3);
   if (!line_.take('(')) return refuse(block, Cause::BracketNotOpened, "( is missing", at);
@@ -280,7 +280,7 @@ bool BlockReader::write_return(Block& block, const Words& words, std::uint32_t a
   return true;
 }
 
-/// Assignments and a message, perhaps with words beside them.
+/// Write assignments and a message, perhaps with words beside them.
 void BlockReader::write_beside(Block& block, const Words& words) {
   if (!words.any && words.statements.size() == 1 && !words.print) {
     assign(to_, block, words.statements.front());

@@ -1,4 +1,4 @@
-// A block of words, assignments and a message, a call or a statement, compiled.
+// The compiler of a block of words, assignments and a message, of a call or of a statement.
 #pragma once
 
 #include <bitset>
@@ -11,11 +11,11 @@
 
 namespace cncsub::sinumerik {
 
-/// What a block is to the other blocks of its program: what of it is known at their end.
+/// The part of a block that concerns other blocks of its program, used when all of them are known.
 struct Link {
   enum class Kind : std::uint8_t {
     None,
-    Jump,  // GOTOF, GOTOB, GOTO, GOTOC, behind a condition or not
+    Jump,  // GOTOF, GOTOB, GOTO, GOTOC, after a condition or not
     If,
     Else,
     EndIf,
@@ -37,8 +37,8 @@ class BlockReader {
  public:
   explicit BlockReader(Builder& to) : to_(to), expression_(to, line_) {}
 
-  /// Compiles a line into `block`, whose text and line are set; its label, in capitals. False where
-  /// nothing stands there.
+  /// Compile a line into `block`, whose text and line are set, and set its label, in capitals.
+  /// Return false if the line is empty.
   bool read(std::string_view text, Block& block, std::string& label, Link& link);
 
  private:
@@ -53,7 +53,7 @@ class BlockReader {
     bool any = false;
     bool ends = false;
 
-    /// False where a code of its group stands in the block already.
+    /// Take the group of a code; return false if a code of it stands in the block already.
     bool take_group(int group);
   };
 
@@ -79,7 +79,7 @@ class BlockReader {
   bool write_return(Block& block, const Words& words, std::uint32_t at);
   void write_beside(Block& block, const Words& words);
 
-  /// Whether a statement stands here; `read_it`: without a fault.
+  /// Return whether a statement stands here; `read_it`: without a fault.
   bool statement(Block& block, Link& link, bool& read_it);
   bool conditional(Block& block, Link& link);
   bool jump(Block& block, Link& link, std::string_view word, Statement jump);

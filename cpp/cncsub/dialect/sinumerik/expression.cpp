@@ -9,8 +9,8 @@ namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr int kDeepest = 100;                // values inside each other
-constexpr double kAlike = 1e-12;             // a share by which values differ that are equal
+constexpr int kDeepest = 100;                // nested values
+constexpr double kAlike = 1e-12;             // the share by which equal values may differ
 constexpr std::int32_t kLastNumber = 99999;  // of a parameter, more than any control has
 
 struct Function {
@@ -31,9 +31,8 @@ constexpr std::array<Function, 12> kFunctions = {{{"SIN", Ins::SineOf, 1},
                                                   {"LN", Ins::Ln, 1},
                                                   {"POT", Ins::Raise, 1}}};
 
-// How tightly they bind, from products down to comparisons; NOT and signs belong to the operand.
-// Levels 4 to 6 are those of B_OR, B_XOR and B_AND, which are not computed.
-// [NCI precedence: manual 4.1.3.3]
+// The precedence falls from products to comparisons; NOT and signs belong to the operand. Levels 4
+// to 6 are those of B_OR, B_XOR and B_AND, which are not computed. [NCI precedence: manual 4.1.3.3]
 constexpr OperatorRow kRows[] = {{"*", 8, Ins::Multiply},
                                  {"/", 8, Ins::Divide},
                                  {"DIV", 8, Ins::Divide, Ins::Fix},
@@ -113,7 +112,7 @@ bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
   return true;
 }
 
-/// The values of one expression.
+/// The reader of the values of one expression.
 class OperatorReader {
  public:
   using Value = bool;  // whether one was read
@@ -136,7 +135,8 @@ class OperatorReader {
   }
   std::uint32_t offset() const { return 0; }  // an instruction tells where its last value ends
   void pass(const OperatorRow& of) { to_.line_.pass(of.spelling.size()); }
-  /// Comparisons are of the values' difference, to which their size is asked. [NCI comparisons]
+  /// Write an operator. A comparison is of the values' difference, measured by their size, with 0.
+  /// [NCI comparisons]
   bool apply(const OperatorRow& of, std::uint32_t /*at*/, bool /*left*/, bool /*right*/) {
     to_.emit(of.op, of.op == Ins::Compare ? kAlike : 0);
     if (of.op == Ins::Compare) to_.emit(Ins::Constant, 0);
@@ -155,7 +155,7 @@ bool ExpressionReader::read(int depth) {
   return read_operators(values) && !is_uncomputed_operator();
 }
 
-/// Whether an operator follows that works on bits. [NCI precedence: manual 4.1.3.3]
+/// Return whether an operator on bits follows; refuse it. [NCI precedence: manual 4.1.3.3]
 bool ExpressionReader::is_uncomputed_operator() {
   const std::uint32_t at = line_.offset();
   const std::string name = capitals(line_.name());
@@ -164,7 +164,7 @@ bool ExpressionReader::is_uncomputed_operator() {
   return !not_computed(name, at);
 }
 
-/// The sign that stands here, or NOT, and what it is of.
+/// Read the sign that stands here, or NOT, and its operand.
 bool ExpressionReader::read_signed(char sign, std::string_view name, int depth) {
   line_.pass(name.empty() ? 1 : name.size());
   if (!read_operand(depth + 1)) return false;
@@ -175,7 +175,7 @@ bool ExpressionReader::read_signed(char sign, std::string_view name, int depth) 
   return true;
 }
 
-/// A value with its signs, which bind closest.
+/// Read a value with its signs, which bind closest.
 bool ExpressionReader::read_operand(int depth) {
   const std::uint32_t at = line_.offset();
   if (depth > kDeepest)
@@ -210,7 +210,7 @@ bool ExpressionReader::read_bracket(char open, char close, int depth) {
   return wrong(Cause::BracketNotClosed, std::string(1, close) + " is missing", at);
 }
 
-/// 10, 10.5, .5, and 1.5EX3 for 1500.
+/// Read 10, 10.5, .5, or 1.5EX3 for 1500.
 bool ExpressionReader::read_number() {
   const std::uint32_t at = line_.offset();
   std::string text(line_.take_digits());
@@ -287,7 +287,7 @@ bool ExpressionReader::read_function(std::string_view name, int depth) {
   return true;
 }
 
-/// The values of the function at `at`, in their brackets.
+/// Read the values of the function at `at`, in their brackets.
 bool ExpressionReader::read_values(int count, std::uint32_t at, int depth) {
   if (!line_.take('(')) return wrong(Cause::BracketNotOpened, "( is missing", at);
   for (int i = 0; i < count; ++i) {
@@ -298,7 +298,7 @@ bool ExpressionReader::read_values(int count, std::uint32_t at, int depth) {
   return line_.take(')') || wrong(Cause::BracketNotClosed, ") is missing", at);
 }
 
-/// What is on the left, its value, and only then is it assigned to: R1=R1+1.
+/// Read the left side, then the value. Only then does the variable count as assigned: R1=R1+1.
 bool ExpressionReader::assignment(Statement& statement) {
   const std::uint32_t at = line_.offset();
   std::int32_t number = -1;

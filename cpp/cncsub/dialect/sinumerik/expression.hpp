@@ -12,7 +12,7 @@
 
 namespace cncsub::sinumerik {
 
-/// The operators, those of one spelling that begins another behind that.
+/// The operators. An operator whose spelling begins another's stands after that one.
 extern const std::span<const OperatorRow> kOperators;
 
 struct Value {
@@ -26,20 +26,20 @@ class ExpressionReader {
  public:
   ExpressionReader(Builder& to, Line& line) : to_(to), line_(line) {}
 
-  /// What was read on a block before is forgotten.
+  /// Forget what was read on the block before.
   void begin_block();
-  /// The number behind an address, with its sign.
+  /// Read the number after an address, with its sign.
   bool number(Value& value);
-  /// The expression behind =.
+  /// Read the expression after =.
   bool value(Value& value);
-  /// The expression of a condition; `otherwise`: of its contrary.
+  /// Read the expression of a condition; `otherwise`: of its negation.
   bool condition(std::uint32_t& expression, bool otherwise = false);
-  /// R1=5, R[R2]=R1+1.
+  /// Read R1=5 or R[R2]=R1+1.
   bool assignment(Statement& statement);
-  /// The expression of a value, of a number too.
+  /// Return the expression of a value, even of a number.
   std::uint32_t expression_of(const Value& value);
 
-  std::optional<Fault> fault;  // why what was asked for last does not stand here
+  std::optional<Fault> fault;  // why the last reading failed
 
  private:
   friend class OperatorReader;

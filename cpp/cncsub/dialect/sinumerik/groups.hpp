@@ -1,4 +1,4 @@
-// The groups of codes and words of which one stands in a block.
+// The groups of codes and words. One of a group may stand in a block.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,9 @@ namespace cncsub::sinumerik {
 
 constexpr int kCodeGroups = 64;
 
-/// The number of the G group of a code; 0 where it is in none.
+/// Return the number of the G group of a code; 0 if it is in none.
 int group_of(int code);
-/// The same of a word such as BRISK.
+/// Return the same for a word such as BRISK.
 int group_of(std::string_view word);
 
 }  // namespace cncsub::sinumerik

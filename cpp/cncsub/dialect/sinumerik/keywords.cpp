@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kNeutral[] = {"BRISK", "DRIVE",  "FFWOF", "FFWON",   "SOFT",
                                          "SBLOF", "STOPRE", "SBLON", "DISPLOF", "DISPLON"};
 
-// Those of statements, calls and frames, and those that say how an axis goes. [NCI grammar; NCI
+// Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups]
 constexpr std::string_view kNotComputed[] = {
     "ADIS",    "ADISPOS", "AMIRROR",  "AROT",      "AROTS",    "ASCALE",   "ASPLINE",

@@ -5,12 +5,13 @@
 
 namespace cncsub::sinumerik {
 
-/// Words that no path depends on: how fast an axis starts, what the screen shows.
+/// Return whether no path depends on a word, as on how fast an axis starts or what the screen
+/// shows.
 bool is_neutral(std::string_view word);
-/// Words of the language that are not read here.
+/// Return whether a word of the language is not read here.
 bool is_not_computed(std::string_view word);
 
-/// Whether a line is the head of a subprogram whose return takes the modes of its caller back in:
+/// Return whether a line is the head of a subprogram whose return restores the modes of its caller:
 /// PROC NAME(..) SAVE.
 bool saves_modes(std::string_view line);
 

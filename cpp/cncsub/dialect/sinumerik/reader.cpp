@@ -1,4 +1,4 @@
-// Files of a SINUMERIK: one is a program, or several in punched tape format.
+// Files of a SINUMERIK: a file is one program, or several in punched tape format.
 #include <algorithm>
 #include <memory>
 
@@ -41,7 +41,7 @@ class FileReader {
   }
 
  private:
-  /// %_N_SHAFT_MPF is the program SHAFT; without a head the file gives the name. [SONE p.43]
+  /// Begin a program: %_N_SHAFT_MPF is SHAFT. Without a head the file gives the name. [SONE p.43]
   void begin_program(std::uint32_t file, std::uint32_t line, std::string_view head,
                      std::uint32_t at) {
     Program program;
@@ -94,7 +94,7 @@ FileReader sinumerik_reader(Builder& to) {
   return [reader](std::uint32_t file) { reader->read(file); };
 }
 
-// What a label means depends on what stands before it.
+// Null: what a label means depends on the blocks before it.
 PieceReader (*const sinumerik_pieces)(Builder& to) = nullptr;
 
 }  // namespace cncsub

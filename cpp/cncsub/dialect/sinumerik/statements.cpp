@@ -39,7 +39,7 @@ bool is_jump(std::string_view word) {
   return std::find(std::begin(kJumps), std::end(kJumps), word) != std::end(kJumps);
 }
 
-/// The name of a program without what the control puts around it: _N_SUB_SPF is SUB. [828D p.490]
+/// Return a program's name without what the control puts around it: _N_SUB_SPF is SUB. [828D p.490]
 std::string_view bare(std::string_view name) {
   const std::string capital = capitals(name);
   const std::size_t before = capital.starts_with("_N_") ? 3 : 0;
@@ -52,7 +52,7 @@ std::string_view bare(std::string_view name) {
 
 // ---- calls ----
 
-/// L100, SUB, SUB(), and P with how often.
+/// Read L100, SUB or SUB(), and a P with the count.
 bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   const std::uint32_t at = line_.offset();
   line_.pass(name.size());
@@ -70,7 +70,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   if (line_.take('(') && !line_.take(')')) return not_computed(block, "a call with values", at);
   if (line_.peek() == 'P' && line_.name().size() > 1 && !is_digit(line_.name()[1])) {
     words.call = std::move(call);
-    return true;  // another name: it is looked at next
+    return true;  // another name, which is read next
   }
   if (line_.peek() == 'P') {
     const std::uint32_t word = line_.offset();
@@ -86,7 +86,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   return true;
 }
 
-/// A call has a block of its own.
+/// Write a call, which has a block of its own.
 bool BlockReader::write_call(Block& block, const Words& words, CallRecord call) {
   const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
   if (!alone)
@@ -126,7 +126,7 @@ bool BlockReader::statement(Block& block, Link& link, bool& read_it) {
   return true;
 }
 
-/// IF condition, and the jump that it makes.
+/// Read the condition of an IF, and the jump that it makes.
 bool BlockReader::conditional(Block& block, Link& link) {
   Statement statement;
   statement.at = line_.offset();
@@ -144,7 +144,7 @@ bool BlockReader::conditional(Block& block, Link& link) {
   return true;
 }
 
-/// GOTOF END, GOTOB N10, GOTO 10.
+/// Read GOTOF END, GOTOB N10 or GOTO 10.
 bool BlockReader::jump(Block& block, Link& link, std::string_view word, Statement jump) {
   link.kind = Link::Kind::None;
   link.at = line_.offset();

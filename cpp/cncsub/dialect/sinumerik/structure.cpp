@@ -64,8 +64,8 @@ void Structure::open(const Met& met) {
   open_.push_back({met.address, met.link.kind, kNowhere, spans_.size()});
 }
 
-/// Whether a jump leads into a structure that it does not stand in. The structure around a block
-/// holds the jump only where all those around it do.
+/// Return whether a jump leads into a structure that it does not stand in. The innermost structure
+/// around the target decides: if it holds the jump, all structures around it do.
 bool Structure::leads_inside(Address from, Address to) const {
   const auto behind = std::upper_bound(marks_.begin(), marks_.end(), to,
                                        [](Address at, const Mark& of) { return at < of.from; });
@@ -106,8 +106,8 @@ void Structure::close(const Met& met, Link::Kind opener) {
   if (runs(end, Op::EndDo) || runs(end, Op::IfGoto)) statement(end).to = open.address;
 }
 
-/// The nearest block of the label, or of the number, in the direction of the search; `other` is one
-/// more that has it, where there is one. [NCI labels]
+/// Return the nearest block of the label, or of the number, in the direction of the search. `other`
+/// becomes one more block that has it, if there is one. [NCI labels]
 Address Structure::target(const Met& met, Address& other) {
   const Link& link = met.link;
   std::vector<Address> blocks;
@@ -141,7 +141,7 @@ void Structure::resolve(const Met& met) {
     statement(met.address).end = other;
     return;
   }
-  // A jump that finds nothing is told when it is made; GOTOC goes on instead.
+  // A jump that finds nothing is reported when it is made; GOTOC goes on instead.
   Block instead = block;
   instead.op = Op::Words;
   instead.data = 0;

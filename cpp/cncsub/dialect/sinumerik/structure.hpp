@@ -1,4 +1,4 @@
-// What is known of a program's jumps and control structures once all its blocks are read.
+// The jumps and control structures of a program, resolved once all its blocks are read.
 #pragma once
 
 #include <string>
@@ -17,9 +17,9 @@ class Structure {
     labels_.clear();
     links_.clear();
   }
-  /// The block that is appended next.
+  /// Add the block that is appended next.
   void add(const std::string& label, const Link& link);
-  /// The last program of the builder has ended.
+  /// Resolve the last program of the builder, which has ended.
   void match();
 
  private:
@@ -37,12 +37,12 @@ class Structure {
   /// A control structure whose end is known; kNowhere: it has none.
   struct Span {
     Address first, last = kNowhere;
-    std::size_t around = 0;  // the one that it stands in, from 1
+    std::size_t around = 0;  // the number of the structure around it, from 1
 
-    /// Whether a block is one of those behind its beginning.
+    /// Return whether a block stands after the beginning of the structure, up to its end.
     bool holds(Address at) const { return at > first && (last == kNowhere || at <= last); }
   };
-  /// From this block on the innermost structure is that one.
+  /// The block from which on `span` is the innermost structure.
   struct Mark {
     Address from;
     std::size_t span;

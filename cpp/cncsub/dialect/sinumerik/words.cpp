@@ -1,5 +1,5 @@
-// The words of a block as they are written: a statement is one with all that stands behind it, and
-// so is an address with its expression.
+// The words of a block as they are written. A statement is one word with all the text after it, and
+// an address is one with its expression.
 #include <algorithm>
 
 #include "cncsub/dialect/dialect.hpp"
@@ -23,7 +23,7 @@ bool is_in(const List& list, std::string_view word) {
   return false;
 }
 
-/// What stands in brackets, with them.
+/// Pass over brackets and the text in them.
 void pass_bracket(Line& line, char open, char close) {
   int depth = 0;
   for (char c = line.peek(); c != '\0'; c = line.peek()) {
@@ -50,7 +50,7 @@ void pass_operand(Line& line) {
   if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
 }
 
-/// An expression: operands as long as operators stand between them.
+/// Pass over an expression: operands as long as operators stand between them.
 void pass_expression(Line& line) {
   for (;;) {
     pass_operand(line);
@@ -64,7 +64,7 @@ void pass_expression(Line& line) {
   }
 }
 
-/// X10, X=R1, G54: a letter, and what belongs to it.
+/// Pass over X10, X=R1 or G54: a letter and its value.
 void pass_address(Line& line, char letter, WrittenWord& word) {
   word.address = letter;
   line.pass(1);
@@ -80,7 +80,7 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   pass_expression(line);
 }
 
-/// What stands behind the equals sign of CR=5: a number, or an expression.
+/// Pass over the value after the equals sign of CR=5: a number, or an expression.
 void pass_value(Line& line, WrittenWord& word) {
   const std::string_view here = line.rest();
   Scanner ahead{here.data(), here.data() + here.size(), here.data()};
@@ -133,7 +133,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;
   Line line;
-  // Each word looks no farther than it is wide.
+  // The comment is not searched for: each word is read no farther than it is wide.
   line.set_uncut(block.substr(std::min(from, block.size())), static_cast<std::uint32_t>(from));
   if (line.at_end()) return std::nullopt;
   WrittenWord word;
