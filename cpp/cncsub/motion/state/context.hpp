@@ -32,7 +32,7 @@ struct BlockWords {
   Meaning meaning(Group group) const { return words.codes->meaning(group); }
 };
 
-/// Whether one of the G codes of a block, ten times its number, is such.
+/// Return whether one of the G codes of a block, ten times its number, passes the test.
 template <class Test>
 bool any_code(const NcWords& words, const Test& test) {
   return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);

@@ -1,4 +1,4 @@
-// Skip signals: which there are, and what was told of them before the run.
+// Skip signals: which there are, and what was reported of them before the run.
 #pragma once
 
 #include <array>
@@ -9,37 +9,38 @@
 
 namespace cncsub {
 
-/// Skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z each.
+/// A set of skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z
+/// each.
 using SignalMask = std::uint32_t;
 constexpr SignalMask kAnySignal = ~SignalMask{0};
 constexpr int kArrivalSignal = 9;  // of X
 constexpr int kSkipSignals = kArrivalSignal + 3;
 constexpr SignalMask signal_bit(int signal) { return SignalMask{1} << signal; }
 
-/// What is said of a skip signal on the way of one block.
+/// What is reported of a skip signal on the path of one block.
 struct SkipSignal {
   enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
-  double value = 0;  // of the way, or in work coordinates, mm
+  double value = 0;  // of the path, or in work coordinates, mm
   int axis = 0;
 };
 
-/// What is told of the signals that a block watches, and those of which nothing is left.
+/// What is reported of the signals that a block watches, and the signals of which nothing is left.
 struct ReportedSkips {
   std::vector<SkipSignal> reported;
   SignalMask open = 0;
 };
 
-/// What was told of each signal, block after block, and of any signal (0); and how much of that is
-/// used up.
+/// What was reported of each signal, block after block, and of any signal (0); and how much of that
+/// is used up.
 struct SkipLists {
   using Next = std::array<std::size_t, kSkipSignals>;
   const std::array<std::vector<SkipSignal>, kSkipSignals>* lists = nullptr;
   const Next* used = nullptr;  // before this block
   std::optional<Next> taken;   // with what this block takes, where it takes any
 
-  /// Whether anything was told of any signal.
+  /// Return whether anything was reported of any signal.
   bool any() const;
-  /// The next that is told of these signals. What is told of any signal comes first.
+  /// Take the next report of these signals. What is reported of any signal comes first.
   ReportedSkips take(SignalMask signals);
 };
 
