@@ -123,13 +123,12 @@ struct MotionFacts {
   };
   std::vector<Limit> limits;
   std::vector<const Conflict*> conflicts;
-  std::vector<const Conflict*> conflicts_of_words;  // those a block without G codes has
-  std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
+  std::vector<const Conflict*> conflicts_of_words;  // of a block without G codes
+  std::vector<const Conflict*> conflicts_of_moves;  // of a block with plain motion codes only
   CornerWords chamfers, rounds, angles;
   bool general_only;             // no block takes the fast path
   std::uint32_t other_axes = 0;  // of a mill: axis letters beside X, Y and Z that mean nothing else
-  std::uint32_t increments = 0;  // lathe with G code system A: U and W, unless they are corner
-                                 // words
+  std::uint32_t increments = 0;  // of a lathe, G code system A: U and W that are no corner words
 
   /// Return whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }
