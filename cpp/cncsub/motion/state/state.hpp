@@ -147,7 +147,7 @@ struct Transform {  // rotation, scaling and mirror
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
   double angle = 0;
   Plane plane = Plane::XY;
-  bool frame = false;  // the centre is the zero point of turned coordinates
+  bool frame = false;  // the centre is the zero point of rotated coordinates
   std::uint32_t mirrored = 0;
 
   bool operator==(const Transform&) const = default;
