@@ -1,4 +1,4 @@
-// What system variables and reports read of the motion.
+// The values of the motion that system variables and reports read.
 #include "cncsub/motion/query.hpp"
 
 #include <cstdio>

@@ -1,5 +1,5 @@
-// What system variables and reports read of the motion. `axis` counts from 0 in the control's
-// order: X Y Z A B C U V W; lathe X Z Y C A B.
+// The values of the motion that system variables and reports read. `axis` counts from 0 in the
+// control's order: X Y Z A B C U V W; lathe X Z Y C A B.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@ namespace cncsub {
 enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
 std::string_view to_string(MoveKind kind);
 
-/// Whether a move was one of G31, and whether its signal came.
+/// The kind of a skip move: none of G31, or one whose signal came or did not.
 enum class SkipMove : std::uint8_t { No, Touched, Missed };
 std::string_view to_string(SkipMove skip);
 

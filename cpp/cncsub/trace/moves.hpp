@@ -31,14 +31,14 @@ struct MoveRow {
   SkipMove skip = SkipMove::No;
 };
 
-/// Where a move begins, and what else leads from work to machine coordinates.
+/// The begin of a move, and what else leads from work to machine coordinates.
 struct MoveBegin {
   using Point = std::array<double, 3>;
 
   Point point{};             // programmed, in the work coordinates of the move
   Point machine{};           // of the tool, machine coordinates
-  double turned = 0;         // radians: machine coordinates are turned by it, at last
-  Point offset{};            // from work to machine coordinates, before they are turned
+  double turned = 0;         // radians by which machine coordinates are rotated, last of all
+  Point offset{};            // from work to machine coordinates, before the rotation
   Point centre{};            // of the tool's arc, likewise; NaN where none
   double in_plane = 0;       // of an arc: the length of the tool's path in its plane, mm
   bool cycle = false;        // a canned cycle makes the move
@@ -136,7 +136,7 @@ class Moves {
   struct Arc {
     std::uint32_t row;
     std::array<double, 3> centre;
-    double in_plane;  // its way, without that of other axes
+    double in_plane;  // the length of its path, without that of other axes
   };
   struct Vector {
     std::uint32_t row;
@@ -169,7 +169,7 @@ class Moves {
     ~Room() = default;
   };
 
-  /// What a row was reported with, and the number of its state.
+  /// The values that a row was reported with, and the number of its state.
   struct ReportedOffset {
     MoveState state;
     Axes offset{};
@@ -206,7 +206,7 @@ class Moves {
   Axes start_{};  // machine position before the first row
   Axes rapid_{};
   std::uint32_t diameters_ = 0;
-  bool turned_ = false;  // some rows are in turned work coordinates
+  bool turned_ = false;  // some rows are in rotated work coordinates
 };
 
 }  // namespace cncsub

@@ -27,7 +27,7 @@ struct Curve {
   Point centre{};
   double angle = 0, turn = 0;  // where it starts, and how far it goes; plus = counter-clockwise
   double radius = 0, growth = 0;
-  double turned = 0;  // radians: the curve is turned about Z, at last
+  double turned = 0;  // radians by which the curve is rotated about Z, last of all
 
   Point at(std::size_t step) const { return turned_by(turned, before_turning(step)); }
   Point first() const { return turned_by(turned, from); }

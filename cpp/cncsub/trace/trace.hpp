@@ -112,7 +112,7 @@ struct Trace {
   void say(std::string message);
   /// Forget the messages from `count` on.
   void keep_messages(std::size_t count);
-  /// What goes on after a part that is taken away.
+  /// The calls, steps and moves that go on after a part that is taken away.
   struct Open {
     std::vector<std::int32_t> calls;
     std::vector<std::uint32_t> held;  // the steps of moves that are held back, as moves hold them

@@ -34,8 +34,8 @@ void take_spindle(MotionState& state, Role role);
 
 // Reference points and machine coordinates.
 
-/// G53: move the named axes to machine coordinates. The tool length is taken away on them. [0iMB
-/// p.228]
+/// G53: move the named axes to machine coordinates. The tool length is taken away on them.
+/// [0iMB p.228]
 Result machine_move(MotionContext& m, BlockWords& block);
 /// G28 and G30: rapid to the intermediate point, then to the reference point, the named axes only.
 Result reference(MotionContext& m, BlockWords& block, int number_of_point);

@@ -1,4 +1,4 @@
-// What does not go together: a block's codes and words with each other, or with the state that they
+// Conflicts: a block's codes and words with each other, or with the state that they
 // meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
 #include <algorithm>
 #include <bit>
@@ -80,8 +80,8 @@ bool stops(const Block& b) {
   return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
          b.words.has(Role::End);
 }
-/// Return whether a block has codes that share none with rotation, scaling, mirror. [MDib 0150; TA
-/// 5 note 2]
+/// Return whether a block has codes that share none with rotation, scaling, mirror.
+/// [MDib 0150; TA 5 note 2]
 bool besides_turn(const Block& b) {
   int turns = 0;
   for (const Group group : {Group::Rotation, Group::Scaling, Group::Mirror})

@@ -22,8 +22,8 @@ bool follows_profile(const NcWords& words) {
          all.test(at(Meaning::RoughFace)) || all.test(at(Meaning::RoughPattern));
 }
 
-/// Return whether a code may stand inside: G00 to G04, G40 to G42, G96 to G99 and the modes. [TDi
-/// 23.1, TA 8]
+/// Return whether a code may stand inside: G00 to G04, G40 to G42, G96 to G99 and the modes.
+/// [TDi 23.1, TA 8]
 bool allowed(Meaning meaning) {
   switch (meaning) {
     case Meaning::Rapid:

@@ -30,7 +30,7 @@ bool cuts_thread(const MotionState& state, const BlockWords& block);
 /// Take over F of a thread, or I: so many threads an inch. [TDi 24.1]
 void set_lead(MotionContext& m, const BlockWords& block);
 Result need_lead(MotionView m, const BlockWords& block);
-/// How a thread leaves its line at the end: so far before it, so far to the side; radius values.
+/// The run-out of a thread: so far before the end of its line, so far to the side; radius values.
 struct RunOut {
   double along = 0, across = 0;
 };

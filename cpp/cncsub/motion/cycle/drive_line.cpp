@@ -14,7 +14,7 @@ struct DriveLine {
   double side = 1;  // the side of X on which the thread is
   double peak = 0, cut = 0, height = 0;
   double pitch = 0, angle = 0, degression = 1;
-  double taper = 0;  // along the drive line, with the sign of the way back
+  double taper = 0;  // along the drive line, with the sign of the move back
   bool at_begin = false, at_end = false;
   int springs = 0;
 

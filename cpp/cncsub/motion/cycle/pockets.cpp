@@ -96,7 +96,7 @@ Point Pockets::crossing(const Curve& curve, double level) const {
   const double middle = place(curve.centre);
   const Point one = point(middle - across, level), other = point(middle + across, level);
   const auto miss = [&](Point p) {
-    return size(p - curve.from) + size(p - curve.to);  // the shorter way round
+    return size(p - curve.from) + size(p - curve.to);  // the shorter of the two directions
   };
   return miss(one) <= miss(other) ? one : other;
 }

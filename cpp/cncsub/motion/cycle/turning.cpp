@@ -85,7 +85,7 @@ Result check_groove(MotionView m, const BlockWords& block, bool face, double p, 
   return std::nullopt;
 }
 
-/// Where and how a groove is cut: pecking on one axis, stepping on the other.
+/// A groove, cut by pecking on one axis and stepping on the other.
 struct Groove {
   int deep = 0, wide = 0;               // the axes
   std::vector<double> levels, columns;  // from the start to the end

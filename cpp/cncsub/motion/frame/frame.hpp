@@ -65,10 +65,10 @@ Result clear_coordinate(MotionContext& m, BlockWords& block);
 /// Return the shift that its variables report, which a program may have written.
 Axes reported_shift(const MotionState& state);
 /// Drop what was written to the variables of the shift in force, when a work system is chosen: the
-/// point is told without it, and the shift stays what it was. [rs274 2.9]
+/// point is reported without it, and the shift stays what it was. [rs274 2.9]
 void lose_written_shift(MotionState& state);
-/// Give the shift of G92 by itself, clear it, suspend it or restore it. [LC g-code, G52, G92.1,
-/// G92.2, G92.3]
+/// Give the shift of G92 by itself, clear it, suspend it or restore it.
+/// [LC g-code, G52, G92.1, G92.2, G92.3]
 Result change_shift(MotionContext& m, BlockWords& block, Meaning meaning);
 /// Execute G52. U and W of a lathe say the same as X and Z. [TDi 19]
 Result set_local(MotionContext& m, BlockWords& block);
@@ -77,7 +77,7 @@ Result set_data(MotionContext& m, BlockWords& block);
 
 // The end point that a block names.
 
-/// How words name a point.
+/// The form in which words name a point.
 struct PointForm {
   bool incremental = false;
   bool polar = false;  // a radius and an angle
@@ -119,14 +119,15 @@ Result set_length(MotionContext& m, BlockWords& block);
 double radius_value(MotionView m);
 /// Return the offset of the number of the tool in the spindle, 0 where there is none.
 int offset_of_tool(const MotionState& state, const std::vector<double>& offsets);
-/// Return whether an offset is that of the tool in the spindle: without its number, or by 0. [rs274
-/// 2.9]
+/// Return whether an offset is that of the tool in the spindle: without its number, or by 0.
+/// [rs274 2.9]
 bool is_of_tool(MotionView m, const BlockWords& block, char letter);
 /// Execute G45 to G48: the move of each named axis gets longer or shorter by an offset, or by twice
 /// that. A canned cycle does not take notice of them. [M7 p.242]
 Result set_longer(MotionView m, BlockWords& block);
-/// The end of a move that G45 to G48 make longer along the way of each axis. An increment of zero
-/// goes the way of its sign, an absolute word that moves nothing stays so. [M7 p.242 (3)]
+/// Return the end of a move that G45 to G48 make longer in the direction of each axis. An increment
+/// of zero goes in the direction of its sign, an absolute word that moves nothing stays so.
+/// [M7 p.242 (3)]
 Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t named);
 /// Return the vector from the centre of the nose to the imaginary tip, which the program moves: tip
 /// 3 points to -X and -Z, 8 to -X.

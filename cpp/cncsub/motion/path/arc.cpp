@@ -206,8 +206,8 @@ Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
-/// Find the centre and the angle of an arc, by R or by the words of its centre. [source 003, note
-/// 3]
+/// Find the centre and the angle of an arc, by R or by the words of its centre.
+/// [source 003, note 3]
 Result find_centre(MotionView m, const BlockWords& block, bool radius, bool centre, Piece& piece,
                    MotionOutcome& outcome) {
   if (radius) {

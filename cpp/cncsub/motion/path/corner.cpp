@@ -7,8 +7,8 @@
 namespace cncsub {
 namespace {
 
-/// Read `G01 Z_ I_` and `G01 X_ K_`, the older form between moves at right angles. [general
-/// knowledge]
+/// Read `G01 Z_ I_` and `G01 X_ K_`, the older form between moves at right angles.
+/// [general knowledge]
 Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) {
   const NcWords& w = block.words;
   const bool written = w.has('I') || w.has('K');

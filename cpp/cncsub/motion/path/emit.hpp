@@ -34,7 +34,7 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
 
 // Where the tool may not go: the travel of the axes, and the area of G22.
 Result check_travel(MotionView m, const Piece& piece, const Axes& machine);
-/// Make the stored stroke check 2: no move leads through the area, or out of it.
+/// Execute stored stroke check 2: no move leads through the area, or out of it.
 Result check_area(MotionView m, const Piece& piece, const Axes& machine);
 bool checks_area(const MotionState& state);
 /// Execute G22 X Y Z I J K: the upper and the lower corner of the area, in machine coordinates;

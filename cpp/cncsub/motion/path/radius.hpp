@@ -20,7 +20,7 @@ inline void straighten(Piece& piece) {
   if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
 }
 
-/// How two moves with their offsets join.
+/// The join of two moves with their offsets.
 struct Join {
   Point leave;                 // where the tool leaves the first move, from the corner
   std::array<Point, 3> way{};  // points in between, from the corner

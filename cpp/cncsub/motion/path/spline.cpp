@@ -56,7 +56,7 @@ Result spline(MotionContext& m, BlockWords& block) {
   const Point way =
       block.words.has('I') ? pair('I', 'J') : Point{m.state.spline_way[0], m.state.spline_way[1]};
   Cubic curve{from, from + way, to, to};
-  if (by_one_point) {  // of the second order: its one control point is two thirds of the way to
+  if (by_one_point) {  // of the second order: its one control point is two thirds of the path to
                        // both
     curve.first = from + (2.0 / 3) * way;
     curve.second = to + (2.0 / 3) * (from + way - to);

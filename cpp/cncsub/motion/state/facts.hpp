@@ -99,7 +99,7 @@ struct CornerWords {
   std::uint32_t mask = 0;
 };
 
-struct Conflict;  // what does not go together
+struct Conflict;  // words or codes that do not go together
 
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,

@@ -1,4 +1,4 @@
-// What a block needs from the machine, and its outcome.
+// The inputs that a block needs from the machine, and its outcome.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,7 @@ struct MotionOutcome {
   void drop(std::uint32_t addresses) { dropped |= addresses; }
 };
 
-/// What a block needs from the machine.
+/// The inputs that a block needs from the machine.
 struct MachineInputs {
   const Profile* profile = nullptr;      // the profile that the block names
   SkipLists skips;                       // the workpiece decides what they leave open

@@ -17,21 +17,21 @@ constexpr int kArrivalSignal = 9;  // of X
 constexpr int kSkipSignals = kArrivalSignal + 3;
 constexpr SignalMask signal_bit(int signal) { return SignalMask{1} << signal; }
 
-/// What is reported of a skip signal on the path of one block.
+/// The report of a skip signal on the path of one block.
 struct SkipSignal {
   enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
   double value = 0;  // of the path, or in work coordinates, mm
   int axis = 0;
 };
 
-/// What is reported of the signals that a block watches, and the signals of which nothing is left.
+/// The reports of the signals that a block watches, and the signals of which no report is left.
 struct ReportedSkips {
   std::vector<SkipSignal> reported;
   SignalMask open = 0;
 };
 
-/// What was reported of each signal, block after block, and of any signal (0); and how much of that
-/// is used up.
+/// The reports of each signal, block after block, and of any signal (0); and how many of them are
+/// used up.
 struct SkipLists {
   using Next = std::array<std::size_t, kSkipSignals>;
   const std::array<std::vector<SkipSignal>, kSkipSignals>* lists = nullptr;

@@ -29,7 +29,7 @@ struct Solid {
   double first = -kOpen, last = kOpen;  // the ends of a cylinder, along its axis from `at`
 };
 
-/// What stands in the machine, and what feels for it.
+/// The solids that stand in the machine, and the stylus that feels for them.
 struct Workpiece {
   std::vector<Solid> solids;
   double stylus = 0;             // the radius of its ball
