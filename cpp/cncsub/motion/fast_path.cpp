@@ -1,4 +1,4 @@
-// The fast path: what it needs to know, and the arcs that go it.
+// The fast path: its conditions, and its arcs.
 #include "cncsub/motion/fast_path.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace cncsub {
 namespace {
 
-/// Whether the tool stands elsewhere than its offsets say: the next move takes it there.
+/// Return whether the tool stands elsewhere than its offsets say: the next move takes it there.
 bool tool_waits(const MotionState& state) {
   const Axes at = machine_point(state);
   if (same_bits(at, state.tool_at)) return false;
@@ -23,7 +23,7 @@ bool tool_waits(const MotionState& state) {
   return std::any_of(way.begin(), way.end(), [](double d) { return std::fabs(d) >= kStanding; });
 }
 
-/// Whether a code that is no plain path leaves nothing to a move behind it that has its own code.
+/// Return whether a code that is no plain path leaves nothing to a move after it with its own code.
 bool leaves_nothing(Meaning motion) {
   switch (motion) {
     case Meaning::Thread:
@@ -38,7 +38,7 @@ bool leaves_nothing(Meaning motion) {
   }
 }
 
-/// Zero while there is no feed.
+/// Set the seconds per mm, zero while there is no feed.
 void set_seconds_per_mm(MotionState& state) {
   const bool revolutions = state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution;
   state.seconds_per_mm =
@@ -91,14 +91,15 @@ void begin_row_state(const MotionFacts& facts, MotionState& state, Moves& moves)
 
 namespace {
 
-/// A plain arc as it is checked, before anything changes: work coordinates.
+/// A plain arc that is checked before anything changes, in work coordinates.
 struct PlainArc {
   bool clockwise = false;
   std::array<double, 3> end{}, centre{};
   double in_plane = 0;  // its length there
 };
 
-/// The centre of an arc with a radius that its end is within.
+/// Find the centre of an arc by its radius. Return false where the radius does not reach the end,
+/// or may not be negative.
 bool find_centre(const MotionFacts& facts, Point way, double radius, const PlaneAxes& plane,
                  PlainArc& arc) {
   const double chord = size(way);
@@ -110,8 +111,8 @@ bool find_centre(const MotionFacts& facts, Point way, double radius, const Plane
   return true;
 }
 
-/// The arc that these words describe, `values` in the order of the alphabet and without that of F.
-/// False where the general path has something to say about it.
+/// Plan the arc that these words describe, `values` in the order of the alphabet and without that
+/// of F. Return false where the general path has something to say about it.
 CNCSUB_ALWAYS_INLINE inline bool plan_arc(const MotionFacts& facts, const MotionState& s,
                                           std::uint32_t mask, const Cell* values, Plane of_plane,
                                           bool incremental, PlainArc& arc) {

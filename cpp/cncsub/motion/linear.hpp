@@ -10,7 +10,7 @@
 
 namespace cncsub {
 
-/// Goes along one axis if its letter is in the mask, its value next in `values`; how far.
+/// Move along one axis if its letter is in the mask, its value next in `values`. Return how far.
 CNCSUB_ALWAYS_INLINE inline double travel(ModalState& s, std::uint32_t mask, char axis,
                                           const Cell*& values) {
   double& at = s.work[static_cast<std::size_t>(axis - 'X')];
@@ -18,13 +18,14 @@ CNCSUB_ALWAYS_INLINE inline double travel(ModalState& s, std::uint32_t mask, cha
   if ((mask & bit(axis)) != 0) at = (values++)->value * s.unit + (s.incremental ? from : 0);
   return at - from;
 }
-/// How long a rapid takes whose axes go at their own rates.
+/// Return how long a rapid takes whose axes go at their own rates.
 inline double rapid_seconds(const ModalState& s, double dx, double dy, double dz) {
   const auto& each = s.rapid_seconds;
   return std::max(std::max(std::fabs(dx) * each[0], std::fabs(dy) * each[1]),
                   std::fabs(dz) * each[2]);
 }
-/// How long a line takes. What stands takes no time, also where the spindle stands.
+/// Return how long a line takes. A line without length takes no time, also where the spindle
+/// stands.
 inline double feed_seconds(const ModalState& s, double dx, double dy, double dz) {
   return std::sqrt(dx * dx * s.x_share + dy * dy + dz * dz) * s.seconds_per_mm;
 }

@@ -1,4 +1,4 @@
-// The public face: a block is carried out whole, or not at all.
+// The public face: a block is executed whole, or not at all.
 #include "cncsub/motion/motion.hpp"
 
 #include <utility>
@@ -18,10 +18,10 @@
 namespace cncsub {
 namespace {
 
-/// Numbers of variables from one reference point to the next.
+/// The step in the numbers of variables from one reference point to the next.
 constexpr int kReferenceStep = 20;
 
-/// Moves that wait for the next one wait no more.
+/// End the waiting of moves for the next one.
 Result end_waiting(MoveSink& sink) {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   if (!lookahead.corner.empty())
@@ -45,7 +45,7 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
                                            general_only)),
       state_(state_of(*facts_, setup)) {}
 
-/// Puts everything back when the work ends in a fault.
+/// Roll everything back when the work ends in a fault.
 template <class Work>
 std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
   Undo undo(state_, before_, log_, moves);
@@ -149,7 +149,7 @@ void Motion::set_offset(VariableKind kind, int number, double value) {
   }
   std::vector<double>* table = state_.tables.of(kind);
   if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;
-  state_.row_moves = nullptr;  // compensation may be by it
+  state_.row_moves = nullptr;  // compensation may use the offset
   (*table)[static_cast<std::size_t>(number)] = value * (g20(state_) ? kInch : 1);
 }
 

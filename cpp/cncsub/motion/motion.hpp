@@ -23,46 +23,46 @@ class Motion {
  public:
   using Outcome = MotionOutcome;
 
-  /// `general_only`: without the short ways of `linear` and `arc`.
+  /// `general_only`: without the fast path of `linear` and `arc`.
   Motion(std::shared_ptr<const Control> control, const Setup& setup,
          std::shared_ptr<const CodeMeanings> meanings, bool general_only = false);
 
-  /// The profile that a block names, G70 to G73: to be handed in with the block.
+  /// Return the profile that a block names, G70 to G73, which is handed in with the block.
   std::optional<ProfileNumbers> wanted_profile(const NcWords& words) const {
     return words.has('P') && words.has('Q') ? named_profile(*facts_, words) : std::nullopt;
   }
 
-  /// Executes the motion words of a block. When it returns a fault nothing has changed.
+  /// Execute the motion words of a block. When it returns a fault nothing has changed.
   std::optional<Fault> execute(const NcWords& words, std::uint32_t step, Moves* moves,
                                Outcome& outcome, MachineInputs& inputs);
 
-  /// A block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its values in the
-  /// order of the alphabet. Returns false when the state wants the general path; then nothing has
-  /// changed.
+  /// Execute a block with nothing but G00 or G01 (g 0, 1, or -1 for none), X, Y, Z and F, its
+  /// values in the order of the alphabet. Return false when the state needs the general path; then
+  /// nothing has changed.
   bool linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves,
               bool& moved);
 
-  /// The same for G02 and G03 (g 2, 3 or -1) with words of a centre. It moves where it is true.
+  /// Execute G02 or G03 (g 2, 3 or -1) with words of a centre likewise. It moves where it is true.
   bool arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves);
 
-  /// Emits the moves held back for compensation or corners: at M00, M02, M30 and the end of the
-  /// run. When it returns a fault nothing has changed.
+  /// Emit the moves held back for compensation or corners: at M00, M02, M30 and the end of the run.
+  /// When it returns a fault nothing has changed.
   std::optional<Fault> finish(Moves* moves);
-  /// The spindle turns, or stands.
+  /// Set whether the spindle turns.
   void set_turning(bool turns) { state_.turns = turns; }
-  /// A program writes over what the control has set, see MotionState::set_anew.
+  /// Note that a program writes over what the control has set, see MotionState::set_anew.
   void write_over(std::size_t kind, double value) {
     state_.set_anew[kind] = false;
     if (kind == 2) state_.shifted = value != 0;
   }
-  /// What M02, M30 and the reset key do.
+  /// Do what M02, M30 and the reset key do.
   void reset();
 
-  /// Points a fault of the motion at the word of its block, which is written as `block` and begins
+  /// Point a fault of the motion at the word of its block, which is written as `block` and begins
   /// at `text` in its file.
   void point_at_word(const std::vector<WrittenWord>& words, std::uint32_t text, Fault& fault) const;
 
-  /// What the queries of query.hpp look at.
+  /// Return what the queries of query.hpp look at.
   MotionView view() const { return {*facts_, state_}; }
   const MotionState& state() const { return state_; }
   double time() const { return state_.time; }
@@ -72,26 +72,26 @@ class Motion {
   void set_extra_offset(int p, int axis, double value);
   void set_offset(VariableKind kind, int number, double value);
 
-  /// The rows go to another table from now on.
+  /// Let the rows go to another table from now on.
   void forget_table() { state_.row_moves = nullptr; }
 
  private:
   template <class Work>
   std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
   void write(Axes& values, int axis, double value);
-  /// The same for the zero point of a work system, which may be in force.
+  /// Write the zero point of a work system, which may be in force.
   void write_zero(int system, Axes& values, int axis, double value);
 
   std::shared_ptr<const MotionFacts> facts_;
   MotionState state_;
-  ModalState before_;  // the running block
+  ModalState before_;  // before the running block
   OffsetLog log_;
 };
 
-/// How many pieces of path wait for the moves after them, and what they take.
+/// Return how many pieces of path wait for the moves after them, and the memory that they take.
 std::int64_t held_pieces(const MotionState& state);
 std::size_t held_bytes(const MotionState& state);
-/// The steps of moves that wait for those after them.
+/// Return the steps of moves that wait for those after them.
 std::vector<std::uint32_t> held_steps(const MotionState& state);
 
 }  // namespace cncsub

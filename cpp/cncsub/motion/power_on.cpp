@@ -79,7 +79,7 @@ MotionState state_of(const MotionFacts& facts, const Setup& setup) {
 
 namespace {
 
-/// What a program sets, as it is before: a motion code, the data of the multiple cycles.
+/// Forget what a program sets: a motion code, the data of the multiple cycles.
 void forget_program(const MotionFacts& facts, MotionState& state) {
   state.no_motion = facts.refuses(Cause::NoMotionCode);
   const auto& turning = facts.control->turning;

@@ -1,4 +1,4 @@
-// What system variables and reports read of the motion.
+// The values of the motion that system variables and reports read.
 #include "cncsub/motion/query.hpp"
 
 #include <cstdio>
@@ -67,7 +67,7 @@ double modal_word(MotionView m, char address) {
 
 double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
 
-/// Where the last move ends that waits for the corner behind it.
+/// Return the end of the last move that waits for the corner after it.
 static Axes waiting_end(const LookaheadQueue& lookahead) {
   const Piece& last = lookahead.radius.back();
   Axes end = last.end + last.length;
@@ -77,9 +77,9 @@ static Axes waiting_end(const LookaheadQueue& lookahead) {
   return end;
 }
 
-/// Where the tool counts as standing: where a move by its own normal waits that is its end; after
-/// the G40 of a control whose moves end beside their own ends that is its programmed point again.
-/// [rs274 2.9]
+/// Return where the tool counts as standing. Where a move waits by its own normal, that is its end.
+/// After the G40 of a control whose moves end on their own normals, it is the programmed point
+/// again. [rs274 2.9]
 static Axes standing_point(MotionView m) {
   const MotionState& state = m.state;
   const bool by_normal = is_by_own_normal(m.facts);
@@ -93,7 +93,8 @@ double machine_position(MotionView m, int axis) {
   return shown(m, axis, in_machine(m.state, standing_point(m)));
 }
 
-/// The tool length where it shifts the work coordinates: they are those of the point of the tool.
+/// Return the tool length where it shifts the work coordinates: these are those of the tool's
+/// point.
 static Axes shifting_length(MotionView m) {
   return m.facts.control->motion.length_type.value == LengthType::Shift ? m.state.length : Axes{};
 }

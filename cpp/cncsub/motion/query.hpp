@@ -1,5 +1,5 @@
-// What system variables and reports read of the motion. `axis` counts from 0 in the control's
-// order: X Y Z A B C U V W; lathe X Z Y C A B.
+// The values of the motion that system variables and reports read. `axis` counts from 0 in the
+// control's order: X Y Z A B C U V W; lathe X Z Y C A B.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ double block_end(MotionView m, int axis);
 double machine_position(MotionView m, int axis);
 double work_position(MotionView m, int axis);
 double skip_position(MotionView m, int axis);
-/// The length of the tool in the spindle.
+/// Return the length of the tool in the spindle.
 double tool_length(MotionView m, int axis);
 double active_length(MotionView m, int axis);
 double work_offset(MotionView m, int system, int axis);
-/// What the shift of G92 becomes when it is taken back in; of axis -1 whether it counts, 1 or 0.
+/// Return what the shift of G92 becomes when it is restored; of axis -1 whether it counts, 1 or 0.
 double kept_shift(MotionView m, int axis);
 double reference_point(MotionView m, int number, int axis);
 double extra_offset(MotionView m, int p, int axis);
@@ -30,14 +30,14 @@ double offset(MotionView m, VariableKind kind, int number);
 std::vector<std::pair<std::string, double>> position(MotionView m);
 std::vector<std::pair<std::string, std::string>> modal(MotionView m);
 
-/// A number without a point at this address, as an argument of a macro.
+/// Return a number without a point at this address, as an argument of a macro.
 double scaled(MotionView m, char address, double value);
-/// The least input increment of an address, 0 where it has none.
+/// Return the least input increment of an address, 0 where it has none.
 double increment(MotionView m, char address);
-/// A workpiece by machine coordinates and true lengths, its zero point where it is now.
+/// Return a workpiece in machine coordinates and true lengths, its zero point where it is now.
 Workpiece placed(MotionView m, Workpiece workpiece);
 
-/// The axis of this number, -1 where the control has none.
+/// Return the axis of this number, -1 where the control has none.
 int axis_number(MotionView m, int axis);
 
 }  // namespace cncsub

@@ -19,8 +19,8 @@ double speed_of(const MotionState& state) {
   return state.surface ? state.surface_speed : state.speed;
 }
 
-/// The code that takes a mode back. A side is known, not the form that began it: G41 is written for
-/// G41.1. [rs274 2.9: write_g_codes]
+/// Return the code that restores a mode. A side is known, not the form that began it: G41 is
+/// written for G41.1. [rs274 2.9: write_g_codes]
 int code_of(const MotionFacts& facts, const GCode& code) {
   return code.group == Group::Radius ? facts.codes.of(code.meaning).code : code.code;
 }
@@ -57,7 +57,7 @@ ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
     add(saved.extended ? Meaning::LengthPlus : Meaning::LengthOff);
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
-  // Written with one decimal, and with none.
+  // F is written with one decimal, S with none.
   block.has_feed = saved.feed != feed_of(facts, state);
   block.has_speed = saved.speed != speed_of(state);
   return block;

@@ -1,4 +1,4 @@
-// The modes as they are, to be taken back in later.
+// The modes as they are, to be restored later.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace cncsub {
 struct MotionState;
 struct MotionFacts;
 
-/// What M70 and M73 keep. [LC m-code, M70]
+/// The modes that M70 and M73 keep. [LC m-code, M70]
 struct SavedModes {
   std::array<GCode, kGroups> codes{};
   double feed = 0;  // in the unit of the program
@@ -25,8 +25,9 @@ struct ReturnToModes {
   CodeList codes;
   bool has_feed = false, has_speed = false;
 };
-/// First the unit of lengths, in which F is told, then the others. A control writes both blocks
-/// itself and executes them: what it refuses in one it refuses here too. [rs274 2.9]
+/// Return the block for the unit of lengths, in which F is written, and the one for the other
+/// modes. A control writes both blocks itself and executes them: what it refuses in one it refuses
+/// here too. [rs274 2.9]
 ReturnToModes units_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
 ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
 

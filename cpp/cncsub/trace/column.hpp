@@ -22,7 +22,7 @@ class Chunks {
   std::size_t size() const { return list_ ? list_->size() : 0; }
   const Chunk& operator[](std::size_t index) const { return *(*list_)[index]; }
 
-  /// A chunk to write to: it is copied first where a copy of the column holds it as well.
+  /// Return a chunk to write to. It is copied first where a copy of the column holds it as well.
   Chunk& own(std::size_t index) {
     std::shared_ptr<Chunk>& chunk = own_list()[index];
     if (!alone(chunk)) chunk = std::allocate_shared<Chunk>(system::ChunkMemory<Chunk>(), *chunk);
@@ -40,7 +40,8 @@ class Chunks {
  private:
   using List = std::vector<std::shared_ptr<Chunk>>;
 
-  /// What another thread did with its copy before it let go of it comes before what is done here.
+  /// Return whether nobody else holds this. What another thread did with its copy before it let go
+  /// of it then comes before what is done here.
   template <class Shared>
   static bool alone(const Shared& pointer) {
     if (pointer.use_count() != 1) return false;
@@ -58,8 +59,8 @@ class Chunks {
   std::shared_ptr<List> list_;
 };
 
-/// Rows of a chunk. Those that are bytes alone are written by whoever appends them, and not before,
-/// whatever values a new row of theirs has.
+/// The rows of a chunk. Rows that are trivially copyable are not initialised: whoever appends a row
+/// writes it.
 template <class T, std::size_t Size, bool = std::is_trivially_copyable_v<T>>
 struct ChunkRows {
   T rows[Size];
@@ -87,7 +88,7 @@ class Column {
     swap(other);
     return *this;
   }
-  /// The copy finds no room in the last chunk, which the other one goes on filling.
+  /// The copy finds no room in the last chunk, which the other column goes on filling.
   Column(const Column& other)
       : chunks_(other.chunks_), tail_(other.tail_), next_(other.next_), end_(other.next_) {}
   Column& operator=(const Column& other) {
@@ -106,13 +107,13 @@ class Column {
     if (next_ == end_) grow();
     *next_++ = std::move(value);
   }
-  /// The place of a new row, to be written by parts: a row that is put together elsewhere is read
-  /// back in wider pieces than those it was written in, for which the processor waits.
+  /// Return the place of a new row, to be written by parts. A row that is put together elsewhere is
+  /// read back with wider loads than it was stored, which store forwarding cannot serve.
   T& next() {
     if (next_ == end_) grow();
     return *next_++;
   }
-  /// Forgets the rows from `rows` on.
+  /// Forget the rows from `rows` on.
   void keep(std::size_t rows) {
     if (rows >= size()) return;
     chunks_.keep((rows + kChunk - 1) / kChunk);
@@ -121,7 +122,7 @@ class Column {
   }
   const T& operator[](std::size_t row) const { return chunks_[row / kChunk].rows[row % kChunk]; }
   const T& back() const { return next_[-1]; }
-  /// A row to write to.
+  /// Return a row to write to.
   T& at(std::size_t row) {
     Chunk& chunk = chunks_.own(row / kChunk);
     if (row / kChunk == chunks_.size() - 1 && chunk.rows != tail_)
@@ -129,7 +130,7 @@ class Column {
     return chunk.rows[row % kChunk];
   }
 
-  /// Calls `use(pointer, count)` for each run of rows of [first, last) that lie together, in order.
+  /// Call `use(pointer, count)` for each run of rows of [first, last) that lie together, in order.
   template <class Use>
   void for_each_run(std::size_t first, std::size_t last, Use&& use) const {
     while (first < last) {

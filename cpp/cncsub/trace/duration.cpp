@@ -42,7 +42,7 @@ std::string_view to_string(SkipMove skip) {
 }
 
 double spindle_at(double surface_speed, double limit, double diameter) {
-  // In the middle only the limit holds; where none was set the speed is as good as endless.
+  // In the middle only the limit holds; without one the speed is as good as endless.
   const double speed = 1000 * surface_speed / (kPi * std::max(std::fabs(diameter), 1e-3));
   return limit > 0 ? std::min(speed, limit) : speed;
 }
@@ -92,9 +92,10 @@ double thread_time(const TimedMove& move, double spindle, std::uint32_t diameter
   return rate > 0 ? along / rate * 60 : 0;
 }
 
-/// What a feed is counted along. Of a line: the length, and the degrees of rotary axes, each as
-/// long as a unit of the program: a millimetre, or an inch. [B-63174EN p.33: FANUC, linear
-/// interpolation] Of an arc: what lies in its plane; F is the speed there, a helix goes along.
+/// Return the length along which a feed counts. Of a line: the length, and the degrees of rotary
+/// axes, each as long as a unit of the program, a millimetre or an inch. [B-63174EN p.33: FANUC,
+/// linear interpolation] Of an arc: what lies in its plane. F is the speed there, a helix goes
+/// along.
 double path_of(const TimedMove& move) {
   if (move.kind != MoveKind::Feed || others_stand(move.from, move.to)) return move.path;
   double sum = move.path * move.path;

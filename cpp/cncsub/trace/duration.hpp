@@ -1,4 +1,4 @@
-// A move: its kind, what held for it, how long its way is, and how long it takes.
+// A move: its kind, what held for it, the length of its path, and how long it takes.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace cncsub {
 enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
 std::string_view to_string(MoveKind kind);
 
-/// Whether a move was one of G31, and whether its signal came.
+/// The kind of a skip move: none of G31, or one whose signal came or did not.
 enum class SkipMove : std::uint8_t { No, Touched, Missed };
 std::string_view to_string(SkipMove skip);
 
@@ -21,7 +21,7 @@ constexpr int kAxes = 9;
 constexpr std::string_view kAxisNames = "XYZABCUVW";
 using Axes = std::array<double, kAxes>;
 
-/// Whether so many bytes are the same; nothing branches on each of them.
+/// Return whether so many bytes are the same, without a branch on each of them.
 template <std::size_t Size>
 bool same_bytes(const void* one, const void* other) {
   static_assert(Size % sizeof(std::uint64_t) == 0);
@@ -35,14 +35,14 @@ bool same_bytes(const void* one, const void* other) {
   return different == 0;
 }
 
-/// Whether two values are the same, bit by bit.
+/// Return whether two values are the same, bit by bit.
 template <class T>
 bool same_bits(const T& one, const T& other) {
   static_assert(std::is_trivially_copyable_v<T>);
   return same_bytes<sizeof(T)>(&one, &other);
 }
 
-/// Whether all axes but X, Y and Z are bit by bit the same.
+/// Return whether all axes but X, Y and Z are bit by bit the same.
 inline bool others_stand(const Axes& from, const Axes& to) {
   return same_bytes<(kAxes - 3) * sizeof(double)>(&from[3], &to[3]);
 }
@@ -52,7 +52,7 @@ enum class FeedMode : std::uint8_t { PerMinute, PerRevolution, InverseTime };
 /// A plane by the code that selects it, which is what the tables of moves hold.
 enum class Plane : std::uint8_t { XY = 17, ZX = 18, YZ = 19 };
 
-/// What holds for a row besides its end point.
+/// The values that hold for a row besides its end point.
 struct MoveState {
   double feed = 0;           // mm/min, mm/rev or 1/min
   double spindle = 0;        // r/min, or m/min where `surface`
@@ -65,7 +65,7 @@ struct MoveState {
   FeedMode feed_mode = FeedMode::PerMinute;
   bool surface = false;
   bool cycle = false;  // a canned cycle makes it
-  // Of an arc: the axes of its plane that leave their parts to those along them, bit 0 is X and U.
+  // Of an arc: the axes of its plane whose parts U, V and W make, bit 0 is X and U.
   std::uint8_t parallel = 0;
   std::uint32_t tip = 0;  // into the table of tips, 0 = none
   double turned =
@@ -75,7 +75,7 @@ struct MoveState {
   bool operator==(const MoveState&) const = default;
 };
 
-/// A point turned about Z, counter-clockwise.
+/// Return a point rotated about Z, counter-clockwise.
 template <class Point>
 Point turned_by(double radians, Point point) {
   if (radians == 0) return point;
@@ -101,7 +101,7 @@ inline PlaneAxes plane_axes(Plane plane) {
   return {0, 1, 2};
 }
 
-/// The same axes of an arc, some of which may be U, V and W along X, Y and Z.
+/// Return the axes of an arc, some of which may be U, V and W along X, Y and Z.
 inline PlaneAxes arc_axes(Plane plane, std::uint8_t parallel) {
   constexpr int kAlong = 6;  // from X to U
   PlaneAxes axes = plane_axes(plane);
@@ -110,7 +110,7 @@ inline PlaneAxes arc_axes(Plane plane, std::uint8_t parallel) {
   return axes;
 }
 inline PlaneAxes arc_axes(const MoveState& state) { return arc_axes(state.plane, state.parallel); }
-/// Where the centre of an arc has the coordinate of an axis: that of U stands with X.
+/// Return where the centre of an arc has the coordinate of an axis: that of U stands with X.
 constexpr std::size_t centre_place(int axis) { return static_cast<std::size_t>(axis % 6); }
 
 /// A move of the tool: from one machine position to another.
@@ -122,31 +122,33 @@ struct TimedMove {
   double zero = 0;   // where X is 0, to which a diameter counts: a machine coordinate
   double dwell = 0;  // s
 };
-/// The speed that a feed per revolution counts on: a spindle that was never told to turn counts as
-/// one that turns once a minute, so that the cut ends, late. [policy]
+/// Return the speed that a feed per revolution counts on. A spindle that was never told to turn
+/// counts as one that turns once a minute, so that the cut ends, late. [policy]
 inline double turning(double spindle) { return spindle > 0 ? spindle : 1; }
-/// How long a move takes, in seconds: told with each move, and summed up by the run.
+/// Return how long a move takes, in seconds: reported with each move, and summed up by the run.
 double seconds_of(const TimedMove& move, const Axes& rapid, std::uint32_t diameters);
-/// r/min at this diameter of a surface speed, m/min, that a limit holds, 0 where there is none.
+/// Return the r/min at this diameter of a surface speed, m/min, up to a limit, 0 where there is
+/// none.
 double spindle_at(double surface_speed, double limit, double diameter);
-/// The same of what holds for a row.
+/// Return the same by the values that hold for a row.
 inline double spindle_at(const MoveState& state, double diameter) {
   return state.surface ? spindle_at(state.spindle, state.max_spindle, diameter) : state.spindle;
 }
-/// The diameter that counts for a move along X: between those at its ends.
+/// Return the diameter that counts for a move along X: between those at its ends.
 inline double middle_diameter(double from, double to, double zero) {
   return (std::fabs(from - zero) + std::fabs(to - zero)) / 2;
 }
 constexpr double kNoLength = 1e-9;  // mm: what rounding leaves of a point that did not move
-/// Millimetres between two points, a diameter axis counting half; rotary axes do not count.
+/// Return the millimetres between two points, a diameter axis counting half, rotary axes not
+/// counting.
 double length_of(const Axes& from, const Axes& to, std::uint32_t diameters);
-/// The length of an arc of which the way in its plane is known, with that of the other axes.
+/// Return the length of an arc by the length in its plane, with that of the other axes.
 double arc_length(double in_plane, const PlaneAxes& plane, const Axes& from, const Axes& to,
                   std::uint32_t diameters);
 double rapid_time(const Axes& from, const Axes& to, const Axes& rapid, std::uint32_t diameters);
-/// The length of an arc whose radius grows evenly from the first to the last over an angle: of one
-/// that misses its end inside the tolerance, which the tool reaches on a spiral. [ALM 020][M7
-/// p.194]
+/// Return the length of an arc whose radius grows evenly from the first to the last over an angle.
+/// Such an arc misses its end inside the tolerance, and the tool reaches it on a spiral. [ALM
+/// 020][M7 p.194]
 inline double spiral_length(double first, double last, double turn) {
   const double growth = last - first, mean = (first + last) / 2 * turn;
   if (growth == 0) return std::fabs(mean);

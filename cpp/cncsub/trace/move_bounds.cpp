@@ -1,5 +1,5 @@
-// How long the way of all moves is, and the box that they lie in: worked out piece by piece by
-// several threads, and put together in the order of the pieces.
+// The length of all moves, and the box that they lie in: computed piece by piece by several
+// threads, and put together in the order of the pieces.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 std::size_t pieces_of(std::size_t rows) { return (rows + kPieceRows - 1) / kPieceRows; }
 
-/// A box that nothing is in yet.
+/// Return a box that nothing is in yet.
 Moves::Bounds nowhere() {
   Moves::Bounds box;
   box.low.fill(std::numeric_limits<double>::infinity());
@@ -34,7 +34,7 @@ void widen(Moves::Bounds& box, std::size_t axis, const double* values, std::size
   box.low[axis] = low, box.high[axis] = high;
 }
 
-/// Widens a box by the quadrant points that an arc passes. `from` is where it starts, in its own
+/// Widen a box by the quadrant points that an arc passes. `from` is where it starts, in its own
 /// work coordinates.
 void widen_by_arc(const MoveRow& row, const Axes& from, std::uint32_t diameters,
                   Moves::Bounds& box) {
@@ -93,7 +93,7 @@ void Moves::Walk::widen_by_ends(std::size_t first, std::size_t last, Bounds& box
 void Moves::Walk::widen_by_extras(std::size_t first, std::size_t last, Bounds& box) const {
   for (const Extra& extra : moves_.extras_) {
     const auto axis = static_cast<std::size_t>(extra.axis);
-    // Before it has a column the axis stands, in the work coordinates of each row.
+    // Before the axis has a column it stands, in the work coordinates of each row.
     for (std::size_t i = first; i < std::min(last, extra.first); ++i) {
       const std::uint32_t state = moves_.chunks_[i / Chunk::kRows].state(i % Chunk::kRows);
       const Axes& offset = moves_.offsets_[moves_.states_[state].offset];
@@ -107,7 +107,7 @@ void Moves::Walk::widen_by_extras(std::size_t first, std::size_t last, Bounds& b
   }
 }
 
-/// An arc begins where the row before ends, without a radius offset.
+/// Widen a box by arcs. An arc begins where the row before ends, without a radius offset.
 void Moves::Walk::widen_by_arcs(std::size_t first, std::size_t last, Bounds& box) {
   const std::size_t arc = find_row(moves_.arcs_, first);
   if (arc == moves_.arcs_.size() || moves_.arcs_[arc].row >= last) return;

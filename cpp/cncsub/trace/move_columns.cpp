@@ -1,4 +1,5 @@
-// The moves as columns: each is written for some rows at a time, by the thread that has them.
+// The moves as columns: each column is written for some rows at a time, by the thread that has
+// them.
 #include <algorithm>
 #include <limits>
 #include <numeric>
@@ -20,8 +21,8 @@ struct Derived {
   double MoveRow::* value = nullptr;
   MoveBegin::Point MoveBegin::* point = nullptr;  // or a coordinate of this one
   std::size_t axis = 0;
-  bool machine = false;  // or one of the tool, which work coordinates may be turned to
-  bool centre = false;   // it is that of an arc
+  bool machine = false;  // or one of the tool, in machine coordinates
+  bool centre = false;   // the point is the centre of an arc
   double* out = nullptr;
 
   bool known() const { return value != nullptr || point != nullptr || machine; }
@@ -48,7 +49,7 @@ Derived derived(std::string_view name) {
   return {};
 }
 
-/// Whether the feed of every row is that of its state, whatever turns: a degree counts as one unit.
+/// Return whether the feed of every row is that of its state, whatever turns: a degree is one unit.
 bool even_degrees(const Column<MoveState>& states) {
   bool even = true;
   states.for_each_run(0, states.size(), [&](const MoveState* some, std::size_t count) {
@@ -66,26 +67,27 @@ class Moves::Part {
   Part(const Moves& of, std::size_t first, std::size_t last)
       : of_(of), first_(first), last_(last) {}
 
-  /// A column for which no row needs the one before it. False where the name is that of another
-  /// one.
+  /// Write a column for which no row needs the one before it. Return false where the name is that
+  /// of another column.
   bool plain_column(std::string_view name, double* out) const;
-  /// False where the name is that of another column.
+  /// Write a column of whole numbers. Return false where the name is that of another column.
   template <class Whole>
   bool whole_column(std::string_view name, Whole* out) const;
-  /// What holds for many rows is looked up where it changes.
+  /// Write what holds for many rows: it is looked up where it changes.
   template <class Out, class Value>
   void by_state(Out* out, Value&& value) const;
 
  private:
-  /// Calls `use(chunk, place, index)` for these rows.
+  /// Call `use(chunk, place, index)` for these rows.
   template <class Use>
   void each_row(Use&& use) const;
-  /// The programmed point. An axis without a column stands where it stood, in any coordinates.
+  /// Write the programmed point. An axis without a column stands where it stood, in any
+  /// coordinates.
   void point_column(int axis, double* out) const;
   void machine_column(int axis, double* out) const;
   void centre_column(std::size_t axis, double* out) const;
   void spindle_column(double* out) const;
-  /// Whether a radius offset stands at the end of the move, or at its beginning.
+  /// Write whether a radius offset stands at the end of the move, or at its beginning.
   template <class Whole>
   void compensated_column(Whole* out) const;
 

@@ -1,4 +1,4 @@
-// Going along the moves row by row: what the table and its columns have in common.
+// A walk along the moves row by row: what the table and its columns have in common.
 #pragma once
 
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace cncsub {
 
-/// The first entry of a list by row that belongs to this row or one behind it.
+/// Return the first entry of a list by row that belongs to this row or one after it.
 template <class List>
 std::size_t find_row(const List& list, std::size_t row) {
   std::size_t low = 0, high = list.size();
@@ -18,7 +18,7 @@ std::size_t find_row(const List& list, std::size_t row) {
   return low;
 }
 
-/// Goes along a list by row, which most rows are not in.
+/// A walk along a list by row, which most rows are not in.
 template <class Entry>
 class Along {
  public:
@@ -27,7 +27,7 @@ class Along {
     next_ = find_row(list_, row);
     look();
   }
-  /// The entry of this row, if there is one. Rows are asked for in order.
+  /// Return the entry of this row, if there is one. Rows are asked for in order.
   const Entry* at(std::size_t row) {
     if (row != row_) return nullptr;
     const Entry* const entry = &list_[next_++];
@@ -45,7 +45,7 @@ class Along {
   std::size_t row_ = 0;  // of the next entry
 };
 
-/// Visits rows in order with everything that follows from them.
+/// A walk along rows in order, with everything that follows from them.
 class Moves::Walk {
  public:
   explicit Walk(const Moves& moves)
@@ -68,7 +68,7 @@ class Moves::Walk {
   void widen_by_extras(std::size_t first, std::size_t last, Bounds& box) const;
   void widen_by_arcs(std::size_t first, std::size_t last, Bounds& box);
 
-  /// Without what takes long where nobody asks for it: times and speeds.
+  /// Return the next row. Without `timed` it lacks times and speeds, which take long to compute.
   template <bool timed = true>
   MoveRow next(std::size_t index) {
     const std::size_t place = index % Chunk::kRows;
@@ -135,7 +135,7 @@ class Moves::Walk {
     for (std::size_t i = 3; i < still_.size(); ++i) still_[i] -= offset_[i];
   }
 
-  /// What follows from where the move begins.
+  /// Compute what follows from where the move begins.
   template <bool timed>
   void follow(MoveRow& row, const Arc* arc, double dwell) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -170,7 +170,7 @@ class Moves::Walk {
   const Chunk* chunk_ = nullptr;
   std::uint32_t state_index_ = 0;
   const MoveState* state_ = nullptr;
-  Axes offset_{};  // that goes with the state
+  Axes offset_{};  // the offset of the state
   Axes still_{};   // where an axis without a column stands, in any coordinates
 };
 
@@ -179,7 +179,7 @@ class MoveReader {
  public:
   explicit MoveReader(const Moves& moves) : moves_(moves) {}
 
-  /// Calls `use(index, row, begin)` for rows [first, last).
+  /// Call `use(index, row, begin)` for rows [first, last).
   template <bool timed = true, class Use>
   void each(std::size_t first, std::size_t last, Use&& use) const {
     Moves::Walk walk(moves_);
@@ -196,7 +196,7 @@ class MoveReader {
          [&](std::size_t, const MoveRow&, const MoveBegin& begin) { found = begin; });
     return found;
   }
-  /// Bit 0 is X: its coordinates are diameters.
+  /// Return the diameter axes as bits: bit 0 is X.
   std::uint32_t diameters() const { return moves_.diameters_; }
 
  private:

@@ -44,7 +44,8 @@ std::uint32_t Moves::find_state(const MoveState& state, const Axes& offset,
   }
   row.offset = static_cast<std::uint32_t>(offsets_.size() - 1);
   turned_ = turned_ || row.turned != 0;
-  // More states than a row can number fill more memory than there is: they go on as the last one.
+  // More states than a row can number fill more memory than there is: further ones count as the
+  // last.
   const bool full = states_.size() >> (32 - Chunk::kKindBits) != 0;
   if (states_.empty() || (!full && !(states_.back() == row))) states_.push(row);
   return reported.number = static_cast<std::uint32_t>(states_.size() - 1);

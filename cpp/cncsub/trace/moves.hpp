@@ -31,65 +31,65 @@ struct MoveRow {
   SkipMove skip = SkipMove::No;
 };
 
-/// Where a move begins, and what else leads from work to machine coordinates.
+/// The begin of a move, and what else leads from work to machine coordinates.
 struct MoveBegin {
   using Point = std::array<double, 3>;
 
   Point point{};             // programmed, in the work coordinates of the move
   Point machine{};           // of the tool, machine coordinates
-  double turned = 0;         // radians: machine coordinates are turned by it, at last
-  Point offset{};            // from work to machine coordinates, before they are turned
+  double turned = 0;         // radians by which machine coordinates are rotated, last of all
+  Point offset{};            // from work to machine coordinates, before the rotation
   Point centre{};            // of the tool's arc, likewise; NaN where none
-  double in_plane = 0;       // of an arc: the tool's way in its plane, mm
+  double in_plane = 0;       // of an arc: the length of the tool's path in its plane, mm
   bool cycle = false;        // a canned cycle makes the move
   bool compensated = false;  // a radius offset holds at its end, or here
 };
 
 class Moves {
  public:
-  /// An empty table for the moves that follow the last one of this.
+  /// Return an empty table for the moves that follow the last one of this table.
   Moves next_part() const;
 
   std::size_t size() const { return rows_; }
   MoveRow row(std::size_t index) const;
-  /// The axes that moves named, X Y Z first.
+  /// Return the axes that moves named, X Y Z first.
   std::string axes() const;
-  // What goes over all moves asks `interrupt` now and then; given up, it leaves the rest undone.
+  // What goes over all moves asks `interrupt` now and then; interrupted, it leaves the rest undone.
   double length(InterruptCheck* interrupt = nullptr) const;
   double time(InterruptCheck* interrupt = nullptr) const;
   struct Bounds {
     Axes low, high;  // work coordinates; NaN on an axis no move named
   };
   Bounds bounds(InterruptCheck* interrupt = nullptr) const;
-  /// Writes whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
-  /// mz ma ..., cx cy cz, feed, spindle, length, time, sx sy sz, msx msy msz, mcx mcy mcz. False
-  /// where a name is another one. Many rows are shared out to threads.
+  /// Write whole columns, each to its place, in one pass over the moves: x y z a b c u v w, mx my
+  /// mz ma ..., cx cy cz, feed, spindle, length, time, sx sy sz, msx msy msz, mcx mcy mcz. Return
+  /// false where a name is another one. Many rows are shared out to threads.
   bool columns(const std::vector<std::string>& names, const std::vector<double*>& out,
                InterruptCheck* interrupt = nullptr) const;
-  /// move, step, kind, plane, tool, h, d, feed_mode, skip, cycle, compensated.
+  /// Write the column move, step, kind, plane, tool, h, d, feed_mode, skip, cycle or compensated.
   template <class Whole>
   bool column(std::string_view name, Whole* out, InterruptCheck* interrupt = nullptr) const;
   std::size_t bytes() const;
 
-  // What the motion engine writes.
+  // The functions by which the motion engine writes.
 
-  /// The machine's facts that lengths and times need, before the first row: where the tool is,
-  /// rapid rates, diameter axes.
+  /// Set what lengths and times need of the machine, before the first row: where the tool is, rapid
+  /// rates, diameter axes.
   void begin(const Axes& machine, const Axes& rapid, std::uint32_t diameters);
-  /// `tip`: from the centre of a nose to the imaginary tip.
+  /// Return the number of a state. `tip` leads from the centre of a nose to the imaginary tip.
   std::uint32_t intern(const MoveState& state, const Axes& offset,
                        const std::array<double, 3>& tip = {}) {
-    // Nearly always as before, bit by bit.
+    // The state is nearly always that of before, bit by bit.
     const ReportedOffset& last = reported_[last_reported_];
     return last.is(state, offset, tip) ? last.number : find_state(state, offset, tip);
   }
-  /// The axes that moves named; bit 0 is X.
+  /// Mark the axes that moves named; bit 0 is X.
   void mark(std::uint32_t axes) { used_ |= axes; }
-  /// The same for axes beyond X, Y and Z, which get a column.
+  /// Mark axes beyond X, Y and Z too, which get a column.
   void use(std::uint32_t axes);
   std::uint32_t used() const { return used_; }
 
-  /// A row with nothing but X, Y and Z, which must be fast.
+  /// Append a row with nothing but X, Y and Z. This must be fast.
   void push(std::uint32_t step, MoveKind kind, const Axes& point, std::uint32_t state) {
     if (rows_ >= room_.end) grow();
     const std::size_t place = rows_ % Chunk::kRows;
@@ -102,12 +102,12 @@ class Moves {
     ++rows_;
     if (!extras_.empty()) push_extras(point);
   }
-  /// Facts about the row that was just pushed.
+  /// Add facts about the row that was just pushed.
   void arc(const std::array<double, 3>& centre, double in_plane);
   void vector(const std::array<double, 3>& vector);
   void seconds(double time);
   void skip(SkipMove how);
-  /// Forgets the rows from `rows` on.
+  /// Forget the rows from `rows` on.
   void truncate(std::size_t rows);
 
  private:
@@ -136,7 +136,7 @@ class Moves {
   struct Arc {
     std::uint32_t row;
     std::array<double, 3> centre;
-    double in_plane;  // its way, without that of other axes
+    double in_plane;  // the length of its path, without that of other axes
   };
   struct Vector {
     std::uint32_t row;
@@ -152,8 +152,8 @@ class Moves {
   };
   class Walk;
   class Part;
-  /// Where rows may be written: the last chunk, and the first row that is not in it. A copy of the
-  /// table has no room, because the chunk is not its own.
+  /// The place where rows may be written: the last chunk, and the first row that is not in it. A
+  /// copy of the table has no room, because the chunk is not its own.
   struct Room {
     Chunk* chunk = nullptr;
     std::size_t end = 0;
@@ -169,7 +169,7 @@ class Moves {
     ~Room() = default;
   };
 
-  /// What a row was told with, and the number of its state.
+  /// The values that a row was reported with, and the number of its state.
   struct ReportedOffset {
     MoveState state;
     Axes offset{};
@@ -199,14 +199,14 @@ class Moves {
   Column<Vector> vectors_;
   Column<Seconds> seconds_;
   Column<Skip> skips_;
-  // The last two: feeds or zero points that take turns are no new states every time.
+  // The last two: feeds or zero points that alternate are no new states every time.
   std::array<ReportedOffset, 2> reported_;
   std::uint32_t last_reported_ = 0;
   std::uint32_t used_ = 0;
   Axes start_{};  // machine position before the first row
   Axes rapid_{};
   std::uint32_t diameters_ = 0;
-  bool turned_ = false;  // some rows are in turned work coordinates
+  bool turned_ = false;  // some rows are in rotated work coordinates
 };
 
 }  // namespace cncsub

@@ -10,7 +10,7 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::size_t kRowBytes = 8;  // that working out a row is worth, between two questions
+constexpr std::size_t kRowBytes = 8;  // that computing a row counts as, between two questions
 
 }  // namespace
 

@@ -20,14 +20,14 @@ using Point = MoveBegin::Point;
 /// A move as a curve: mm, radii on every axis.
 struct Curve {
   Point from{}, to{};
-  bool begins = false;  // it does not go on where the one before ended
+  bool begins = false;  // it does not begin where the one before ended
   std::size_t steps = 1;
   // Of an arc.
   std::size_t a = 0, b = 1;
   Point centre{};
   double angle = 0, turn = 0;  // where it starts, and how far it goes; plus = counter-clockwise
   double radius = 0, growth = 0;
-  double turned = 0;  // radians: the curve is turned about Z, at last
+  double turned = 0;  // radians by which the curve is rotated about Z, last of all
 
   Point at(std::size_t step) const { return turned_by(turned, before_turning(step)); }
   Point first() const { return turned_by(turned, from); }
@@ -45,8 +45,9 @@ struct Curve {
   }
 };
 
-/// The angle between two directions as it is gone, of those that differ by whole turns the one that
-/// is nearest to `known`, the size of the angle; where that is NaN, up to one turn.
+/// Return the angle that a move runs through between two directions. Of those that differ by whole
+/// turns it is the one nearest to `known`, the size of the angle; where that is NaN, up to one
+/// turn.
 double turn_between(double from, double to, bool clockwise, double known) {
   double turn = std::fmod(clockwise ? from - to : to - from, 2 * kPi);
   if (turn < 0) turn += 2 * kPi;
@@ -55,14 +56,14 @@ double turn_between(double from, double to, bool clockwise, double known) {
   return clockwise ? -turn : turn;
 }
 
-/// The size of the angle that the tool turns by, as its way tells; NaN where it stands.
+/// Return the size of the angle that the tool turns by, from its path; NaN where it stands.
 double size_of_turn(double in_plane, double first, double last) {
   const double mean = (first + last) / 2, growth = last - first;
   if (mean <= kSamePoint) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(std::max(0.0, in_plane * in_plane - growth * growth)) / mean;
 }
 
-/// How far the chord of a step may turn. The second derivative of the curve by its angle is no
+/// Return the number of steps of an arc. The second derivative of the curve by its angle is no
 /// longer than `bend`, and a chord leaves a curve by at most an eighth of it times the step
 /// squared.
 std::size_t steps_of(const Curve& arc, double tolerance) {
@@ -77,7 +78,7 @@ std::size_t steps_of(const Curve& arc, double tolerance) {
              : Sampler::kMostPoints;
 }
 
-/// From the rows to curves of one kind of path.
+/// The curves of the rows, for one kind of path.
 class Follower {
  public:
   Follower(PathFrame frame, double tolerance, std::uint32_t diameters)
@@ -169,13 +170,13 @@ Sampler::Sampler(const Moves& moves, PathFrame frame, double tolerance, std::siz
       first_(std::min(first, moves.size())),
       last_(std::min(std::max(first, last), moves.size())) {}
 
-/// Calls `use(index, curve, row)` for rows [first, last) of the table.
+/// Call `use(index, curve, row)` for rows [first, last) of the table.
 template <bool timed, class Use>
 void Sampler::each_curve(std::size_t first, std::size_t last, Use&& use) const {
   const MoveReader reader(moves_);
   Follower follow(frame_, tolerance_, reader.diameters());
   const std::size_t known =
-      first > first_ ? first - 1 : first;  // whether it leaps asks the one before
+      first > first_ ? first - 1 : first;  // a leap is seen from the row before
   const auto one = [&](std::size_t i, const MoveRow& row, const MoveBegin& begin) {
     const Curve curve = follow.next(row, begin);
     if (i >= first) use(i, curve, row);
@@ -218,7 +219,7 @@ void Sampler::write(const PolylinePlaces& places, InterruptCheck* interrupt) con
 
 namespace {
 
-/// An outline in the making; of one piece of the rows, or of all.
+/// Append a point to an outline, of one piece of the rows or of all.
 void put(Outline& outline, const Point& point, std::size_t row, double time, std::int32_t key) {
   outline.x.push_back(point[0]);
   outline.y.push_back(point[1]);
@@ -230,7 +231,7 @@ void put(Outline& outline, const Point& point, std::size_t row, double time, std
   ++outline.points;
 }
 
-/// Without the points that are not enough.
+/// Remove the points that are not needed.
 void thin_out(Outline& outline, double tolerance) {
   if (outline.x.empty()) return;
   std::vector<std::uint8_t> keep(outline.x.size());
@@ -247,7 +248,7 @@ void thin_out(Outline& outline, double tolerance) {
   chosen(outline.time), chosen(outline.row), chosen(outline.key);
 }
 
-/// Pieces one behind the other, each begun when the one before has ended; they are given away.
+/// Join pieces in order, each begun when the one before has ended; they are given away.
 Outline joined(std::vector<Outline>& pieces, const std::vector<double>& seconds) {
   Outline whole;
   double began = 0;

@@ -1,5 +1,5 @@
-// The way of the moves as points: ends as they are, and of arcs, helices and spirals as many
-// between them as a tolerance asks for.
+// The path of the moves as points: the ends as they are, and between the ends of arcs, helices and
+// spirals as many points as a tolerance asks for.
 #pragma once
 
 #include <cstddef>
@@ -11,29 +11,30 @@
 
 namespace cncsub {
 
-/// Whose way it is, and in which coordinates.
+/// Whose path it is, and in which coordinates.
 enum class PathFrame : std::uint8_t {
   Work,     // the programmed point, in the work coordinates in force: X10. of the program is here
   Tool,     // the tool with its radius offset, in the same coordinates
   Machine,  // the tool with all its offsets, in machine coordinates
 };
 
-/// Places for the points: coordinates in mm (those of a diameter axis halved), the row of the move
-/// that each belongs to, and whether the way begins anew there, so that no line leads to it.
+/// The places for the points: coordinates in mm (those of a diameter axis halved), the row of the
+/// move that each belongs to, and whether the path begins anew there, so that no line leads to the
+/// point.
 struct PolylinePlaces {
   double *x, *y, *z;
   std::int64_t* row;
   std::uint8_t* begins;
 };
 
-/// The points that a picture draws of a way: few where it goes straight on.
+/// The points that a picture draws of a path: few where it goes straight on.
 struct Outline {
   std::vector<double> x, y, z;
   std::vector<double> time;        // s from the first of the moves until the point is reached
   std::vector<std::uint32_t> row;  // the move that a point belongs to
-  std::vector<std::int32_t> key;   // -1: the way begins anew here, and no line leads to the point
+  std::vector<std::int32_t> key;   // -1: the path begins anew here, and no line leads to the point
   std::size_t points = 0;          // before any was left out
-  std::size_t begins = 0;          // of the points, those where it begins anew
+  std::size_t begins = 0;          // of the points, those where the path begins anew
 };
 
 /// Samples the moves [first, last): `count` first, then `write`; or `outline`.
@@ -46,13 +47,13 @@ class Sampler {
   Sampler(const Moves& moves, PathFrame frame, double tolerance, std::size_t first,
           std::size_t last);
 
-  /// How many points there are; kMostPoints where there are more. Given up by `interrupt`, it may
-  /// be anything.
+  /// Return how many points there are; kMostPoints where there are more. Interrupted, the number
+  /// may be anything.
   std::size_t count(InterruptCheck* interrupt);
   void write(const PolylinePlaces& places, InterruptCheck* interrupt) const;
 
-  /// The points that are enough, as `thin` chooses them; all of them where `thinner` is 0. `keys`:
-  /// of each of the moves that of its line, from 0.
+  /// Return the points that are enough, as `simplify` chooses them; all of them where `thinner` is
+  /// 0. `keys` has for each of the moves that of its line, from 0.
   Outline outline(const std::int32_t* keys, double thinner, InterruptCheck* interrupt) const;
 
   static constexpr std::size_t kMostPoints = std::size_t{1} << 31;
@@ -68,14 +69,14 @@ class Sampler {
   std::vector<std::size_t> begins_;  // the first point of each part
 };
 
-/// The points of one thread, for `thin` and `outline`: marks which of [first, last) are enough.
+/// Mark which points of [first, last) are enough, in one thread, for `simplify` and `outline`.
 void thin_piece(const double* x, const double* y, const double* z, const std::int32_t* key,
                 std::size_t first, std::size_t last, double tolerance, std::uint8_t* keep);
 
-/// Marks which points of a line are enough for it: what is left out lies within `tolerance` of the
-/// chord that goes past it, and the chord as near to what was left out. Points where `key`, which
-/// is that of the line which leads to a point, changes are kept. Never more than a window of points
-/// goes into one chord, so that a second look may find fewer.
+/// Mark which points of a line are enough for it. What is left out lies within `tolerance` of the
+/// chord that goes past it, and the chord as near to what was left out. A point is kept where
+/// `key`, that of the line which leads to it, changes. Never more than a window of points goes into
+/// one chord, so that a second pass may find fewer.
 void simplify(const double* x, const double* y, const double* z, const std::int32_t* key,
               std::size_t count, double tolerance, std::uint8_t* keep, InterruptCheck* interrupt);
 

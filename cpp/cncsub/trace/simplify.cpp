@@ -1,4 +1,4 @@
-// Which points of a line are enough for it: Ramer, Douglas and Peucker in windows.
+// The points of a line that are enough for it: Ramer, Douglas and Peucker in windows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ class Thinner {
   Thinner(const double* x, const double* y, const double* z, double tolerance, std::uint8_t* keep)
       : x_(x), y_(y), z_(z), most_(tolerance * tolerance), keep_(keep) {}
 
-  /// Between two points that are kept.
+  /// Mark the points that are needed between two that are kept.
   void window(std::size_t first, std::size_t last) {
     std::size_t open = 0;
     open_[open++] = {first, last};
@@ -33,8 +33,8 @@ class Thinner {
   }
 
  private:
-  /// The point between two others that is farthest from their chord; the first where none is too
-  /// far.
+  /// Return the point between two others that is farthest from their chord; the first of the two
+  /// where none is too far.
   std::size_t farthest(std::size_t a, std::size_t b) const {
     const double wx = x_[b] - x_[a], wy = y_[b] - y_[a], wz = z_[b] - z_[a];
     const double length = wx * wx + wy * wy + wz * wz;
@@ -56,7 +56,8 @@ class Thinner {
   const double *x_, *y_, *z_;
   double most_;
   std::uint8_t* keep_;
-  // Each of the open chords ends where the one below begins: there are no more than points.
+  // Each of the open chords ends where the one below begins, so there are no more chords than
+  // points.
   std::array<std::array<std::size_t, 2>, kWindow + 1> open_{};
 };
 

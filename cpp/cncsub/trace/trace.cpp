@@ -19,7 +19,8 @@ std::size_t Trace::ended_call(std::size_t index) const {
   return index;
 }
 
-/// Moves hold the last 32 bits of their step. A move that was held back may be of a part before.
+/// Return the step of a move. Moves hold the last 32 bits of their step; a move that was held back
+/// may be of an earlier part.
 std::int64_t Trace::step_of_move(std::uint32_t step) const {
   constexpr std::uint32_t kBack = 1 << 20;
   const std::uint32_t ahead = step - static_cast<std::uint32_t>(first_step) + kBack;

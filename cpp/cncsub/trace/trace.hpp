@@ -1,5 +1,5 @@
-// What a run leaves behind: a row per executed block, per call and per move, per change of what is
-// watched, and what was sent to the machine. A run that is streamed leaves it in parts.
+// The record of a run: a row per executed block, per call and per move, per change of a watched
+// variable, and what was sent to the machine. A run that is streamed leaves it in parts.
 #pragma once
 
 #include <cstdint>
@@ -64,14 +64,14 @@ struct Trace {
     Step step;
   };
 
-  /// A variable that is watched: what it was when this part began, and what it is.
+  /// A watched variable: its value when this part began, and its value now.
   struct Watched {
     std::int32_t number;
     double before, now;
   };
-  /// What a step made of it.
+  /// A new value of a watched variable.
   struct Change {
-    std::int64_t step;  // -1: none, somebody outside between two steps
+    std::int64_t step;  // -1: none, it changed from outside between two steps
     double value;
     std::int32_t variable;
     Address address;
@@ -93,33 +93,33 @@ struct Trace {
   // Steps, calls and moves are numbered through the run; a part begins anywhere.
   std::int64_t first_step = 0, first_move = 0;
   std::int32_t first_call = 0;          // the number of the first call that was made in this part
-  std::vector<HeldStep> held;           // steps of parts before, whose moves come in this one
-  std::vector<std::int32_t> carried;    // calls of parts before that were open when this one began:
-                                        // the first rows of `calls`
+  std::vector<HeldStep> held;           // steps of earlier parts, whose moves come in this one
+  std::vector<std::int32_t> carried;    // calls of earlier parts that were open when this one
+                                        // began: the first rows of `calls`
   std::vector<std::size_t> unfinished;  // rows of `calls` that belong to a later part
 
   std::int32_t call_number(std::size_t row) const;
   std::size_t call_row(std::int32_t number) const;
-  /// The calls that ended in this part, in order; `index` counts those.
+  /// Return how many calls ended in this part; `index` counts them in order.
   std::size_t ended_calls() const { return calls.size() - unfinished.size(); }
   std::size_t ended_call(std::size_t index) const;
   std::int64_t step_of_move(std::uint32_t step) const;
-  /// The step of a number: of this part, or one before it whose moves were held back; null for any
-  /// other one.
+  /// Return the step of a number: of this part, or an earlier one whose moves were held back; null
+  /// for any other one.
   const Step* find_step(std::int64_t number) const;
   std::size_t bytes() const;
 
   void say(std::string message);
-  /// Forgets the messages from `count` on.
+  /// Forget the messages from `count` on.
   void keep_messages(std::size_t count);
-  /// What goes on behind a part that is taken away.
+  /// The calls, steps and moves that go on after a part that is taken away.
   struct Open {
     std::vector<std::int32_t> calls;
     std::vector<std::uint32_t> held;  // the steps of moves that are held back, as moves hold them
     std::int64_t next_step = 0;
-    bool last = false;  // nothing comes behind it
+    bool last = false;  // nothing comes after it
   };
-  /// Gives away what was recorded and goes on empty, with what is open.
+  /// Give away what was recorded and go on empty, with what is open.
   Trace take(const Open& open);
 };
 

@@ -12,7 +12,7 @@
 namespace cncsub {
 namespace {
 
-/// Whether a code stands for a cycle of moves.
+/// Return whether a code stands for a cycle of moves.
 bool makes_cycle(Meaning meaning) {
   switch (meaning) {
     case Meaning::TurnCycle:
@@ -32,7 +32,7 @@ bool makes_cycle(Meaning meaning) {
   }
 }
 
-/// G70 to G76 of lathes.
+/// Execute G70 to G76 of a lathe.
 Result multiple_cycle(MotionContext& m, BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Finish:
@@ -98,13 +98,13 @@ void take_motion_code(MotionContext& m, const BlockWords& block) {
   end_cycles(m.facts, m.state);
 }
 
-/// Whether a block has words that a motion is made of, or the code of one.
+/// Return whether a block has words that a motion is made of, or the code of one.
 bool has_motion(const BlockWords& block) {
   return block.has(Group::Motion) || block.has(Group::Cycle) ||
          (block.words.mask & (kAxisWords | kCentreWords)) != 0;
 }
 
-/// Whether a block would move, while no motion code is in force.
+/// Return whether a block would move while no motion code is in force.
 bool lacks_motion(MotionView m, const BlockWords& block) {
   return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
 }
@@ -125,7 +125,7 @@ Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
 }
 
 Result make_motion(MotionContext& m, BlockWords& block) {
-  // It holds for its block; the mode before it goes on. [rs274 2.9: convert_spline]
+  // A spline holds for its block; the mode before it stays in force. [rs274 2.9: convert_spline]
   if (block.meaning(Group::Motion) == Meaning::Spline) return spline(m, block);
   take_motion_code(m, block);
   if (block.has(Group::Cycle)) {
@@ -161,7 +161,7 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   }
 }
 
-/// G92.1 to G92.3 beside another code that holds for one block.
+/// Execute G92.1 to G92.3 beside another code that holds for one block.
 Result change_shift_beside(MotionContext& m, BlockWords& block) {
   for (const Meaning meaning : {Meaning::ClearShift, Meaning::SuspendShift, Meaning::RestoreShift})
     if (block.words.codes->all.test(at(meaning)) && block.meaning(Group::OneShot) != meaning)
@@ -169,32 +169,32 @@ Result change_shift_beside(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-/// The axis words are those of another code: a motion code beside it moves by what is left.
+/// Execute the one-shot code, then the motion by the axis words that it leaves.
 Result leave_axes(MotionContext& m, BlockWords& block) {
   if (auto wrong = one_shot(m, block)) return wrong;
   if (auto wrong = change_shift_beside(m, block)) return wrong;
   return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
 }
 
-/// What the block does with its axis words.
+/// Do what the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
   if (once == Meaning::Ignored) return std::nullopt;
   if (leaves_axes(m.facts, block)) return leave_axes(m, block);
   if (goes_with_motion(m.state, block))
     return block.consumed ? std::nullopt : make_motion(m, block);
-  take_motion_code(m, block);  // it holds for the blocks behind, as the end of a cycle does
+  take_motion_code(m, block);  // it holds for the blocks after this one, as the end of a cycle does
   if (block.meaning(Group::Cycle) == Meaning::CycleOff)
     if (auto wrong = enter_cycle(m, block)) return wrong;
   block.cycle = block.cycle || makes_cycle(once);
-  if (once == Meaning::Machine)  // it moves, after the shift is changed
+  if (once == Meaning::Machine)  // G53 moves after the shift is changed
     if (auto wrong = change_shift_beside(m, block)) return wrong;
   if (auto wrong = one_shot(m, block)) return wrong;
   return once == Meaning::Machine ? std::nullopt : change_shift_beside(m, block);
 }
 
-/// Whether a block may change where things lie: it has T or H, or a code of another group than
-/// these.
+/// Return whether a block may change where things lie: it has T or H, or a code of a group other
+/// than these.
 bool sets_frame(const NcWords& words) {
   constexpr std::uint32_t kOthers = bit(Group::Motion) | bit(Group::Plane) | bit(Group::Distance) |
                                     bit(Group::Return) | bit(Group::Feed) | bit(Group::Radius) |
@@ -202,30 +202,29 @@ bool sets_frame(const NcWords& words) {
   return (words.codes->groups & ~kOthers) != 0 || (words.mask & (bit('T') | bit('H'))) != 0;
 }
 
-/// Whether everything that a move may let grow from block to block is still a number that can be
-/// meant.
+/// Return whether everything that moves may let grow from block to block is still in range.
 bool moved_in_range(const MotionState& s) {
   return in_range(s.work) && in_range(s.feed, s.polar_angle);
 }
 
-/// The same of what other blocks change.
+/// Return whether what other blocks change is in range too.
 bool all_in_range(const MotionState& s, bool with_frame) {
   return moved_in_range(s) && in_range(s.speed, s.surface_speed, s.max_speed) &&
          (!with_frame || (in_range(s.offset) && in_range(s.length) && in_range(s.skip)));
 }
 
-/// What a block does first: it is looked over, and its modes hold.
+/// Check a block and set its modes.
 Result begin_block(MotionContext& m, BlockWords& block) {
   if (auto wrong = read_codes(m, block)) return wrong;
   if (auto wrong = check_block(m, block)) return wrong;
   if (const int code = block.words.codes->uncomputed; code >= 0)
     return fault_of(code, Cause::CodeNotComputed, block);
-  if (block.has(Group::Diameter))  // it is that of the words of its own block too [rs274 2.9]
+  if (block.has(Group::Diameter))  // it counts for the words of its own block too [rs274 2.9]
     m.state.diameter = block.meaning(Group::Diameter) == Meaning::DiameterOn;
   return set_modes(m, block);
 }
 
-/// Takes H, D and G45 to G48, and does what the block does. A length moves its axis at once.
+/// Take over H, D and G45 to G48, and do what the block does. A length moves its axis at once.
 Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   const bool length = block.has(Group::Length) || block.words.has('H');
   const Axes before = length ? m.state.length : Axes{};
@@ -239,7 +238,7 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   return length ? move_by_length(m, block, before) : std::nullopt;
 }
 
-/// What is left when a block has done what it does.
+/// Check what is left to check when a block has done what it does.
 Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool in_range) {
   if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]

@@ -1,4 +1,4 @@
-// What does not go together: a block's codes and words with each other, or with the state that they
+// Conflicts: a block's codes and words with each other, or with the state that they
 // meet. Each conflict is a cause; a control refuses those that its rule `refuses` names.
 #include <algorithm>
 #include <bit>
@@ -22,8 +22,8 @@ bool begins_turn(const Block& b) {
          b.meaning(Group::Scaling) == Meaning::ScalingOn ||
          b.meaning(Group::Mirror) == Meaning::MirrorOn;
 }
-/// Whether a canned cycle is active and neither a motion code nor G80 of the block ends it: either
-/// does so first, wherever it stands. [15iM; M7 p.52]
+/// Return whether a canned cycle is active and neither a motion code nor G80 of the block ends it.
+/// Either ends it first, wherever it stands. [15iM; M7 p.52]
 bool in_cycle(const Block& b) {
   return b.was_cycle && !b.has(Group::Motion) && b.meaning(Group::Cycle) != Meaning::CycleOff;
 }
@@ -35,19 +35,19 @@ bool returns(const Block& b) {
          does(b, Meaning::FromReference);
 }
 bool length(const Block& b) { return b.has(Group::Length) || b.words.has('H'); }
-/// The motion code that holds for the block.
+/// Return the motion code that holds for the block.
 Meaning motion(const State& s, const Block& b) {
   return b.has(Group::Motion) ? b.meaning(Group::Motion) : s.modal[at(Group::Motion)].meaning;
 }
 Plane plane(const State& s, const Block& b) {
   return b.has(Group::Plane) ? plane_of(b.meaning(Group::Plane)) : s.plane;
 }
-/// G70 to G76 of lathes.
+/// Return whether a block has G70 to G76 of lathes.
 bool repeats_cuts(const Block& b) {
   const Meaning once = b.meaning(Group::OneShot);
   return once >= Meaning::Finish && once <= Meaning::MultipleThread;
 }
-/// G90, G92, G94 of lathes, whatever they are called.
+/// Return whether G90, G92 or G94 of lathes cuts, whatever they are called.
 bool turning(const State& s, const Block& b) {
   const Meaning m = motion(s, b);
   return !b.has(Group::OneShot) &&
@@ -62,12 +62,14 @@ bool names_axis(const Block& b) {
          std::any_of(kAxisNames.begin(), kAxisNames.end(),
                      [&](char axis) { return b.words.has(axis); });
 }
-/// Whether the axis words are lengths of the tool, where no motion code of the block moves by them.
+/// Return whether the axis words are lengths of the tool: no motion code of the block moves by
+/// them.
 bool gives_length(const Block& b) {
   return b.has(Group::Length) && b.code(Group::Length).variant == 1 && !b.has(Group::Motion) &&
          !b.has(Group::Cycle);
 }
-/// Whether a block makes a straight move by its own code, or by its axes in the mode in force.
+/// Return whether a block makes a straight move by its own code, or by its axes in the mode in
+/// force.
 bool makes_line(const State& s, const Block& b) {
   if (b.has(Group::Cycle)) return false;
   if (b.has(Group::Motion)) return b.meaning(Group::Motion) <= Meaning::Line;
@@ -78,7 +80,8 @@ bool stops(const Block& b) {
   return b.words.ends || b.words.has(Role::Stop) || b.words.has(Role::OptionalStop) ||
          b.words.has(Role::End);
 }
-/// Codes that share no block with rotation, scaling and mirror. [MDib 0150; TA 5 note 2]
+/// Return whether a block has codes that share none with rotation, scaling, mirror.
+/// [MDib 0150; TA 5 note 2]
 bool besides_turn(const Block& b) {
   int turns = 0;
   for (const Group group : {Group::Rotation, Group::Scaling, Group::Mirror})
@@ -89,7 +92,7 @@ bool besides_turn(const Block& b) {
     if (b.has(group)) return true;
   return false;
 }
-/// Codes that a rotated lathe does not take. [TA 5 note 3]
+/// Return whether a block has codes that a rotated lathe does not take. [TA 5 note 3]
 bool strange_in_rotation(const Block& b) {
   for (const Group group :
        {Group::OneShot, Group::Radius, Group::Work, Group::Units, Group::Macro, Group::Stroke})
@@ -97,7 +100,7 @@ bool strange_in_rotation(const Block& b) {
   return b.meaning(Group::Motion) > Meaning::Ccw;
 }
 
-/// Whether the block names an axis of the plane that is compensated, absolute or by an increment.
+/// Return whether the block names an axis of the compensated plane, absolute or by an increment.
 bool moves_in_plane(const State& s, const Block& b) {
   const PlaneAxes axes = plane_axes(plane(s, b));
   const auto named = [&b](int axis) {
@@ -106,7 +109,7 @@ bool moves_in_plane(const State& s, const Block& b) {
   };
   return named(axes.a) || named(axes.b);
 }
-/// G41 or G42 where it is not in force.
+/// Return whether a block has G41 or G42 where it is not in force.
 bool begins_compensation(const State& s, const Block& b) {
   const Meaning asked = b.meaning(Group::Radius);
   return b.has(Group::Radius) && asked != Meaning::RadiusOff &&
@@ -118,7 +121,7 @@ bool taps(const Block& b) {
   return cycle == Meaning::Tap || cycle == Meaning::LeftTap;
 }
 
-/// Whether a block moves by its axis words, outside of a canned cycle.
+/// Return whether a block moves by its axis words, outside of a canned cycle.
 bool moves_axes(const Block& b) {
   if (in_cycle(b) || b.has(Group::Cycle)) return false;
   for (const Meaning meaning : {Meaning::Dwell, Meaning::SetData, Meaning::SetCoordinate,
@@ -128,7 +131,7 @@ bool moves_axes(const Block& b) {
                      [&](char axis) { return b.words.has(axis); });
 }
 
-/// When a radius is compensated: before the block, or after its G40 to G42.
+/// The time at which a radius is compensated: before the block, or after its G40 to G42.
 enum class Compensated : std::uint8_t { Either, Before, Behind };
 
 }  // namespace
@@ -336,7 +339,7 @@ void MotionFacts::list_conflicts() {
   }
 }
 
-/// What may not stand together, before anything changes.
+/// Return what may not stand together, before anything changes.
 std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
   const BlockCodes& codes = *block.words.codes;
   const auto& list = codes.m_count > 0       ? m.facts.conflicts
@@ -350,8 +353,8 @@ std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
 
 namespace {
 
-/// The code by which a block without one of its own moves: its axes go on in the mode, and a centre
-/// goes on in an arc. Null where its words are none of a move.
+/// Return the code by which a block without one of its own moves: its axes go on in the mode, and a
+/// centre goes on in an arc. Return null where its words are none of a move.
 const GCode* mode_of(const State& s, const Block& b) {
   if (b.has(Group::Motion) || b.has(Group::Cycle) || s.no_motion) return nullptr;
   const bool own = does(b, Meaning::SetData) || returns(b) || does(b, Meaning::SetCoordinate) ||

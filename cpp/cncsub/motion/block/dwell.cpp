@@ -9,7 +9,7 @@
 namespace cncsub {
 namespace {
 
-/// How much of a dwell is waited until a skip signal ends it.
+/// Return the part of a dwell that passes until a skip signal ends it.
 double dwell_part(MotionContext& m, const BlockWords& block) {
   if (!m.inputs.skips.any()) return 1;
   const SignalMask signals = signals_of(m, block);
@@ -20,7 +20,7 @@ double dwell_part(MotionContext& m, const BlockWords& block) {
   return part;
 }
 
-/// What a letter of G04 says, in seconds.
+/// Return the seconds that a letter of G04 says.
 double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
   const Control& c = *m.facts.control;
   double value = w[letter];
@@ -39,7 +39,7 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
   return c.motion.dwell_unit.value == DwellUnit::PSeconds || counts_seconds ? value : value * 0.001;
 }
 
-/// How fast the spindle turns where the tool stands, r/min.
+/// Return how fast the spindle turns where the tool stands, in r/min.
 double speed_now(const MotionState& s) {
   return s.surface ? spindle_at(s.surface_speed, s.max_speed, s.work[0]) : s.speed;
 }

@@ -1,5 +1,5 @@
-// G36 and G37, measuring of tools: to near the measuring position at rapid, from there at the
-// measuring feed until the tool arrives, and the offset by how far off that is. [TDi 17; M7 p.555]
+// G36 and G37, measuring of tools: rapid to near the measuring position, then the measuring feed
+// until the tool arrives. The offset changes by how far off that is. [TDi 17; M7 p.555]
 #include <algorithm>
 
 #include "cncsub/motion/block/block.hpp"
@@ -11,14 +11,14 @@
 namespace cncsub {
 namespace {
 
-/// How a tool is measured.
+/// The feed and the distances of a measurement.
 struct MeasuringMove {
   double feed = 0;  // mm/min
   double near = 0;  // from the measuring position to where the feed begins
   double zone = 0;  // on both sides of the measuring position: where the tool may arrive
 };
 
-/// The same as the parameters say; `z`: of Z of a lathe.
+/// Return these as the parameters say; `z`: for Z of a lathe.
 MeasuringMove measuring_move(const Control& control, bool z) {
   const auto move = [&](int feed, int near, int zone) {
     const auto parameter = [&](int number) {
@@ -41,7 +41,7 @@ MeasuringMove measuring_move(const Control& control, bool z) {
   return {};
 }
 
-/// The axis that a block of G36 or G37 names; or what is wrong with that.
+/// Find the axis that a block of G36 or G37 names, or return what is wrong with it.
 Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   const bool lathe = m.facts.lathe();
   int count = 0;
@@ -56,7 +56,7 @@ Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   return std::nullopt;
 }
 
-/// R, D and F where the words of the block count before the parameters.
+/// Take R, D and F over where the words of the block count before the parameters.
 Result measuring_words(MotionView m, const BlockWords& block, MeasuringMove& how) {
   if (m.facts.control->motion.measuring.value != Measuring::Words) return std::nullopt;
   if (block.words.has('R')) how.near = std::max(0.0, number(m, block, 'R'));
@@ -64,7 +64,7 @@ Result measuring_words(MotionView m, const BlockWords& block, MeasuringMove& how
   return block.words.has('F') ? feed_of(m, block, how.feed) : std::nullopt;
 }
 
-/// The axis, the feed and the zone; or what is wrong with them.
+/// Find the axis, the feed and the zone, or return what is wrong with them.
 Result check_measuring(MotionView m, const BlockWords& block, int& axis, MeasuringMove& how) {
   const bool lathe = m.facts.lathe();
   if (compensating(m.state)) return fault(Cause::MeasuringInCompensation, block);
@@ -81,8 +81,8 @@ Result check_measuring(MotionView m, const BlockWords& block, int& axis, Measuri
   return std::nullopt;
 }
 
-/// Adds what was measured to the offset of the tool. It counts from the next H or T on; on a
-/// control that measures by words from the next move of the axis.
+/// Add what was measured to the offset of the tool. It counts from the next H or T on; on a control
+/// that measures by words, from the next move of the axis.
 void take_measure(MotionContext& m, int axis, double off) {
   const Control& c = *m.facts.control;
   if (c.motion.measured.value == Measured::Subtracted) off = -off;

@@ -27,8 +27,8 @@ Result set_feed(MotionContext& m, const BlockWords& block) {
 
 namespace {
 
-/// M codes. After a change of the tool a control whose compensation G40 let go counts on from where
-/// the tool stands. [rs274 2.9]
+/// Execute the M codes. After a tool change that comes before a move has led from the compensation
+/// to the path, the control counts on from where the tool stands. [rs274 2.9]
 void take_codes(MotionContext& m, const BlockWords& block) {
   if (block.words.has(Role::ToolChange)) change_tool(*m.facts.control, m.state);
   for (const int code : block.words.codes->m())
@@ -86,7 +86,7 @@ Result check_block(MotionView m, const BlockWords& block) {
 
 namespace {
 
-/// G93, G94 and G95.
+/// Set the mode of G93, G94 and G95.
 void set_feed_mode(MotionContext& m, const BlockWords& block) {
   if (!block.has(Group::Feed)) return;
   const Meaning before = m.state.modal[at(Group::Feed)].meaning;

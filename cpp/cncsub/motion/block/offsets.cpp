@@ -1,4 +1,4 @@
-// Offsets of tools that move the tool, or let its path wait: lengths and radii.
+// Tool offsets that move the tool, or let its path wait: lengths and radii.
 #include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/path/emit.hpp"
@@ -27,7 +27,8 @@ Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before) {
 
 namespace {
 
-/// Where moves end beside their own ends G40 lets the last one go, and a side is begun once.
+/// Begin or end a side where moves end by their own normals: G40 records the last one, and a side
+/// is begun only once.
 Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
   if (block.meaning(Group::Radius) != Meaning::RadiusOff)
     return compensating(m.state) ? Result(fault(Cause::CompensationTwice, block)) : std::nullopt;
@@ -35,7 +36,7 @@ Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
   return flush_radius(m.sink);
 }
 
-/// L beside G41.1 and G42.1: how a turning tool lies, in its plane.
+/// Check L beside G41.1 and G42.1: how a turning tool lies in its plane.
 Result check_orientation(MotionView m, const BlockWords& block) {
   if (!block.words.has('L')) return std::nullopt;
   if (m.state.plane != Plane::ZX) return fault_at('L', Cause::AddressNotUsable, block, "L");

@@ -15,14 +15,15 @@ bool calls(const Roles& roles, const NcWords& words) {
          std::any_of(g.begin(), g.end(), [&](int code) { return is_call(roles.of_g(code)); });
 }
 
-/// G70 to G73, which would follow the profile that they stand in.
+/// Return whether a block has G70 to G73, which would follow the profile that they stand in.
 bool follows_profile(const NcWords& words) {
   const MeaningSet& all = words.codes->all;
   return all.test(at(Meaning::Finish)) || all.test(at(Meaning::RoughTurn)) ||
          all.test(at(Meaning::RoughFace)) || all.test(at(Meaning::RoughPattern));
 }
 
-/// G00 to G04, G40 to G42, G96 to G99 and the modes may stand inside. [TDi 23.1, TA 8]
+/// Return whether a code may stand inside: G00 to G04, G40 to G42, G96 to G99 and the modes.
+/// [TDi 23.1, TA 8]
 bool allowed(Meaning meaning) {
   switch (meaning) {
     case Meaning::Rapid:
@@ -46,7 +47,7 @@ bool allowed(Meaning meaning) {
   }
 }
 
-/// What may stand in a profile that is cut in levels.
+/// Check what may stand in a profile that is cut in levels.
 Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   if (calls(facts.control->calls.roles.value, words))
     return Fault{Cause::ProfileCall, words.at, 1, {}};
@@ -57,7 +58,7 @@ Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   return std::nullopt;
 }
 
-/// What the blocks do, as pieces. They are tried out: but for the pieces, nothing comes of it.
+/// Collect what the blocks do, as pieces. The blocks are tried out: nothing else comes of them.
 Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector<Piece>& pieces) {
   MotionState& state = m.state;
   const ModalState before = state;  // of the offset tables the blocks change nothing
@@ -87,7 +88,7 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
   return std::nullopt;
 }
 
-/// G70: the blocks as they are written, with their own F, S and T, then back.
+/// Execute G70: the blocks as they are written, with their own F, S and T, then back.
 Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcWords>& blocks) {
   const Axes start = m.state.work;
   for (const NcWords& words : blocks) {

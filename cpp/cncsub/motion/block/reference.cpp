@@ -9,15 +9,15 @@
 namespace cncsub {
 namespace {
 
-/// The tool length is taken away on an axis that goes to a machine coordinate, but where it shifts
-/// the work coordinates: there it stays, and this is it.
+/// Return the tool length that is left on an axis that goes to a machine coordinate. The length is
+/// taken away, except where it shifts the work coordinates.
 double length_left(MotionContext& m, int axis) {
   double& length = m.state.length[static_cast<std::size_t>(axis)];
   if (m.facts.control->motion.length_type.value == LengthType::Shift) return length;
   return length = 0;
 }
 
-/// G53 in a turned work system: an axis without a word stays where it is in the machine.
+/// Execute G53 in a rotated work system: an axis without a word stays where it is in the machine.
 Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
   Axes machine = in_machine(m.state, machine_point(m.state));
   std::uint32_t named = 0;
@@ -33,7 +33,7 @@ Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
   return move(m, block, make_piece(m, block, kind, end, named));
 }
 
-/// Where G53 leads without a turned frame, along the axes that it names.
+/// Return where G53 leads without a rotated frame, along the axes that it names.
 Axes machine_target(MotionContext& m, const BlockWords& block, std::uint32_t& named) {
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {

@@ -1,4 +1,4 @@
-// G31: where its skip signal comes, and what of that is kept.
+// G31: where its skip signal comes, and what is kept of that.
 #include <algorithm>
 
 #include "cncsub/motion/block/block.hpp"
@@ -10,7 +10,7 @@
 namespace cncsub {
 namespace {
 
-/// The feed of G31, and the numbers of its signals: P.
+/// Read the feed of G31, and check P, the numbers of its signals.
 Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
   const Control& c = *m.facts.control;
   if (const int most = c.motion.max_skip_signals.value; most > 0 && block.words.has('P'))
@@ -26,7 +26,7 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
   return lacks_speed(m) ? Result(fault(Cause::NoSpeed, block)) : std::nullopt;
 }
 
-/// Where on the way to `end` a signal comes that was told.
+/// Return where on the path to `end` a reported signal comes.
 std::optional<double> part_of(const MotionState& state, const SkipSignal& reported,
                               const Axes& end) {
   constexpr double kOnTheWay = 1e-9;
@@ -39,7 +39,8 @@ std::optional<double> part_of(const MotionState& state, const SkipSignal& report
   return std::nullopt;
 }
 
-/// Where the ball of the stylus touches on its way from here to a point in work coordinates.
+/// Return where the ball of the stylus touches on its path from here to a point in work
+/// coordinates.
 std::optional<double> touch(MotionView m, const Workpiece& workpiece, SignalMask signals,
                             const Axes& end) {
   Axes tool = m.state.length + m.state.tool_shift;  // from the tool's point to the machine position
@@ -59,12 +60,12 @@ std::optional<double> touch(MotionView m, const Workpiece& workpiece, SignalMask
   return first_contact(workpiece, signals, ball(m.state.work), ball(end));
 }
 
-/// Signals 1 to 8 as the bits of a parameter.
+/// Return signals 1 to 8 out of the bits of a parameter.
 SignalMask signals_of_parameter(const Control& c, int number) {
   return static_cast<SignalMask>(to_whole<int>(c.parameter(std::to_string(number)), 0, 255)) << 1;
 }
 
-/// The signals of G31 and its forms G31.1 to G31.3, P naming them.
+/// Return the signals of G31 and its forms G31.1 to G31.3; P names them.
 SignalMask signals_of_skip(const Control& c, const BlockWords& block, double p) {
   const int form = block.code(Group::OneShot).variant;
   switch (c.motion.skip_signals.value) {
@@ -82,7 +83,7 @@ SignalMask signals_of_skip(const Control& c, const BlockWords& block, double p) 
   return kAnySignal;
 }
 
-/// The signals that end a dwell, Q naming them.
+/// Return the signals that end a dwell; Q names them.
 SignalMask signals_of_dwell(const Control& c, double q) {
   switch (c.motion.skip_signals.value) {
     case SkipSignals::Any:
@@ -101,7 +102,7 @@ SignalMask signals_of_dwell(const Control& c, double q) {
 
 namespace {
 
-/// G38.2 and G38.4, by which a probe is to meet something.
+/// Return whether G38.2 or G38.4 is in force, by which a probe is to meet something.
 bool must_probe(MotionView m) {
   const GCode& motion = m.state.modal[at(Group::Motion)];
   return motion.meaning == Meaning::Skip && motion.variant % 2 == 0;

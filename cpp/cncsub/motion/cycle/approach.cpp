@@ -1,4 +1,4 @@
-// Canned cycles of mills: the levels of a hole, and the way to it.
+// Canned cycles of mills: the levels of a hole, and the path to it.
 #include <algorithm>
 
 #include "cncsub/motion/cycle/cycles.hpp"
@@ -8,7 +8,7 @@
 namespace cncsub {
 namespace {
 
-/// Over the hole, then to R.
+/// Move over the hole, then to R.
 Result approach(MotionContext& m, BlockWords& block, int axis, double r) {
   const auto along = static_cast<std::size_t>(axis);
   std::uint32_t named = 0;
@@ -21,9 +21,9 @@ Result approach(MotionContext& m, BlockWords& block, int axis, double r) {
   return move_axis(m, block, MoveKind::Rapid, axis, r);
 }
 
-/// Up to R where the series began below it, then over the hole, and down to R. A tool above R stays
-/// at its height; from R or below it goes over the hole at the height that the cycle returns to.
-/// [rs274 2.9]
+/// Move up to R where the series began below it, then over the hole, and down to R. A tool above R
+/// stays at its height; from R or below it goes over the hole at the height that the cycle returns
+/// to. [rs274 2.9]
 Result approach_above(MotionContext& m, BlockWords& block, int axis, double r, bool first) {
   const auto along = static_cast<std::size_t>(axis);
   const double initial = m.state.cycle.initial;

@@ -44,7 +44,7 @@ void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning) 
 
 namespace {
 
-/// G73: parallel passes, the last one along the profile with its allowance.
+/// Cut G73: parallel passes, the last one along the profile with its allowance.
 Result rough_pattern(MotionContext& m, BlockWords& block, Contour& contour) {
   const MultipleData data = m.state.multiple;
   if (data.shift_x * contour.shift[0] < 0 && m.facts.refuses(Cause::PatternX))
@@ -67,7 +67,7 @@ Result rough_pattern(MotionContext& m, BlockWords& block, Contour& contour) {
 bool names_x(const NcWords& words) { return words.has('X') || words.has('U'); }
 bool names_z(const NcWords& words) { return words.has('Z') || words.has('W'); }
 
-/// What is wrong with the first block of a profile, which leads to its start.
+/// Return what is wrong with the first block of a profile, which leads to its start.
 Result check_first_block(const NcWords& first, const std::vector<Piece>& pieces, Meaning meaning) {
   const bool x = names_x(first), z = names_z(first);
   const bool pattern = meaning == Meaning::RoughPattern;
@@ -80,7 +80,7 @@ Result check_first_block(const NcWords& first, const std::vector<Piece>& pieces,
   return std::nullopt;
 }
 
-/// A length of the block, 0 without the word.
+/// Return a length of the block, 0 without the word.
 double length_or_zero(MotionView m, const BlockWords& block, char address) {
   return block.words.has(address) ? number(m, block, address) : 0;
 }
@@ -115,8 +115,7 @@ Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const
   return contour.pockets ? contour.rough_pockets() : contour.rough();
 }
 
-/// The points of a piece where it crosses a level, as values of the cut axis, shifted by the
-/// allowance.
+/// Return where the pieces cross a level, as values of the cut axis, shifted by the allowance.
 std::vector<double> Contour::crossings(double level) const {
   std::vector<double> list;
   for (std::size_t i = 1; i < pieces.size(); ++i) {
@@ -147,8 +146,8 @@ std::vector<double> Contour::crossings(double level) const {
   return list;
 }
 
-/// The piece of the profile that goes back along an axis, by more than it may, or nothing. Forward
-/// is where the whole profile leads; where it leads back to its beginning, where it sets out.
+/// Return the piece of the profile that goes back along an axis by more than it may, or null.
+/// Forward is the sign of `way`; where that is 0, the direction in which the profile sets out.
 const Piece* Contour::turning_back(int axis, double way) const {
   const auto along = static_cast<std::size_t>(axis);
   const auto& turning = m.facts.control->turning;
@@ -165,7 +164,7 @@ const Piece* Contour::turning_back(int axis, double way) const {
   return nullptr;
 }
 
-/// Whether the profile reaches further out than the point where the cycle starts.
+/// Return whether the profile reaches further out than the point where the cycle starts.
 bool Contour::starts_inside() const {
   const auto level = static_cast<std::size_t>(level_axis);
   const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;
@@ -174,8 +173,8 @@ bool Contour::starts_inside() const {
   return false;
 }
 
-/// The first block that goes another way than the profile: across the cuts back to where the cycle
-/// starts, along them from its first point to its last.
+/// Return the fault of the first block that goes another way than the profile: across the cuts back
+/// to where the cycle starts, along them from its first point to its last.
 Fault Contour::turns_back(int axis) const {
   const auto along = static_cast<std::size_t>(axis);
   const double to = axis == level_axis ? start[along] : end_of(pieces.back())[along];
@@ -204,7 +203,7 @@ Result Contour::check() const {
   return std::nullopt;
 }
 
-/// Along the profile, moved by `by`, from a piece on.
+/// Follow the profile, moved by `by`, from a piece on.
 Result Contour::follow(const Axes& by, std::size_t from) {
   for (std::size_t i = from; i < pieces.size(); ++i) {
     Piece piece = make_piece(m, block, pieces[i].kind, end_of(pieces[i]) + by, pieces[i].named);
@@ -217,7 +216,7 @@ Result Contour::follow(const Axes& by, std::size_t from) {
   return std::nullopt;
 }
 
-/// One level: in, along to the profile, out at 45 degrees, back.
+/// Cut one level: in, along to the profile, out at 45 degrees, back.
 Result Contour::rough_level(double level, double back, double away) {
   const MoveKind in = pieces.front().kind == MoveKind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
   const double home = m.state.work[static_cast<std::size_t>(cut_axis())];
@@ -225,7 +224,7 @@ Result Contour::rough_level(double level, double back, double away) {
   const std::vector<double> meets = crossings(level);
   Axes last = end_of(pieces.back()) + shift;
   double stop = cut_of(last);
-  if (!meets.empty()) {  // the first one on the way
+  if (!meets.empty()) {  // the first one on the path
     stop = meets.front();
     for (const double meet : meets)
       if ((meet - home) * back > (stop - home) * back) stop = meet;

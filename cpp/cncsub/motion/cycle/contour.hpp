@@ -51,7 +51,8 @@ struct Contour {
 
 /// Take depth and escape from the first block of G71 and G72, shift and passes from that of G73.
 Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meaning);
-/// Take them from the block itself, in the older form that has one block. [general knowledge]
+/// Take depth, shift and passes from the block itself, in the older one-block form.
+/// [general knowledge]
 void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning);
 /// Cut along a profile whose pieces are known.
 Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const Profile& profile,

@@ -8,13 +8,13 @@
 namespace cncsub {
 namespace {
 
-/// The axis a cycle drills along: across the plane; of a lathe Z, or X for G87 to G89.
+/// Return the axis a cycle drills along: across the plane; of a lathe Z, or X for G87 to G89.
 int drill_axis(MotionView m, const GCode& code) {
   if (!m.facts.lathe()) return plane_axes(m.state.plane).across;
   return code.variant == 1 ? 0 : 2;
 }
 
-/// Whether a cycle waits at the bottom of its hole.
+/// Return whether a cycle waits at the bottom of its hole.
 bool dwells(Meaning cycle) {
   switch (cycle) {
     case Meaning::LeftTap:
@@ -29,7 +29,7 @@ bool dwells(Meaning cycle) {
   }
 }
 
-/// Takes R Z Q P I J K over; what is not written stays as it was.
+/// Take over R Z Q P I J K; what is not written stays as it was.
 void take_cycle_words(MotionContext& m, const BlockWords& block) {
   const NcWords& w = block.words;
   CycleData& cycle = m.state.cycle;
@@ -54,7 +54,7 @@ void take_cycle_words(MotionContext& m, const BlockWords& block) {
     cycle.k = number(m, block, 'K'), cycle.has_k = true;
 }
 
-/// Words that the first block of a cycle has to have.
+/// Check for the words that the first block of a cycle must have.
 Result check_first_words(MotionView m, const BlockWords& block) {
   const CycleData& cycle = m.state.cycle;
   const bool first =
@@ -70,7 +70,7 @@ Result check_first_words(MotionView m, const BlockWords& block) {
   return missing ? Result(fault(Cause::MotionWordMissing, block)) : std::nullopt;
 }
 
-/// How often the cycle is done; or what is wrong with its words.
+/// Read how often the cycle is done, or return what is wrong with its words.
 Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   take_cycle_words(m, block);
   if (auto wrong = check_first_words(m, block)) return wrong;
@@ -103,7 +103,7 @@ Result check_rotary(MotionView m, const BlockWords& block) {
   return std::nullopt;
 }
 
-/// Cycles that stop the spindle or reverse it want it to turn, taps in their own direction.
+/// Check the spindle. Cycles that stop or reverse it need it to turn, taps in their own direction.
 Result check_spindle(MotionView m, const BlockWords& block) {
   if (!goes_to_r_first(m.facts) || !m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
   const Meaning cycle = m.state.cycle.cycle;
@@ -127,8 +127,8 @@ Result check_tap(MotionView m, const BlockWords& block) {
   return std::nullopt;
 }
 
-/// Down in bits of Q: G73 draws back a little, G83 to R and down again to just above the last
-/// depth.
+/// Feed down in bits of Q. G73 draws back a little; G83 goes to R and down again to just above the
+/// last depth.
 Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   const Control& c = *m.facts.control;
   const CycleData cycle = m.state.cycle;
@@ -149,8 +149,8 @@ Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   return move_axis(m, block, MoveKind::Feed, axis, z);
 }
 
-/// A tap is fed to a level. Where the control takes its axes for each other outside of G17, so do
-/// we; the cycle goes on over its hole. [rs274 2.9: convert_cycle_g74_g84]
+/// Feed a tap to a level. Where the control takes its axes for each other outside of G17, so do we;
+/// the cycle goes on over its hole. [rs274 2.9: convert_cycle_g74_g84]
 Result feed_tap(MotionContext& m, BlockWords& block, int axis, double level) {
   const TapReturn form = m.facts.control->motion.tap_return.value;
   if (form != TapReturn::Shuffled || m.state.plane == Plane::XY)
@@ -182,7 +182,7 @@ Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, doubl
   return dwells(cycle.cycle) && cycle.p > 0 ? add_dwell(m, block, cycle.p) : std::nullopt;
 }
 
-/// The bar stands oriented and goes off its point, or back to the middle of the hole.
+/// Shift the oriented bar off its point, or back to the middle of the hole.
 Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool away) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   const CycleData& cycle = m.state.cycle;
@@ -225,7 +225,7 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
   }
 }
 
-/// G87: down beside the hole, boring upward.
+/// Execute G87: down beside the hole, boring upward.
 Result bore_shifted(MotionContext& m, BlockWords& block, double r, double z) {
   const int axis = drill_axis(m, m.state.cycle.code);
   const Axes hole = m.state.work;
@@ -241,7 +241,7 @@ Result bore_shifted(MotionContext& m, BlockWords& block, double r, double z) {
   return shift_tool(m, block, hole, false);
 }
 
-/// One hole, the `first` of its block or a repeat: to the place, to R, down, up.
+/// Drill one hole, the `first` of its block or a repeat: to the place, to R, down, up.
 Result drill(MotionContext& m, BlockWords& block, bool first) {
   const int axis = drill_axis(m, m.state.cycle.code);
   const auto [r, z] = hole_levels(m);
@@ -252,12 +252,12 @@ Result drill(MotionContext& m, BlockWords& block, bool first) {
   return drill_up(m, block, axis, r);
 }
 
-/// Whether R names a level between the one where the cycle begins and the hole.
+/// Return whether R names a level between the one where the cycle begins and the hole.
 bool has_r_plane(MotionView m) {
   return m.state.cycle.has_r && !m.facts.control->turning.drill_retract.value;
 }
 
-/// Out of a hole of a lathe: back to where the cycle began.
+/// Leave a hole of a lathe: back to where the cycle began.
 Result drill_lathe_up(MotionContext& m, BlockWords& block, int axis, double r) {
   const CycleData& cycle = m.state.cycle;
   const double level = cycle.initial;
@@ -297,8 +297,8 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
   return drill_lathe_up(m, block, axis, r);
 }
 
-/// What a cycle keeps goes with it, but for its dwell where the control has one for all cycles: a
-/// tap without P dwells as the cycle before it. [rs274 2.9]
+/// Forget what a cycle keeps, but for its dwell where the control has one for all cycles: a tap
+/// without P dwells as the cycle before it. [rs274 2.9]
 void forget_cycle(const MotionFacts& facts, MotionState& state) {
   const double dwell = state.cycle.p;
   state.cycle = {};

@@ -8,18 +8,18 @@
 namespace cncsub {
 namespace {
 
-/// What the words say. [LC g-code, G76]
+/// The words of the block. [LC g-code, G76]
 struct DriveLine {
   Axes start{}, end{};
-  double side = 1;  // of X on which the thread is
+  double side = 1;  // the side of X on which the thread is
   double peak = 0, cut = 0, height = 0;
   double pitch = 0, angle = 0, degression = 1;
-  double taper = 0;  // along the drive line, with the sign of the way back
+  double taper = 0;  // along the drive line, with the sign of the move back
   bool at_begin = false, at_end = false;
   int springs = 0;
 
   double last() const { return peak + height; }
-  /// How far along the flank a pass of this depth is moved.
+  /// Return how far along the flank a pass of this depth is moved.
   double along(double depth) const { return (depth - peak) * std::tan(angle); }
 };
 

@@ -20,7 +20,7 @@ using Chain = std::vector<Bit>;
 struct Pockets {
   Contour& contour;
   PlaneView view;
-  double out, along;  // the signs of outward and of the way of the cuts
+  double out, along;  // the signs of outward and of the direction of the cuts
   double top = 0;     // the level where the cycle starts
 
   double height(Point p) const { return out * (contour.level_axis == 0 ? p.b : p.a); }
@@ -45,7 +45,7 @@ struct Pockets {
   Result rough(Chain chain);
 };
 
-/// Cuts a bit at the places where an arc is highest or lowest.
+/// Add a bit to a chain, divided where an arc is highest or lowest.
 void Pockets::add(Chain& chain, const Bit& bit) const {
   const Curve& c = bit.curve;
   if (c.straight()) {
@@ -96,12 +96,13 @@ Point Pockets::crossing(const Curve& curve, double level) const {
   const double middle = place(curve.centre);
   const Point one = point(middle - across, level), other = point(middle + across, level);
   const auto miss = [&](Point p) {
-    return size(p - curve.from) + size(p - curve.to);  // the shorter way round
+    return size(p - curve.from) + size(p - curve.to);  // the shorter of the two directions
   };
   return miss(one) <= miss(other) ? one : other;
 }
 
-/// The parts of a chain at or above a level and those below it, by turns; the first is above.
+/// Return the parts of a chain at or above a level and those below it, alternating; the first is
+/// above.
 std::vector<Chain> Pockets::split(const Chain& chain, double level) const {
   std::vector<Chain> parts(1);
   const auto below = [&](Point p) { return height(p) < level - 1e-7; };
@@ -141,7 +142,7 @@ Result Pockets::go(MoveKind kind, Point to) {
   return move(contour.m, contour.block, kind, end, named);
 }
 
-/// Along the profile.
+/// Move along the bits of a chain from `first` to before `last`.
 Result Pockets::follow(const Chain& chain, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const Curve& curve = chain[i].curve;
@@ -161,21 +162,21 @@ Result Pockets::follow(const Chain& chain, std::size_t first, std::size_t last) 
   return std::nullopt;
 }
 
-/// Away from the part by the escape, but not beyond the level where the cycle starts.
+/// Retract from the part by the escape, but not beyond the level where the cycle starts.
 Result Pockets::retract(double level) {
   const bool feeds = contour.m.facts.control->turning.escape.value == ReturnedEscape::Feed;
   const double up = std::max(level, std::min(level + contour.escape, top));
   return go(feeds ? MoveKind::Feed : MoveKind::Rapid, point(place(here()), up));
 }
 
-/// A level that is being cut: the parts of the profile above and below it, by turns, and the pocket
-/// that is next.
+/// A level that is being cut: the parts of the profile above and below it, alternating, and the
+/// next pocket.
 struct Pockets::Level {
   double level;
   std::vector<Chain> parts;
   std::size_t next = 1;
-  std::size_t crest = 0;  // how much of the part behind the last pocket was cut on the way
-  Point summit{};         // where that ended
+  std::size_t crest = 0;  // the bits of the part after the last pocket that are cut already
+  Point summit{};         // where that cut ended
 
   bool last() const { return next + 2 >= parts.size(); }
   const Chain& behind() const {
@@ -184,9 +185,9 @@ struct Pockets::Level {
   }
 };
 
-/// What the levels leave of the profile: down along it, across, up along it, and back; then deeper,
-/// pocket by pocket. `waiting` holds the levels with pockets to come, no more than there are
-/// islands.
+/// Rough what the levels leave of the profile: down along it, across, up along it, and back; then
+/// deeper, pocket by pocket. `waiting` holds the levels with pockets to come, no more than there
+/// are islands.
 Result Pockets::rough(Chain chain) {
   std::vector<Level> waiting;
   double level = top;
@@ -210,7 +211,7 @@ Result Pockets::rough(Chain chain) {
   }
 }
 
-/// The next pocket of a level: across, up along the profile behind it, back, and in again.
+/// Cut the next pocket of a level: across, up along the profile after it, back, and in again.
 Result Pockets::cut(Level& at) {
   const MoveKind in =
       contour.pieces.front().kind == MoveKind::Rapid ? MoveKind::Rapid : MoveKind::Feed;
@@ -226,7 +227,7 @@ Result Pockets::cut(Level& at) {
   return go(in, from);
 }
 
-/// Over the island behind a pocket that is done, and at the feed onto it. [TDi 23.1 note 3]
+/// Pass the island after a finished pocket: rapid over it, feed onto it. [TDi 23.1 note 3]
 Result Pockets::pass_island(Level& at) {
   const double up = std::max(height(at.summit), std::min(height(at.summit) + contour.escape, top));
   if (auto wrong = go(MoveKind::Rapid, point(place(here()), up))) return wrong;
@@ -238,7 +239,7 @@ Result Pockets::pass_island(Level& at) {
   return std::nullopt;
 }
 
-/// How many bits of a part lead to its last highest point.
+/// Return how many bits of a part lead to its last highest point.
 std::size_t Pockets::highest(const Chain& part) const {
   std::size_t at = 0;
   for (std::size_t i = 0; i < part.size(); ++i)
@@ -246,7 +247,8 @@ std::size_t Pockets::highest(const Chain& part) const {
   return part.empty() ? 0 : at + 1;
 }
 
-/// On which side of the profile the cycle starts, which way it cuts, and from which level.
+/// Find on which side of the profile the cycle starts, in which direction and from which level it
+/// cuts.
 Pockets pockets_of(Contour& contour) {
   Pockets pockets{contour, {plane_axes(Plane::ZX), contour.m.facts.share(0)}, 1, 1};
   double lowest = contour.level_of(contour.start), highest = lowest;
@@ -263,7 +265,7 @@ Pockets pockets_of(Contour& contour) {
   return pockets;
 }
 
-/// Up to the level where the cycle starts.
+/// Rise to the level where the cycle starts.
 Result rise(Pockets& pockets) {
   const Point now = pockets.here();
   return pockets.height(now) < pockets.top
@@ -271,7 +273,7 @@ Result rise(Pockets& pockets) {
              : std::nullopt;
 }
 
-/// Whether the profile is cut once more along its allowance.
+/// Return whether the profile is cut once more along its allowance.
 bool cuts_again(const Contour& contour) {
   const PocketPass pass = contour.m.facts.control->turning.pocket_pass.value;
   const NcWords& w = contour.block.words;
@@ -303,7 +305,7 @@ Result Contour::rough_pockets() {
   return go(MoveKind::Rapid, start);
 }
 
-/// How often the profile goes back in behind a shoulder.
+/// Return how often the profile goes back in after a shoulder.
 int Contour::pocket_count() const {
   const auto level = static_cast<std::size_t>(level_axis);
   const double away = end_of(pieces.front())[level] <= start[level] ? 1 : -1;

@@ -18,7 +18,7 @@ bool is_thread(Meaning meaning) {
 
 double sign_of(double value) { return value < 0 ? -1 : 1; }
 
-/// K alone counts along, J alone on both sides. [TDi 24.9 notes 2 to 7]
+/// Return the run-out where K alone counts along, J alone on both sides. [TDi 24.9 notes 2 to 7]
 RunOut equal_run_out(const TurnData& turn, double own) {
   const double j = std::fabs(turn.j), k = std::fabs(turn.k);
   if (!turn.has_j) return {turn.has_k && turn.k > 0 ? k : own, own};
@@ -26,7 +26,7 @@ RunOut equal_run_out(const TurnData& turn, double own) {
   return {turn.has_k && k != 0 ? k : j, j};
 }
 
-/// J goes across, K along; J alone leaves at once. [TA 18, ordinary mode]
+/// Return the run-out where J goes across, K along; J alone leaves at once. [TA 18, ordinary mode]
 RunOut run_out_across(const TurnData& turn, double own) {
   const double j = std::fabs(turn.j), k = std::fabs(turn.k);
   if (!turn.has_j) return turn.has_k ? RunOut{} : RunOut{own, own};
@@ -34,7 +34,7 @@ RunOut run_out_across(const TurnData& turn, double own) {
   return {turn.has_k ? k : 0, j};
 }
 
-/// The run-out that J, K and the tenths of a lead give, all radius values; `across` has no sign.
+/// Return the run-out by J, K and the tenths of a lead, all radius values; `across` has no sign.
 RunOut run_out(MotionView m, double tenths) {
   const double own = tenths * 0.1 * m.state.lead;
   switch (m.facts.control->turning.run_out_words.value) {
@@ -48,7 +48,7 @@ RunOut run_out(MotionView m, double tenths) {
   return {own, own};
 }
 
-/// The depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the
+/// Return the depths of the passes: sqrt(n) of the first cut, at least the least cut each, then the
 /// finishing passes.
 std::vector<double> thread_depths(double height, double first, const MultipleData& data) {
   std::vector<double> list;
@@ -66,8 +66,8 @@ std::vector<double> thread_depths(double height, double first, const MultipleDat
   return list;
 }
 
-/// P of the first block: passes, run-out and angle, two digits each; fewer digits name the last of
-/// them. [TDi 24.12 note 4]
+/// Take over P of the first block: passes, run-out and angle, two digits each; fewer digits name
+/// the last of them. [TDi 24.12 note 4]
 Result set_thread_data(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
   MultipleData& data = m.state.multiple;
@@ -92,7 +92,7 @@ struct ThreadForm {  // of G76, radius values
   double height = 0, first = 0, taper = 0;
 };
 
-/// Height, first cut and taper of the second block, or of the one block of the older form.
+/// Read height, first cut and taper of the second block, or of the one block of the older form.
 Result read_thread(MotionContext& m, const BlockWords& block, const Axes& end, ThreadForm& form) {
   const NcWords& w = block.words;
   MultipleData& data = m.state.multiple;
@@ -118,7 +118,7 @@ Result read_thread(MotionContext& m, const BlockWords& block, const Axes& end, T
   return std::nullopt;
 }
 
-/// Pass after pass, each deeper along the flank.
+/// Cut pass after pass, each deeper along the flank.
 Result cut_passes(MotionContext& m, BlockWords& block, const Axes& end, const ThreadForm& form) {
   const Axes start = m.state.work;
   const MultipleData data = m.state.multiple;

@@ -1,4 +1,4 @@
-// The lathe's cycles of straight cuts: G90 G92 G94, grooving G74 G75.
+// Straight-cut cycles of lathes: G90 G92 G94, grooving G74 G75.
 #include <algorithm>
 
 #include "cncsub/motion/cycle/cycles.hpp"
@@ -10,7 +10,7 @@
 namespace cncsub {
 namespace {
 
-/// A taper against the cut must not be larger than the cut. [TA 6, 7]
+/// Refuse a taper against the cut that is larger than the cut. [TA 6, 7]
 Result check_taper(const TurnData& turn, double depth, bool face, const BlockWords& block) {
   if (turn.r * depth >= 0 || std::fabs(turn.r) <= std::fabs(depth)) return std::nullopt;
   return fault(face ? Cause::FaceTaper : Cause::Taper, block);
@@ -48,7 +48,7 @@ Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
   return move_axis(m, block, MoveKind::Rapid, second, start[static_cast<std::size_t>(second)]);
 }
 
-/// In at the lead, out again. [TDi 24.5]
+/// Cut in at the lead, and out again. [TDi 24.5]
 Result tap_cycle(MotionContext& m, BlockWords& block) {
   std::uint32_t named = 0;
   const Axes start = m.state.work, end = target(m, block, named);
@@ -60,7 +60,7 @@ Result tap_cycle(MotionContext& m, BlockWords& block) {
 
 bool has_end(const NcWords& w) { return w.has('X') || w.has('Z') || w.has('U') || w.has('W'); }
 
-/// The columns or levels from one value to another in steps; the last takes the rest.
+/// Return the columns or levels from one value to another in steps; the last step takes the rest.
 std::vector<double> steps_between(double from, double to, double step) {
   std::vector<double> list{from};
   if (from == to) return list;
@@ -73,8 +73,8 @@ std::vector<double> steps_between(double from, double to, double step) {
   return list;
 }
 
-/// A step of a groove is not below zero; where the control has alarms for them, a peck that is
-/// written is above zero.
+/// Check the steps of a groove. None is below zero; where the control has alarms for them, a
+/// written peck is above zero.
 Result check_groove(MotionView m, const BlockWords& block, bool face, double p, double q) {
   const bool zero_alarms = m.facts.refuses(Cause::GrooveStep);
   const auto wrong = [&](char name, double value) {
@@ -85,7 +85,7 @@ Result check_groove(MotionView m, const BlockWords& block, bool face, double p, 
   return std::nullopt;
 }
 
-/// Where a groove is cut, pecking on one axis and stepping on the other, and how.
+/// A groove, cut by pecking on one axis and stepping on the other.
 struct Groove {
   int deep = 0, wide = 0;               // the axes
   std::vector<double> levels, columns;  // from the start to the end
@@ -93,7 +93,7 @@ struct Groove {
   double escape = 0;                    // to the side at the bottom
 };
 
-/// Down in one column, and out again.
+/// Peck down one column, and out again.
 Result cut_column(MotionContext& m, BlockWords& block, const Groove& groove, double column) {
   const std::vector<double>& levels = groove.levels;
   for (std::size_t i = 1; i < levels.size(); ++i) {
@@ -123,7 +123,7 @@ Result cut_groove(MotionContext& m, BlockWords& block, const Groove& groove) {
 /// along X and K along Z, and D for the escape. [general knowledge]
 struct GrooveWords {
   double p = 0, q = 0, slip = 0;
-  double x_share = 1;  // what counts as a diameter
+  double x_share = 1;  // of P and I: 2 where they are radius values
 
   GrooveWords(MotionView m, const BlockWords& block, bool one_block)
       : x_share(m.facts.control->turning.groove_p_diameter.value && !one_block ? 1 : 2) {
@@ -142,7 +142,7 @@ struct GrooveWords {
   }
 };
 
-/// The first of two blocks: how far a peck draws back.
+/// Take over the first of two blocks: how far a peck draws back.
 Result set_peck_retract(MotionContext& m, const BlockWords& block) {
   double& retract = m.state.multiple.retract;
   if (block.words.has('R')) retract = number(m, block, 'R');
@@ -165,8 +165,8 @@ Groove groove_of(MotionView m, const GrooveWords& words, bool face, const Axes& 
   return groove;
 }
 
-/// Whether a word of a cycle is written as increments: without a point, as far as that is known, or
-/// computed where it takes none.
+/// Return whether a word of a cycle is written as increments: without a point, as far as that is
+/// known, or computed at an address that takes none.
 bool counts_increments(MotionView m, const BlockWords& block, char address) {
   const NcWords& w = block.words;
   if ((w.computed & bit(address)) != 0) return address == 'P';
@@ -210,7 +210,7 @@ Result grooving(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (!has_end(w) && !w.has('P') && !w.has('Q') && !one_block) return set_peck_retract(m, block);
   std::uint32_t named = 0;
   const Axes end = target(m, block, named);
-  // Without the axis it pecks along, the cycle is not done. [TDi 23.5; TA 12, 13]
+  // The cycle is not done without the axis along which it pecks. [TDi 23.5; TA 12, 13]
   if ((named & axis_bit(face ? 2 : 0)) == 0)
     return !face && m.facts.refuses(Cause::GrooveAxis) ? Result(fault(Cause::GrooveAxis, block))
                                                        : std::nullopt;

@@ -30,7 +30,7 @@ double turn_of_system(const MotionState& state, int system) {
 
 namespace {
 
-/// The work system in force is turned otherwise: what is told in its coordinates is told anew.
+/// Rotate the frame with the work system in force: what is in its coordinates is computed anew.
 void turn_frame(MotionState& state) {
   const double angle =
       (state.zero_is_held ? state.zero_turn : turn_of_system(state, system_in_force(state))) * kPi /

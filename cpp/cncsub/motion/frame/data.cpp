@@ -6,10 +6,10 @@
 namespace cncsub {
 namespace {
 
-/// Adds or stores.
+/// Add or store a value.
 void put(double& place, double value, bool add) { place = add ? place + value : value; }
 
-/// G10 L10 to L13: H and D, geometry and wear.
+/// Execute G10 L10 to L13: H and D, geometry and wear.
 Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
   if (p < 0 || p >= static_cast<double>(m.state.tables.length.size()))
     return fault(Cause::G10Offset, block);
@@ -23,14 +23,14 @@ Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
   return std::nullopt;
 }
 
-/// U V W of a lathe count on.
+/// Add U V W of a lathe to the values.
 void add_increments(MotionContext& m, const BlockWords& block, Axes& values) {
   for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
     if (block.words.has(letter))
       m.log.change(values[static_cast<std::size_t>(axis)]) += number(m, block, letter);
 }
 
-/// G10 P X Z R Q of a lathe; P over 10000 names the geometry, P0 the work shift.
+/// Execute G10 P X Z R Q of a lathe. P over 10000 names the geometry, P0 the work shift.
 Result set_tool_data(MotionContext& m, BlockWords& block) {
   const NcWords& w = block.words;
   if (!w.has('P')) return fault(Cause::G10Word, block);
@@ -52,7 +52,7 @@ Result set_tool_data(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-/// G10 without L: a tool of a lathe, or length and radius of a mill by P.
+/// Execute G10 without L: a tool of a lathe, or length and radius of a mill by P.
 Result set_without_l(MotionContext& m, BlockWords& block) {
   if (m.facts.lathe()) return set_tool_data(m, block);
   if (!m.facts.control->motion.data_forms.value.has(DataForm::WithoutL) || !block.words.has('P'))
@@ -61,7 +61,7 @@ Result set_without_l(MotionContext& m, BlockWords& block) {
   return set_offset_data(m, block, 10, block.words['P']);
 }
 
-/// Which system P names: of `extra` ones, or of G54 to G59 (0: the one before them all).
+/// Find which system P names: of `extra` ones, or of G54 to G59 (0: the one before them all).
 Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) {
   if (m.facts.control->motion.data_forms.value.has(DataForm::Active)) {
     if (p == 0) p = m.state.work_system > 0 ? m.state.work_system : 6 + m.state.extra_system;
@@ -76,7 +76,7 @@ Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) 
   return std::nullopt;
 }
 
-/// G10 L2 and L20: the zero point of a work system, or of an extra one.
+/// Execute G10 L2 and L20: the zero point of a work system, or of an extra one.
 Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
   OffsetTables& tables = m.state.tables;
   const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::Active);
@@ -109,7 +109,7 @@ Result set_data(MotionContext& m, BlockWords& block) {
   if (!w.has('L')) return set_without_l(m, block);
   const int l = whole(counted(m, w, 'L'));
   const bool systems = l == 2 || l == 20, offsets = l == 1 || (l >= 10 && l <= 13);
-  // Of tool life and parameters no motion depends.
+  // No motion depends on tool life and parameters.
   const bool others =
       l == 3 || l == 50 || (l == 52 && m.facts.control->motion.data_forms.value.has(DataForm::L52));
   if (others) return std::nullopt;

@@ -1,32 +1,32 @@
-// The frame that points are named in: coordinates, tools, and what turns points.
+// The frame that points are named in: coordinates, tools, and what transforms points.
 #pragma once
 
 #include "cncsub/motion/state/context.hpp"
 
 namespace cncsub {
 
-// Where points lie, and pieces on their way to the table.
+// Where points lie, and pieces that are not yet in the table.
 
-/// Where a point in work coordinates lies on the machine, the tool offsets included. The offsets
-/// are added first, as the rows of the table of moves do.
+/// Return where a point in work coordinates lies on the machine, the tool offsets included. The
+/// offsets are added first, as the rows of the table of moves do.
 inline Axes machine_point(const MotionState& state, const Axes& work) {
   return work + (state.offset + state.length);
 }
 inline Axes machine_point(const MotionState& state) { return machine_point(state, state.work); }
-/// Whether moves wait for those behind them, or compensation holds the tool beside them.
+/// Return whether moves wait for those after them, or compensation holds the tool beside them.
 inline bool moves_wait(const MotionState& state) {
   const LookaheadQueue& lookahead = state.lookahead;
   return lookahead.engaged || !lookahead.radius.empty() || !lookahead.corner.empty() ||
          state.pending_angle.waiting();
 }
-/// Pieces count from where the work coordinates do, unless some wait that count from elsewhere.
+/// Let pieces count from where the work coordinates do, unless some wait that count from elsewhere.
 inline void settle_origin(MotionState& state) {
   if (!moves_wait(state)) state.origin = state.offset;
 }
-/// What leads from work coordinates to those of pieces, and from there to the machine's.
+/// Return the offset from work coordinates to those of pieces, and from there to the machine's.
 inline Axes piece_offset(const MotionState& state) { return state.offset - state.origin; }
 inline Axes piece_length(const MotionState& state) { return state.origin + state.length; }
-/// From coordinates that are turned as work coordinates are to the machine's own, and back.
+/// Convert coordinates that are rotated as work coordinates are to the machine's own, and back.
 inline Axes in_machine(const MotionState& state, const Axes& point) {
   return turned_by(state.frame_angle, point);
 }
@@ -36,66 +36,67 @@ inline Axes in_frame(const MotionState& state, const Axes& machine) {
 
 // Zero points.
 
-/// The way from work to base coordinates: EXT + G54... + G92 + G52, and the tool shift of a lathe.
+/// Return the offset from work to base coordinates: EXT + G54... + G92 + G52, and the tool shift of
+/// a lathe.
 Axes zero_offset(const MotionState& state);
-/// How far a work system is turned about Z, degrees; 7 is the first extra one.
+/// Return how far a work system is rotated about Z, in degrees; 7 is the first extra one.
 double turn_of_system(const MotionState& state, int system);
-/// Behind the offsets of the axes of a system stands its turn.
+/// The place of a system's rotation, after the offsets of its axes.
 constexpr int kTurn = 9;
-/// The length of a mill's tool on all axes, machine coordinates.
+/// Return the length of a mill's tool on all axes, in machine coordinates.
 Axes length_of_tool(const MotionState& state, int tool);
-/// G10 L2, L20, L1, L10 and L11 of controls whose work systems turn, and whose tools have lengths
-/// on all axes.
+/// Execute G10 L2, L20, L1, L10 and L11 of controls whose work systems rotate, and whose tools have
+/// lengths on all axes.
 Result set_system_here(MotionContext& m, const BlockWords& block, double p);
 Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p);
-/// Takes a changed zero point over: the machine stays, the work coordinates change.
+/// Take over a changed zero point: the machine stays, the work coordinates change.
 void refresh_offset(MotionState& state);
-/// The number of the work system in force: 7 is the first extra one.
+/// Return the number of the work system in force: 7 is the first extra one.
 inline int system_in_force(const MotionState& state) {
   return state.work_system > 0 ? state.work_system : 6 + state.extra_system;
 }
 const Axes& zero_of(const MotionState& state, int system);
-/// Keeps the zero point that is in force, whatever its variables become.
+/// Keep the zero point that is in force, whatever its variables become.
 void hold_zero(MotionState& state);
 Result select_work(MotionContext& m, BlockWords& block);
-/// G92, and G50 of a lathe: the point gets these coordinates, on the named axes.
+/// G92, and G50 of a lathe: give the point these coordinates, on the named axes.
 Result set_coordinate(MotionContext& m, BlockWords& block);
 Result clear_coordinate(MotionContext& m, BlockWords& block);
-/// The shift that its variables tell, which a program may have written.
+/// Return the shift that its variables report, which a program may have written.
 Axes reported_shift(const MotionState& state);
-/// A work system is chosen while variables of the shift in force were written: the point is
-/// told without what is written, and the shift stays what it was. [rs274 2.9]
+/// Drop what was written to the variables of the shift in force, when a work system is chosen: the
+/// point is reported without it, and the shift stays what it was. [rs274 2.9]
 void lose_written_shift(MotionState& state);
-/// The shift that G92 sets is given by itself, cleared, put aside or taken back in. [LC g-code,
-/// G52, G92.1, G92.2, G92.3]
+/// Give the shift of G92 by itself, clear it, suspend it or restore it.
+/// [LC g-code, G52, G92.1, G92.2, G92.3]
 Result change_shift(MotionContext& m, BlockWords& block, Meaning meaning);
-/// G52. U and W of a lathe say the same as X and Z. [TDi 19]
+/// Execute G52. U and W of a lathe say the same as X and Z. [TDi 19]
 Result set_local(MotionContext& m, BlockWords& block);
-/// G10.
+/// Execute G10.
 Result set_data(MotionContext& m, BlockWords& block);
 
 // The end point that a block names.
 
-/// How words name a point.
+/// The form in which words name a point.
 struct PointForm {
   bool incremental = false;
   bool polar = false;  // a radius and an angle
 };
 PointForm point_form(const MotionState& state);
-/// The axes without a word stay.
+/// Return the point that a block names; the axes without a word stay.
 Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uint32_t& named);
 Axes target(MotionContext& m, BlockWords& block, std::uint32_t& named);
-/// Without polar coordinates, which do not reach into reference points and skips.
+/// Return the point without polar coordinates, which do not reach into reference points and skips.
 Axes linear_target(MotionContext& m, BlockWords& block, std::uint32_t& named);
-/// Of a move that G45 to G48 may make longer.
+/// Return the end of a move that G45 to G48 may make longer.
 Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named);
 
-// Polar coordinates, and what turns written points: rotation, scaling, mirror.
+// Polar coordinates, and what transforms written points: rotation, scaling, mirror.
 
-/// The first axis of the plane is the radius, the second the angle.
+/// Set the end by polar words: the first axis of the plane is the radius, the second the angle.
 void polar_target(MotionContext& m, const BlockWords& block, bool incremental, Axes& end,
                   std::uint32_t& named);
-/// @ and ^, the radius and the angle of a point in G17: what does not go with them, and the point.
+/// The words @ and ^: the radius and the angle of a point in G17.
 constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
 constexpr std::uint32_t kAxisWords =
     kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
@@ -103,31 +104,33 @@ Result check_polar_words(MotionView m, const BlockWords& block);
 void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
                  std::uint32_t& named);
 Result set_turned(MotionContext& m, BlockWords& block);
-/// From the written point to the one the tool goes to: mirror, scaling, rotation.
+/// Transform the written point to the one the tool goes to: mirror, scaling, rotation.
 void turn_point(const MotionState& state, Axes& point, std::uint32_t& named);
 Axes turned_back(const MotionState& state, Axes point);
-/// The same for a distance in the plane, as I and J are.
+/// Transform a distance in the plane, as I and J are.
 void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane);
 bool mirrored_plane(const MotionState& state);
 
 // Tools: T, H and D.
 
 Result set_tool(MotionContext& m, BlockWords& block);
-/// G43, G44, G49 and H. A new value counts from this block on, on one axis.
+/// Execute G43, G44, G49 and H. A new value counts from this block on, on one axis.
 Result set_length(MotionContext& m, BlockWords& block);
 double radius_value(MotionView m);
-/// The offset of the number of the tool in the spindle, none where there is none.
+/// Return the offset of the number of the tool in the spindle, 0 where there is none.
 int offset_of_tool(const MotionState& state, const std::vector<double>& offsets);
-/// Whether an offset is that of the tool in the spindle: without its number, or by 0. [rs274 2.9]
+/// Return whether an offset is that of the tool in the spindle: without its number, or by 0.
+/// [rs274 2.9]
 bool is_of_tool(MotionView m, const BlockWords& block, char letter);
-/// G45 to G48: the move of each named axis gets longer or shorter by an offset, or by twice that.
-/// A canned cycle does not take notice of them. [M7 p.242]
+/// Execute G45 to G48: the move of each named axis gets longer or shorter by an offset, or by twice
+/// that. A canned cycle does not take notice of them. [M7 p.242]
 Result set_longer(MotionView m, BlockWords& block);
-/// The end of a move that G45 to G48 make longer along the way of each axis. An increment of zero
-/// goes the way of its sign, an absolute word that moves nothing stays so. [M7 p.242 (3)]
+/// Return the end of a move that G45 to G48 make longer in the direction of each axis. An increment
+/// of zero goes in the direction of its sign, an absolute word that moves nothing stays so.
+/// [M7 p.242 (3)]
 Axes lengthened(MotionView m, const BlockWords& block, Axes end, std::uint32_t named);
-/// From the centre of the nose to the imaginary tip, which the program moves: tip 3 points to -X
-/// and -Z, 8 to -X.
+/// Return the vector from the centre of the nose to the imaginary tip, which the program moves: tip
+/// 3 points to -X and -Z, 8 to -X.
 std::array<double, 3> tip_vector(MotionView m);
 
 }  // namespace cncsub

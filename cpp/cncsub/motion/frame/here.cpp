@@ -1,4 +1,4 @@
-// G10 by where the tool stands: work systems that may be turned, and the lengths of tools.
+// G10 by where the tool stands: work systems that may be rotated, and the lengths of tools.
 #include <algorithm>
 
 #include "cncsub/motion/frame/frame.hpp"
@@ -17,7 +17,7 @@ double radians_of(const MotionState& state, int system) {
   return turn_of_system(state, system) * kPi / 180;
 }
 
-/// A machine point in the coordinates of a work system, without the shift.
+/// Return a machine point in the coordinates of a work system, without the shift.
 Axes in_system(const MotionState& state, int system, const Axes& machine) {
   return turned_by(-radians_of(state, system), machine - zero_of(state, system));
 }
@@ -27,7 +27,7 @@ bool names_any(const BlockWords& block, std::string_view letters) {
                      [&](char letter) { return block.words.has(letter); });
 }
 
-/// Takes over the words of axes, times the length of their unit.
+/// Take over the words of axes, times the length of their unit.
 Axes named(MotionView m, const BlockWords& block, Axes values) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (const char name = kAxisNames[i]; block.words.has(name)) values[i] = number(m, block, name);
@@ -39,8 +39,8 @@ void store(MotionContext& m, Axes& place, const Axes& values) {
     if (place[i] != values[i]) m.log.change(place[i]) = values[i];
 }
 
-/// The length with which the tool stands at the words, in the work system in force or in the last
-/// one. An axis without a word keeps its part.
+/// Return the length with which the tool stands at the words, in the work system in force or in the
+/// last one. An axis without a word keeps its part.
 Axes length_by_words(MotionView m, const BlockWords& block, bool fixture, const Axes& before) {
   const MotionState& s = m.state;
   const int system = fixture             ? 6 + static_cast<int>(s.tables.extra.size())

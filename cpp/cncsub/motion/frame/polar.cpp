@@ -1,4 +1,4 @@
-// Polar coordinates, and what turns written points: rotation, scaling, mirror.
+// Polar coordinates, and what transforms written points: rotation, scaling, mirror.
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
@@ -34,14 +34,15 @@ Result set_rotation(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-/// Whether P of G51 counts thousandths.
+/// Return whether P of G51 counts thousandths.
 bool scales_by_thousandths(MotionView m, const BlockWords& block) {
   const ScaleUnit unit = m.facts.control->motion.scale_unit.value;
   return unit == ScaleUnit::Thousandths ||
          (unit == ScaleUnit::AsWritten && (block.words.computed & bit('P')) != 0);
 }
 
-/// I J K without a point count thousandths where lengths count increments. [general knowledge]
+/// Return the scale at an address. I J K without a point count thousandths where lengths count
+/// increments. [general knowledge]
 double scale_of(MotionView m, const BlockWords& block, char address) {
   const bool thousandths =
       address == 'P' ? scales_by_thousandths(m, block)
@@ -59,7 +60,7 @@ Result set_scaling(MotionContext& m, BlockWords& block) {
   if (w.has('P')) m.outcome.drop(w.mask & (bit('I') | bit('J') | bit('K')));
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)], own = "IJK"[i];
-    // As the centre of rotation. [B-63682EN p.117]
+    // The centre is absolute under G91, as that of rotation. [B-63682EN p.117]
     m.state.transform.scale_centre[i] = w.has(name) ? number(m, block, name) : m.state.work[i];
     double scale = w.has('P') ? scale_of(m, block, 'P') : w.has(own) ? scale_of(m, block, own) : 1;
     if (scale == 0) return fault(Cause::ScaleZero, block);

@@ -8,20 +8,20 @@
 namespace cncsub {
 namespace {
 
-/// A corner written with C or U alone, or an angle with A, is no move of that axis.
+/// Return whether C or U alone may write a corner, or A an angle, and so no move of that axis.
 bool corner_address(MotionView m, char name) {
   if (name != 'U' && ((name != 'C' && name != 'A') || !m.facts.lathe())) return false;
   return ((m.facts.chamfers.mask | m.facts.rounds.mask | m.facts.angles.mask) & bit(name)) != 0;
 }
 
-/// Only a cut has corners: elsewhere C is an axis.
+/// Return whether a block may have corners. Only a cut has them: elsewhere C is an axis.
 bool has_corners(const MotionState& state, const BlockWords& block) {
   const Meaning motion = state.modal[at(Group::Motion)].meaning;
   const bool cuts = motion == Meaning::Line || motion == Meaning::Cw || motion == Meaning::Ccw;
   return cuts && !in_cycle(state) && goes_with_motion(state, block);
 }
 
-/// What a lathe with G code system A writes for increments.
+/// The letters for increments on a lathe with G code system A.
 constexpr std::pair<char, char> kIncrements[] = {{'U', 'X'}, {'W', 'Z'}, {'V', 'Y'}, {'H', 'C'}};
 constexpr std::uint32_t kIncrementWords = bit('U') | bit('W') | bit('V') | bit('H');
 

@@ -26,25 +26,25 @@ Result length_axis(MotionView m, BlockWords& block, int& axis) {
   return std::nullopt;
 }
 
-/// G43.1 and G43.2: the length is given by axis words, or added to the one in force.
+/// Take the length from axis words (G43.1), or add them to the one in force (G43.2).
 void give_length(MotionContext& m, BlockWords& block, bool add) {
   Axes length = in_machine(m.state, m.state.length);
   for (std::size_t i = 0; i < length.size(); ++i)
     if (const char name = kAxisNames[i]; block.words.has(name)) {
       length[i] = number(m, block, name) + (add ? length[i] : 0);
-      // A motion code of the block has them too. [rs274 2.9]
+      // A motion code of the block takes these words too. [rs274 2.9]
       block.consumed = !block.has(Group::Motion) && !block.has(Group::Cycle);
     }
   m.state.length = in_frame(m.state, length);
 }
 
-/// A length that shifts the work coordinates is one on all axes.
+/// Set the length on all axes, where it shifts the work coordinates.
 void shift_by_length(MotionContext& m, bool add) {
   const Axes length = in_frame(m.state, length_of_tool(m.state, m.state.h));
   m.state.length = add ? m.state.length + length : length;
 }
 
-/// The number of the offset: that of H, or of the tool where the control takes it without H.
+/// Read the number of the offset: that of H, or of the tool where the control takes it without H.
 Result take_h(MotionContext& m, const BlockWords& block) {
   if (block.words.has('H')) {
     const double number = counted(m, block.words, 'H');
@@ -56,7 +56,7 @@ Result take_h(MotionContext& m, const BlockWords& block) {
   return std::nullopt;
 }
 
-/// The same where a length shifts the work coordinates: H does nothing without its code.
+/// Take the length where it shifts the work coordinates: H does nothing without its code.
 Result take_shifting_length(MotionContext& m, BlockWords& block) {
   if (!block.has(Group::Length)) return std::nullopt;
   if (compensates_behind(m, block)) return fault(Cause::CompensationShift, block);
@@ -72,7 +72,7 @@ Result take_shifting_length(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
-/// The length of G43, G44, G49 and H.
+/// Take the length of G43, G44, G49 and H.
 Result take_length(MotionContext& m, BlockWords& block) {
   if (m.facts.lathe()) return std::nullopt;
   if (block.meaning(Group::OneShot) == Meaning::MeasureTool) return std::nullopt;  // it takes no H

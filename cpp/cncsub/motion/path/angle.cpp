@@ -14,7 +14,7 @@ double sine(double degrees) { return std::sin(degrees * kPi / 180); }
 
 double cosine(double degrees) { return std::cos(degrees * kPi / 180); }
 
-/// The line that waits ends where the one that ends here, at its angle, begins.
+/// End the waiting line where the second line begins, whose end and angle are given.
 Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double angle) {
   const PlaneView view{plane_axes(second.plane), m.facts.share(0)};
   Piece first = m.state.pending_angle.line.front();

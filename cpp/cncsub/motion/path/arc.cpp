@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kCentreNames = "IJK";
 
-/// The letter that gives the centre along an axis: I along U as well.
+/// Return the letter that gives the centre along an axis: I along U as well.
 char centre_name(int axis) { return kCentreNames[centre_place(axis)]; }
 
 bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
@@ -24,8 +24,8 @@ bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
 
 PlaneAxes axes_of(const Piece& piece) { return arc_axes(piece.plane, piece.state.parallel); }
 
-/// G45 to G48 change the radius of quarters and three quarters of a circle, which begin and end on
-/// the axes of their centre. [general knowledge: FANUC]
+/// Check an arc with G45 to G48, which change the radius of quarters and three quarters of a circle
+/// that begin and end on the axes of their centre. [general knowledge: FANUC]
 Result check_longer(MotionView m, const BlockWords& block, const Axes& end, bool by_radius) {
   if (block.axis_extension == 0) return std::nullopt;
   const PlaneAxes plane = plane_axes(m.state.plane);
@@ -78,7 +78,7 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
-/// The arc in numbers, in the unit of the program, for controls whose message tells them.
+/// Return the arc in numbers, in the unit of the program, for controls whose message shows them.
 std::string arc_in_numbers(MotionView m, const Piece& piece, Point start, Point centre, Point end) {
   const PlaneAxes plane = plane_axes(piece.plane);
   const double unit = m.state.unit;
@@ -98,7 +98,7 @@ std::string arc_in_numbers(MotionView m, const Piece& piece, Point start, Point 
   return "start=" + shown(start) + " center=" + shown(centre) + " end=" + shown(end) + radii;
 }
 
-/// What is wrong with an arc that ends off its circle.
+/// Return the fault of an arc that ends off its circle.
 Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Point start,
                  Point centre, Point end) {
   char text[64];
@@ -149,14 +149,15 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
-/// The axes of the plane whose parts U, V and W make. [source 003, G02 and G03]
+/// Return the axes of the plane whose parts U, V and W make. [source 003, G02 and G03]
 std::uint8_t parallel_axes(MotionView m, std::uint32_t named) {
   if (!m.facts.control->motion.parallel_axes.value) return 0;
   const std::uint32_t across = axis_bit(plane_axes(m.state.plane).across);
   return static_cast<std::uint8_t>(named >> 6 & 7u & ~(named & 7u) & ~across);
 }
 
-/// An arc in U, V and W as they stand: what turns or leads an arc of X, Y and Z is not computed.
+/// Check an arc in U, V and W: what transforms or leads an arc of X, Y and Z is not computed for
+/// it.
 Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece) {
   if (piece.state.parallel == 0) return std::nullopt;
   if (is_transformed(m.state) || polar(m.state) || piece.side != 0 || piece.corner != 0)
@@ -165,7 +166,7 @@ Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece)
   return std::nullopt;
 }
 
-/// An arc moves in its plane, and across it where there are helices.
+/// Check the axes of an arc: it moves in its plane, and across it where there are helices.
 Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bool radius) {
   const Control& c = *m.facts.control;
   const int across = plane_axes(m.state.plane).across;
@@ -187,14 +188,14 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
   return std::nullopt;
 }
 
-/// Whether one of the two words of a centre is missing.
+/// Return whether one of the two words of a centre is missing.
 bool lacks_centre(MotionView m, const BlockWords& block) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   return !block.words.has(kCentreNames[static_cast<std::size_t>(plane.a)]) ||
          !block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
 }
 
-/// How often an arc goes around beside the way to its end.
+/// Add the full turns that P asks of an arc.
 Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
   if (m.facts.control->motion.helix.value != Helix::AllAxes || !block.words.has('P'))
     return std::nullopt;
@@ -205,7 +206,8 @@ Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
   return std::nullopt;
 }
 
-/// The centre and the angle of an arc, by R or by the words of its centre. [source 003, note 3]
+/// Find the centre and the angle of an arc, by R or by the words of its centre.
+/// [source 003, note 3]
 Result find_centre(MotionView m, const BlockWords& block, bool radius, bool centre, Piece& piece,
                    MotionOutcome& outcome) {
   if (radius) {
@@ -227,12 +229,12 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
   return std::nullopt;
 }
 
-/// G02 or G03 without a word of an arc.
+/// Check G02 or G03 without a word of an arc.
 Result bare_arc(MotionView m, const BlockWords& block) {
   return m.facts.refuses(Cause::NoRadius) ? check_axes(m, block, 0, false) : std::nullopt;
 }
 
-/// R beside the words of a centre, whatever they say.
+/// Refuse R beside the words of a centre, whatever they say.
 Result check_form(MotionView m, const BlockWords& block) {
   if ((block.words.mask & kCentreWords) == 0 || !block.words.has('R') ||
       !m.facts.refuses(Cause::RadiusAndCentre))
@@ -270,7 +272,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   if (auto wrong = check_parallel(m, block, piece)) return wrong;
   if (auto wrong = find_centre(m, block, radius, centre, piece, m.outcome)) return wrong;
-  // R with the end at the start is no arc: nothing is left but what goes along. [16TC p.67]
+  // R with the end at the start is no arc: only the move across the plane is left. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))
     return fault(Cause::CornerHelix, block);

@@ -7,7 +7,8 @@
 namespace cncsub {
 namespace {
 
-/// `G01 Z_ I_` and `G01 X_ K_`: the older form between moves at right angles. [general knowledge]
+/// Read `G01 Z_ I_` and `G01 X_ K_`, the older form between moves at right angles.
+/// [general knowledge]
 Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) {
   const NcWords& w = block.words;
   const bool written = w.has('I') || w.has('K');
@@ -25,7 +26,7 @@ Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) 
   return std::nullopt;
 }
 
-/// Where a corner may not be.
+/// Refuse a corner where none may be.
 Result check_corner(MotionView m, const BlockWords& block) {
   if (polar(m.state) && m.facts.refuses(Cause::PolarCorner))
     return fault(Cause::PolarCorner, block);
@@ -59,7 +60,7 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
 
 namespace {
 
-/// A move before a corner waits for the one behind it.
+/// Let a move before a corner wait for the one after it.
 Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   if (piece.corner == 0) return through_radius(sink, piece, from);
   sink.state.lookahead.corner_from = from;
@@ -67,7 +68,7 @@ Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   return std::nullopt;
 }
 
-/// The move that waited gets its corner with this one.
+/// Cut the corner between the move that waited and this one.
 Result end_corner(MoveSink& sink, const Piece& piece) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   const Piece first = lookahead.corner.back();

@@ -21,7 +21,7 @@ std::array<double, 3> centre_of(const Piece& piece) {
   return centre;
 }
 
-/// The tool's way on an arc, in the plane.
+/// Return the length of the tool's path on an arc, in the plane.
 double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
   const PlaneAxes plane = arc_axes(piece.plane, piece.state.parallel);
   const auto polar = [&](const Axes& p) {
@@ -39,7 +39,7 @@ double arc_in_plane(MotionView m, const Piece& piece, const Axes& machine) {
   return spiral_length(from[0], to[0], turn);
 }
 
-/// How long a move takes that is told in coordinates as turned as those of the work system.
+/// Return how long a move takes whose coordinates are rotated as those of the work system.
 double seconds_in_machine(const MotionState& state, const TimedMove& way,
                           const MotionFacts& facts) {
   if (state.frame_angle == 0) return seconds_of(way, facts.rapid, facts.diameters);
@@ -48,13 +48,13 @@ double seconds_in_machine(const MotionState& state, const TimedMove& way,
                     facts.diameters);
 }
 
-/// How long a piece takes, and how long its way is in the plane.
+/// The time of a piece, and the length of its path in the plane.
 struct PieceLength {
   bool arc = false;
   double in_plane = 0, seconds = 0;
 };
 
-/// The axes of a row: those that are named, and what a cycle moves beside them.
+/// Mark the axes of a row: the named ones, and those that a cycle moves beside them.
 void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
   Moves& moves = *sink.table;
   const Axes& from = sink.state.tool_at;
@@ -69,7 +69,7 @@ void mark_axes(MoveSink& sink, const Axes& machine, std::uint32_t named) {
     moves.mark(named);
 }
 
-/// The row of a piece.
+/// Write the row of a piece.
 void write_row(MoveSink& sink, const Piece& piece, const Axes& machine,
                const std::array<double, 3>& vector, const PieceLength& way) {
   Moves& moves = *sink.table;
@@ -135,7 +135,7 @@ Fault too_many_moves(const BlockWords& block) {
                "the block would make more than " + std::to_string(kMostMoves) + " moves");
 }
 
-/// Counts a move of a block, which may be one too many.
+/// Count a move of a block, which may be one too many.
 inline Result count_move(MotionContext& m, const BlockWords& block) {
   if (++m.outcome.moves > kMostMoves) return too_many_moves(block);
   if (m.inputs.over(1)) return broken_off(block.words.at);

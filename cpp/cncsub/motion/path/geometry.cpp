@@ -9,7 +9,7 @@ namespace cncsub {
 
 namespace {
 
-/// A direction, as a vector of length 1.
+/// Return a direction as a vector of length 1.
 Point unit_of(Point d) {
   const double length = size(d);
   return length > 0 ? (1 / length) * d : Point{1, 0};
@@ -38,7 +38,7 @@ double moved_radius(const Curve& arc, Point end, double offset) {
 
 namespace {
 
-/// The points where two curves meet, none, one or two.
+/// The points where two curves meet: none, one or two.
 struct Meetings {
   std::array<Point, 2> points{};
   int count = 0;
@@ -54,7 +54,7 @@ Meetings line_line(Point p, Point u, Point q, Point v) {
   return Meetings(p + (cross(q - p, v) / denominator) * u);
 }
 
-/// Half the chord that is left of a circle; of one that is missed by a hair, none.
+/// Return half the chord that a line leaves of a circle, 0 where it misses the circle by a hair.
 double half_chord(double radius, double distance) {
   const double square = (radius - distance) * (radius + distance);
   return square > 0 ? std::sqrt(square) : 0;
@@ -97,7 +97,7 @@ std::optional<Point> meeting(const Curve& a, const Curve& b, double offset, doub
 
 namespace {
 
-/// Where a curve is, `distance` (straight) before its end or behind its start.
+/// Find the point of a curve `distance` (straight) before its end or after its start.
 bool at_distance(const Curve& curve, double distance, bool before_end, Point& found) {
   const Point corner = before_end ? curve.to : curve.from;
   if (curve.straight()) {
@@ -117,7 +117,7 @@ bool at_distance(const Curve& curve, double distance, bool before_end, Point& fo
   return true;
 }
 
-/// The foot of a point on a curve, and whether it lies on the curve's own part.
+/// Find the foot of a point on a curve; return whether it lies on the curve's own part.
 bool foot_on(const Curve& curve, Point p, Point& foot) {
   if (curve.straight()) {
     const Point u = curve.start_direction();
@@ -140,7 +140,7 @@ struct Cut {
   Point first, second, centre;
   bool left_turn = false;
   bool none = false;
-  bool second_short = false;  // what cannot be cut is the second curve, the first could
+  bool second_short = false;  // the second curve cannot be cut, the first could
 };
 
 bool cut_chamfer(const Curve& a, const Curve& b, double size, bool chamfer_line, Cut& cut) {
@@ -169,7 +169,7 @@ bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
   return !cut.second_short;
 }
 
-/// The angle an arc still runs through when its ends have been cut.
+/// Return the angle an arc still runs through when its ends have been cut.
 double rest_of_turn(const Curve& curve, Point from, Point to) {
   const Point r = from - curve.centre, s = to - curve.centre;
   double t = std::atan2(cross(r, s), dot(r, s));

@@ -16,9 +16,9 @@ inline Point operator-(Point p, Point q) { return {p.a - q.a, p.b - q.b}; }
 inline Point operator*(double f, Point p) { return {f * p.a, f * p.b}; }
 inline double dot(Point p, Point q) { return p.a * q.a + p.b * q.b; }
 inline double cross(Point p, Point q) { return p.a * q.b - p.b * q.a; }
-/// No length of a machine is so large or so small that its square is no number.
+/// Return the length. No length of a machine is so large or so small that its square is no number.
 inline double size(Point p) { return std::sqrt(p.a * p.a + p.b * p.b); }
-/// To the left of a direction.
+/// Return the vector to the left of a direction.
 inline Point left(Point p) { return {-p.b, p.a}; }
 
 /// The two axes of a plane, in true lengths: a diameter axis counts half.
@@ -44,7 +44,7 @@ struct PlaneView {
 /// A line or an arc with its directions at both ends.
 struct Curve {
   Curve(Point first, Point last, Point middle, double angle);
-  /// One whose directions are known.
+  /// Make a curve whose directions are known.
   Curve(Point first, Point last, Point middle, double angle, Point begins, Point ends)
       : from{first.a, first.b},
         to{last.a, last.b},
@@ -55,7 +55,7 @@ struct Curve {
 
   Point from, to, centre;
   double turn = 0;  // 0: a straight line
-  Point u, v;       // the directions, which are asked again and again
+  Point u, v;       // the directions at both ends, cached
 
   bool straight() const { return turn == 0; }
   double radius() const { return size(from - centre); }
@@ -63,12 +63,12 @@ struct Curve {
   Point end_direction() const { return v; }
   double length() const { return straight() ? size(to - from) : std::fabs(turn) * radius(); }
 };
-/// The same way, back.
+/// Return the curve in the other direction.
 inline Curve reversed(const Curve& c) { return {c.to, c.from, c.centre, -c.turn}; }
 Curve curve_of(const PlaneView& view, const Axes& from, const Piece& piece);
 
-/// The angle from one direction to another, counter-clockwise in (0, 2 pi], or clockwise in [-2 pi,
-/// 0).
+/// Return the angle from one direction to another, counter-clockwise in (0, 2 pi], or clockwise in
+/// [-2 pi, 0).
 inline double turn_between(double from, double to, bool clockwise) {
   double turn = std::remainder(to - from, 2 * kPi);
   if (std::fabs(turn) < 1e-12) turn = 0;
@@ -76,8 +76,8 @@ inline double turn_between(double from, double to, bool clockwise) {
   return turn <= 0 ? turn + 2 * kPi : turn;
 }
 
-/// From the start of an arc to its centre: `way` leads to its end, which `radius` reaches; it is
-/// negative where the arc is more than half a circle.
+/// Return the vector from the start of an arc to its centre: `way` leads to its end, which `radius`
+/// reaches. The radius is negative where the arc is more than half a circle.
 inline Point centre_by_radius(Point way, double radius, bool clockwise) {
   const double chord = size(way);
   const double height = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4));
@@ -85,22 +85,22 @@ inline Point centre_by_radius(Point way, double radius, bool clockwise) {
   return 0.5 * way + side * left(way);
 }
 
-/// The radius, at one of its ends, of an arc moved to its left: one to the left has its centre
-/// there. A rounded centre does not lie equally far from both ends.
+/// Return the radius, at one of its ends, of an arc moved to its left. An arc to the left has its
+/// centre there. A rounded centre does not lie equally far from both ends.
 double moved_radius(const Curve& arc, Point end, double offset);
 
-/// Where the end of `a` and the start of `b`, one behind the other and both moved sideways by
-/// `offset` (plus = left), meet next to the corner; the lines and circles are not bounded. Curves
+/// Return where the end of `a` and the start of `b`, which follows it, meet next to the corner when
+/// both are moved sideways by `offset` (plus = left). The lines and circles are not bounded. Curves
 /// that pass by each other within `tolerance` meet there.
 std::optional<Point> meeting(const Curve& a, const Curve& b, double offset, double tolerance);
 
 struct CornerPieces {
   Piece first, between, second;
   bool has_between = false;
-  bool second_short = false;     // where there is none: the first could be cut
+  bool second_short = false;     // where no corner is cut: the first could be
   Axes at_first{}, at_second{};  // where the corner begins and ends
 };
-/// Cuts a chamfer or a round between two pieces; false when one of them is too short.
+/// Cut a chamfer or a round between two pieces; return false when one of them is too short.
 bool cut_corner(const PlaneView& view, const Axes& from, const Piece& first, const Piece& second,
                 bool chamfer_line, CornerPieces& corner);
 

@@ -1,5 +1,5 @@
-// Radius compensation whose moves end beside their own ends. A move waits only for the corner at
-// its end: an inside corner moves that end back, around an outside one the tool goes in an arc.
+// Radius compensation whose moves end on their own normals. A move waits only for the corner at its
+// end: an inside corner moves that end back, around an outside one the tool goes in an arc.
 #include <algorithm>
 
 #include "cncsub/motion/path/emit.hpp"
@@ -13,16 +13,16 @@ namespace {
 
 constexpr double kCorner = 0.05;  // radians: what turns by less is no corner [rs274 2.9]
 constexpr double kSlack =
-    0.0254;  // radians an arc may get longer by, in mm; a thousandth in inches
+    0.0254;  // radians by which an arc may get longer, in mm; a thousandth in inches
 constexpr double kMismatch = 0.01;  // program units by which the radii of an arc may differ
 
 Point unit_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 double direction(Point way) { return std::atan2(way.b, way.a); }
-/// Whether the tool goes inside of an arc.
+/// Return whether the tool goes inside of an arc.
 bool goes_inside(const Piece& arc) { return offset_of(arc) * arc.turn > 0; }
 double quarter(bool left) { return left ? kPi / 2 : -kPi / 2; }
 
-/// Whole turns that an arc makes beside the one that leads to its end.
+/// Return the whole turns that an arc makes beside the one that leads to its end.
 double more_turns(const Piece& arc) {
   return std::max(0.0, std::ceil(std::fabs(arc.turn) / (2 * kPi) - 1e-9) - 1);
 }
@@ -57,7 +57,7 @@ struct OwnNormal {
   OwnNormal(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 
   LookaheadQueue& lookahead() const { return sink.state.lookahead; }
-  /// Where the contour is, and the tool beside it.
+  /// Return where the contour is, and the tool beside it.
   Point corner() const { return view.point(lookahead().radius_to); }
   Point tool() const { return corner() + Point{lookahead().vector[0], lookahead().vector[1]}; }
 
@@ -83,7 +83,7 @@ struct OwnNormal {
   Point last_direction(const Piece& next) const;
 };
 
-/// What waits goes to the table as it is.
+/// Record what waits as it is.
 Result OwnNormal::let_go() const {
   lookahead().begun_known = false;
   for (const Piece& piece : lookahead().radius)
@@ -92,14 +92,14 @@ Result OwnNormal::let_go() const {
   return std::nullopt;
 }
 
-/// The tool stands there when the next move begins.
+/// Note that the tool stands at `at` when the next move begins; return `wrong`.
 Result OwnNormal::stands_at(Result wrong, Point at) const {
   lookahead().begun = {at.a, at.b};
   lookahead().begun_known = true;
   return wrong;
 }
 
-/// What waits ends there instead; backwards it does not go.
+/// End what waits at `to` instead, but not backwards.
 Result OwnNormal::move_back(Point to, std::uint32_t at) const {
   LookaheadQueue& h = lookahead();
   if (h.radius.empty()) return std::nullopt;
@@ -124,7 +124,7 @@ Result OwnNormal::move_back(Point to, std::uint32_t at) const {
   return stands_at(let_go(), to);
 }
 
-/// In an arc about the corner; a rapid goes straight there.
+/// Go around the corner in an arc; a rapid goes straight.
 Result OwnNormal::go_around(const Piece& next, Point to) const {
   Piece bit = next;
   const Axes& from = lookahead().radius_to;
@@ -151,7 +151,7 @@ void OwnNormal::wait(const Piece& piece, Point to, Point way) const {
   h.radius.back().way = {way.a, way.b};
 }
 
-/// The first move: from where the tool is, to beside the end.
+/// Begin with the first move: from where the tool is, to beside the end.
 Result OwnNormal::begin(Piece piece, Point start) const {
   const double offset = offset_of(piece), radius = std::fabs(offset);
   const Point end = view.point(piece.end);
@@ -181,12 +181,12 @@ Result OwnNormal::begin(Piece piece, Point start) const {
   return std::nullopt;
 }
 
-/// The direction in which the move before ends: the tool stands square to it.
+/// Return the direction in which the move before ends: the tool stands square to it.
 Point OwnNormal::last_direction(const Piece& next) const {
   return unit_of(direction(tool() - corner()) - quarter(offset_of(next) > 0));
 }
 
-/// How far a direction turns away from the tool's side, from a quarter turn towards it on.
+/// Return how far a direction turns away from the tool's side, from a quarter turn towards it on.
 double OwnNormal::away_from_tool(const Piece& next, Point v) const {
   const Point u = last_direction(next);
   const double turn = direction(u) - direction(v);
@@ -194,7 +194,7 @@ double OwnNormal::away_from_tool(const Piece& next, Point v) const {
   return away < -kPi / 2 ? away + 2 * kPi : away;
 }
 
-/// Where a line along `v` begins, behind an inside corner.
+/// End the waiting move where a line along `v` begins, after an inside corner.
 Result OwnNormal::end_before_line(const Piece& piece, Point v, double away) const {
   const Piece& before = lookahead().radius.front();
   const double radius = std::fabs(offset_of(piece));
@@ -299,7 +299,7 @@ Result OwnNormal::arc(Piece piece) const {
   return std::nullopt;
 }
 
-/// After G40 the tool waits where it is, until a move leads it to the path.
+/// Record a dwell after G40: the tool waits where it is, until a move leads it to the path.
 Result wait_beside(MoveSink& sink, const Piece& piece) {
   const Axes way = sink.state.tool_at - (piece.end + piece.length);
   return record_move(

@@ -8,16 +8,16 @@
 
 namespace cncsub {
 
-/// The least increment as a length: what words of a contour are rounded to.
+/// Return the least increment as a length: the words of a contour are rounded to it.
 inline double least_length(MotionView m) {
   return m.facts.increment * (g20(m.state) ? kInch / 10 : 1);
 }
 
-/// G02 and G03.
+/// Execute G02 and G03.
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
-/// The centre of an arc of which the piece has all else, and the angle it runs through.
+/// Find the centre of an arc whose piece has all else, and the angle it runs through.
 Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome);
-/// Whether an arc that begins and ends at these distances from its centre, mm, is refused.
+/// Return whether an arc that begins and ends at these distances from its centre, mm, is refused.
 inline bool is_off_circle(const MotionRules& rules, double first, double last, bool inches) {
   constexpr double kDiagonals = 2.8284271247461903;  // of a start or end, and of a centre
   const double rounding = rules.arc_rounding.value * (inches ? kInch / 10 : 1) * kDiagonals;
@@ -28,43 +28,44 @@ inline bool is_off_circle(const MotionRules& rules, double first, double last, b
   return miss > tolerance * 100 ||
          miss >= rules.arc_tolerance_share.value * 1e-3 * std::max(first, last);
 }
-/// What an arc with R may lack, mm, where its words may be rounded. [rs274 2.9]
+/// The length in mm that an arc with R may lack where its words may be rounded. [rs274 2.9]
 constexpr double kRadiusSlack = 5e-5 * kInch;
-/// Whether an arc has no radius at one of its ends.
+/// Return whether an arc has no radius at one of its ends.
 inline bool has_no_radius(const MotionRules& rules, double first, double last) {
   return first == 0 ||
          (rules.arc_rounding.value > 0 && (first < kRadiusSlack || last < kRadiusSlack));
 }
-/// G05 and G05.1: a curve to a point, by the directions at its ends or by where they meet.
+/// Execute G05 and G05.1: a curve to a point, by the directions at its ends or by where they meet.
 Result spline(MotionContext& m, BlockWords& block);
-/// Whether a negative R goes the long way around.
+/// Return whether a negative R goes the long way around.
 inline bool takes_negative_radius(const MotionFacts& facts) {
   const NegativeRadius taken = facts.control->motion.negative_radius.value;
   return taken == NegativeRadius::LongWay || (taken == NegativeRadius::MillsOnly && !facts.lathe());
 }
-/// An arc through a third point: I and K lead to it from the start, or name it. [TDi 5]
+/// Execute an arc through a third point: I and K lead to it from the start, or name it. [TDi 5]
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning);
 
-/// The angle of a straight move with the first axis of the plane, counter-clockwise, in degrees.
+/// Read the angle of a straight move with the first axis of the plane, counter-clockwise, in
+/// degrees.
 bool angle_word(MotionView m, const BlockWords& block, double& angle);
 Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, double angle);
-/// Behind a straight move of which only the angle is known comes the one that tells its end; one
-/// block without a move may stand between. [TDi 13 notes 6, 7]
+/// Check that after a straight move of which only the angle is known comes the one that tells its
+/// end. One block without a move may stand between. [TDi 13 notes 6, 7]
 Result check_angle(MotionContext& m, const BlockWords& block, bool waited);
 
-/// Chamfers and corner rounds: whether the words of a block may say one, and what they say.
+/// Return whether the words of a block may say a chamfer or a corner round, and read what they say.
 bool may_have_corner(MotionView m, const BlockWords& block);
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
-/// The way of a piece to the table: through a corner, which waits for the next piece, and through
+/// Pass a piece on to the table: through a corner, which waits for the next piece, and through
 /// radius compensation, which does too.
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
 Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from);
 Result flush_radius(MoveSink& sink);
-/// The same where moves end beside their own ends, and what ends their waiting.
+/// Do the same where moves end on their own normals, and end their waiting.
 Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);
 Result end_own_normal(MoveSink& sink);
-/// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
-/// the normal. `at`: the block.
+/// Count the blocks in a row without a move in the plane. After more of them than the control looks
+/// over, the offset stands on the normal. `at`: the block.
 Result count_idle(MoveSink& sink, std::uint32_t at);
 
 }  // namespace cncsub

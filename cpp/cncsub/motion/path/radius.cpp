@@ -12,18 +12,19 @@
 namespace cncsub {
 namespace {
 
-/// From one direction to another, at most half a turn.
+/// Return the signed angle from one direction to another, at most half a turn.
 double angle(Point from, Point to) { return std::atan2(cross(from, to), dot(from, to)); }
 
-/// How far a step along one direction leads away from a line in another, 0 to 1.
+/// Return how far a step along `u` leads away from a line along `v`, 0 to 1.
 double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(u, v)); }
 
-/// So many moves wait at most because they are too short.
+/// The most moves that wait because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
 }  // namespace
 
-/// Where a move starts: at the end of the last one that the increment can tell from its start.
+/// Set the start of a move to the end of the last one in the plane, where the increment cannot tell
+/// the two points apart.
 void RadiusPath::find_start(Axes& from) const {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   if (lookahead.radius.empty() && !lookahead.engaged) return;
@@ -36,13 +37,15 @@ bool RadiusPath::moves_in_plane(const Piece& piece, const Axes& from) const {
   return std::fabs(piece.turn) > kPi || !same(view.point(from), view.point(piece.end));
 }
 
-/// MachineInputs corners. Up to 90 degrees the tangents are followed to where they meet. [M7 p.191]
+/// Join two moves around an outside corner. Up to 90 degrees the tool follows the tangents to where
+/// they meet. [M7 p.191]
 void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, double offset,
                            Join& join) const {
   const Point na = offset * left(u), nb = offset * left(v);
   const double reach = std::fabs(offset);
   join.leave = na;
-  // Straight on behind the first move: a line is made longer, an arc goes on in a line.
+  // The tool goes straight on after the first move: a line is made longer, an arc goes on in a
+  // line.
   const auto go_on = [&](double along) {
     if (a.straight())
       join.leave = na + along * u;
@@ -85,7 +88,8 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
   return std::nullopt;
 }
 
-/// Why two offset moves do not meet: the tool does not fit into one of them, or they lie apart.
+/// Return why two offset moves do not meet: the tool does not fit into one of them, or they lie
+/// apart.
 Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
                              std::uint32_t at) const {
   if (!a.straight() && moved_radius(a, a.to, offset) < -least)
@@ -97,9 +101,9 @@ Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
   return wrong;
 }
 
-/// The tool must go the way the program goes, not back. [16iLB p.208] It may go back as far as does
-/// not cut an increment into the moves beside; an arc in which it only just fits has no way left,
-/// and becomes a line.
+/// Refuse a move that the tool would make backwards. [16iLB p.208] The tool may go back as far as
+/// does not cut an increment into the moves beside. An arc into which the tool only just fits has
+/// no path left, and becomes a line.
 Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, Point next) const {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   const Point start = curve.from + Point{lookahead.vector[0], lookahead.vector[1]},
@@ -131,7 +135,7 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
   return std::nullopt;
 }
 
-/// Records the waiting move, which is this curve, up to its end, and the way around the corner.
+/// Record the waiting move, which is this curve, up to its end, then the path around the corner.
 Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join, Point next) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   Piece& first = lookahead.radius.front();
@@ -153,8 +157,8 @@ Result RadiusPath::record_waiting(const Curve& curve, Point& v, const Join* join
   return std::nullopt;
 }
 
-/// Records the waiting move, the way around the corner, and the blocks behind it. `next` is the
-/// direction of the move behind it, nothing where there is none.
+/// Record the waiting move, the path around the corner, and the idle blocks after them. `next` is
+/// the direction of the move after the corner, the zero vector where there is none.
 Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point next) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   if (auto wrong = record_waiting(curve, v, join, next)) return wrong;
@@ -166,7 +170,7 @@ Result RadiusPath::leave(const Curve& curve, Point v, const Join* join, Point ne
   return std::nullopt;
 }
 
-/// The waiting move ends on its own normal.
+/// End the waiting move on its own normal.
 Result RadiusPath::flush() {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   if (auto wrong = take_step(nullptr)) return wrong;
@@ -176,8 +180,8 @@ Result RadiusPath::flush() {
   return leave(curve, offset_of(first) * left(curve.end_direction()), nullptr, {});
 }
 
-/// The last compensated move ends on its normal, or goes around an outside corner; then the tool
-/// goes straight to the point.
+/// End the compensation. The last compensated move ends on its normal, or goes around an outside
+/// corner; then the tool goes straight to the point.
 Result RadiusPath::cancel(const Piece& piece, const Curve& curve) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   const bool around = sink.facts.control->motion.start_up.value == StartUp::TypeB &&
@@ -217,14 +221,14 @@ Result RadiusPath::find_join(double side, std::uint32_t at, const Curve& before,
   return std::nullopt;
 }
 
-/// Records the waiting move, now that the next one says where the tool leaves it.
+/// Record the waiting move: the next one says where the tool leaves it.
 Result RadiusPath::follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                           bool& over) {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   const Point v = curve.start_direction();
   if (lookahead.radius.empty()) {
     const Point normal = offset_of(piece) * left(v);
-    // Behind blocks that were not looked over the tool first goes onto the normal of this move.
+    // After a flush the tool first goes onto the normal of this move.
     if (same_normal(normal, {lookahead.vector[0], lookahead.vector[1]})) return std::nullopt;
     return record_bit(piece, from, normal, 0);
   }
@@ -243,10 +247,10 @@ Result flush_radius(MoveSink& sink) {
   return RadiusPath(sink, sink.state.lookahead.radius.front().plane).flush();
 }
 
-/// A move without a way in the plane waits behind the one that has one.
+/// Let a move without a path in the plane wait after the one that has one; without one, record it.
 static Result look_over(RadiusPath& path, const Piece& piece, const Axes& from) {
   LookaheadQueue& lookahead = path.sink.state.lookahead;
-  // A step of an increment has no direction, but it is no block without a move.
+  // A step of an increment has no direction, but its block counts as one with a move.
   if (piece.kind != MoveKind::Dwell && lookahead.radius.size() < kReadAhead &&
       size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
     lookahead.moved = true;
@@ -294,8 +298,8 @@ Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from) {
   return std::nullopt;
 }
 
-/// Looks over a few blocks without a move in the plane; behind more of them the offset stands on
-/// the normal.
+/// Count the blocks in a row without a move in the plane. After more of them than the control looks
+/// over, the waiting move ends on its normal.
 Result count_idle(MoveSink& sink, std::uint32_t at) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   const bool moved = std::exchange(lookahead.moved, false) || !lookahead.corner.empty() ||

@@ -7,7 +7,8 @@
 
 namespace cncsub {
 
-/// To the left plus, to the right minus; a negative radius swaps the sides.
+/// Return the offset of a piece, plus to the left, minus to the right. A negative radius swaps the
+/// sides.
 inline double offset_of(const Piece& piece) {
   return piece.side < 0 ? piece.radius : -piece.radius;
 }
@@ -19,12 +20,12 @@ inline void straighten(Piece& piece) {
   if (piece.kind != MoveKind::Rapid) piece.kind = MoveKind::Feed;
 }
 
-/// How two moves with their offsets join.
+/// The join of two moves with their offsets.
 struct Join {
   Point leave;                 // where the tool leaves the first move, from the corner
-  std::array<Point, 3> way{};  // points in between, from the corner:
-  std::size_t points = 0;      // so many
-  double turn = 0;             // of the arc around the corner that leads to the only one of them
+  std::array<Point, 3> way{};  // points in between, from the corner
+  std::size_t points = 0;      // how many of them are set
+  double turn = 0;             // of the arc around the corner that leads to the only point
   enum Step { None, First, Second } over = None;  // the move that is a step the tool goes over
   Point along;                                    // its direction where it touches the step
 
@@ -35,8 +36,9 @@ struct Join {
 /// least increment cannot tell them apart: a program rounds its points and centres to it, so that
 /// what is tangent, or fits, on the drawing does so only within some increments.
 struct RadiusPath {
-  /// Words lie whole increments apart, and so do the ways that are compared with some of them: what
-  /// is as long as an increment stays within it, whichever way its numbers are rounded.
+  /// The factor on an increment in comparisons. Words lie whole increments apart, and so do the
+  /// lengths compared with them: what is one increment long must stay within it, whichever way its
+  /// numbers are rounded.
   static constexpr double kRoomy = 1 + 1e-5;
 
   MoveSink& sink;
@@ -45,7 +47,7 @@ struct RadiusPath {
 
   RadiusPath(MoveSink& s, Plane plane) : sink(s), view{plane_axes(plane), s.facts.share(0)} {}
 
-  /// A step of one increment has no direction yet.
+  /// Return whether two points are one. A step of one increment has no direction yet.
   bool same(Point p, Point q) const { return size(p - q) < 1.5 * least; }
   bool same_normal(Point p, Point q) const { return size(p - q) <= least / 2; }
 
@@ -58,7 +60,7 @@ struct RadiusPath {
     return std::nullopt;
   }
 
-  /// A bit around a corner, as a move of the piece it belongs to.
+  /// Record a bit of path around a corner, as a move of the piece it belongs to.
   Result record_bit(Piece piece, const Axes& at, Point v, double turn) {
     piece.end = at;
     piece.corner_piece = true;
@@ -71,20 +73,20 @@ struct RadiusPath {
     return record(piece, v);
   }
 
-  /// A move without a way in the plane: the tool stays beside the contour.
+  /// Record a move without a path in the plane: the tool stays beside the contour.
   Result record_idle(Piece piece, Point v) {
     if (is_arc(piece)) straighten(piece);
     return record(piece, v);
   }
 
-  /// Whether the second of two directions turns to the tool's side. On the way back along itself
-  /// the tool goes around.
+  /// Return whether the second of two directions turns to the tool's side. Where the path goes back
+  /// along itself, the tool goes around.
   bool inside(Point u, Point v, double offset) const {
     return cross(u, v) * offset > 0 && !same_normal(offset * u, -offset * v);
   }
   void find_start(Axes& from) const;
   bool moves_in_plane(const Piece& piece, const Axes& from) const;
-  /// `behind` is the move behind those at the corner, where it is known.
+  /// `behind` is the move after the two at the corner, null where it is not known.
   Result join(const Curve& a, const Curve& b, const Curve* behind, double offset, std::uint32_t at,
               Join& join) const;
   Fault no_meeting(const Curve& a, const Curve& b, double offset, std::uint32_t at) const;
@@ -94,11 +96,11 @@ struct RadiusPath {
   Result leave(const Curve& curve, Point v, const Join* join, Point next);
   Result flush();
   Result cancel(const Piece& piece, const Curve& curve);
-  /// `over`: the piece is a step that the tool goes over from now on, in a line that begins at
-  /// `from`.
+  /// `over` becomes true where the piece is a step that the tool goes over, in a line that begins
+  /// at `from`.
   Result follow(const Piece& piece, const Curve& curve, const Curve* behind, Axes& from,
                 bool& over);
-  /// How the tool comes from the waiting move, which is the curve `before`, to this one.
+  /// Find how the tool comes from the waiting move, which is the curve `before`, to this one.
   Result find_join(double side, std::uint32_t at, const Curve& before, const Curve& curve,
                    const Curve* behind, Join& way) const;
 

@@ -20,7 +20,7 @@ struct Cubic {
     const double s = 1 - t;
     return s * s * s * from + 3 * s * s * t * first + 3 * s * t * t * second + t * t * t * to;
   }
-  /// So many lines of equal parts leave it by no more than this.
+  /// Return how many lines of equal parts leave the curve by no more than this.
   double lines(double tolerance) const {
     const double bend =
         6 * std::max(size(from - 2 * first + second), size(first - 2 * second + to));
@@ -28,7 +28,7 @@ struct Cubic {
   }
 };
 
-/// What a spline does not take.
+/// Refuse what a spline does not take.
 Result check_spline(MotionView m, const BlockWords& block, bool by_one_point) {
   const NcWords& w = block.words;
   if (compensating(m.state)) return fault(Cause::SplineInCompensation, block);
@@ -56,7 +56,7 @@ Result spline(MotionContext& m, BlockWords& block) {
   const Point way =
       block.words.has('I') ? pair('I', 'J') : Point{m.state.spline_way[0], m.state.spline_way[1]};
   Cubic curve{from, from + way, to, to};
-  if (by_one_point) {  // of the second order: its one control point is two thirds of the way to
+  if (by_one_point) {  // of the second order: its one control point is two thirds of the path to
                        // both
     curve.first = from + (2.0 / 3) * way;
     curve.second = to + (2.0 / 3) * (from + way - to);

@@ -1,6 +1,6 @@
-// Radius compensation of low steps: moves of some increments, whose direction rounding made. Such a
-// step waits for the move behind it. Where the tool touches it only at an end, the step decides no
-// corner: the tool goes over it, from the move before it to the one behind it.
+// Radius compensation of low steps: moves of a few increments, whose direction comes of rounding.
+// Such a step waits for the move after it. Where the tool touches it only at an end, the step
+// decides no corner: the tool goes over it, from the move before it to the one after it.
 #include <algorithm>
 
 #include "cncsub/motion/path/emit.hpp"
@@ -10,19 +10,20 @@
 namespace cncsub {
 namespace {
 
-/// So many increments a word may be rounded by: inches are written with a digit less than they
-/// have.
+/// The most increments by which a word may be rounded. Inches are written with a digit less than
+/// they have.
 constexpr double kLowStep = 16;
-constexpr double kShortStep = 64;  // its length, in increments
+constexpr double kShortStep = 64;  // the longest low step, in increments
 
 double sign(double value) { return value > 0 ? 1 : -1; }
 
-/// The direction of a tool that goes around an edge.
+/// Return the direction of a tool that goes around an edge.
 Point along_edge(Point tool, Point edge, double offset) {
   return (-1 / offset) * left(tool - edge);
 }
 
-/// How far a tool beside the start of a move cuts into it: not into what an arc would be before it.
+/// Return how far a tool beside the start of a move cuts into it. The extension of an arc before
+/// its start does not count.
 double cut_into(const Curve& curve, Point tool, double offset) {
   const double beside =
       std::fabs(offset) - cross(curve.start_direction(), tool - curve.from) * sign(offset);
@@ -31,21 +32,21 @@ double cut_into(const Curve& curve, Point tool, double offset) {
   return std::min(beside, (curve.turn > 0) == (offset > 0) ? -away : away);
 }
 
-/// Where the tool stops to follow `a` because it touches the end of `b`, a low step behind an
-/// inside corner, while nothing else of `b` is in its reach; nothing where it follows `b`.
+/// Return where the tool stops following `a` because it touches the end of `b`, a low step after an
+/// inside corner, and reaches nothing else of `b`. Return nothing where the tool follows `b`.
 std::optional<Point> over_step(const Curve& a, const Curve& b, double offset, double least) {
   const double height = cross(a.end_direction(), b.to - b.from) * sign(offset);
   if (height > kLowStep * least || std::fabs(b.turn) > kPi / 2) return std::nullopt;
   const Curve end{b.to, b.to, b.to, -sign(offset)};  // an arc without a radius
   const auto touch = meeting(a, end, offset, least);
   if (!touch || dot(*touch - b.to, b.end_direction()) < -least) return std::nullopt;
-  if (dot(*touch - b.to, a.end_direction()) > least) return std::nullopt;  // it has passed by it
+  if (dot(*touch - b.to, a.end_direction()) > least) return std::nullopt;  // passed the step
   return touch;
 }
 
 }  // namespace
 
-/// Whether the corner before a move is better decided when the move behind it is known.
+/// Return whether the corner before a move is better decided once the move after it is known.
 bool RadiusPath::is_low_step(double side, const Curve& curve) const {
   const LookaheadQueue& lookahead = sink.state.lookahead;
   if (size(curve.to - curve.from) > kShortStep * least || std::fabs(curve.turn) > kPi / 2 ||
@@ -54,7 +55,8 @@ bool RadiusPath::is_low_step(double side, const Curve& curve) const {
   return offset_of(lookahead.radius.front()) * side > 0;
 }
 
-/// The low step that waits follows the move before it, now that the `next` one is known.
+/// Record the move before the waiting low step, which then is the waiting move. `next` is the move
+/// after the step, null where it is not known.
 Result RadiusPath::take_step(const Curve* next) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   if (lookahead.step == 0) return std::nullopt;
@@ -72,8 +74,9 @@ Result RadiusPath::take_step(const Curve* next) {
   return std::nullopt;
 }
 
-/// Behind an inside corner the tool stops where it touches the end of the step, before one it comes
-/// from where it touches the start; neither may cut into the moves beside the step.
+/// Join two moves if the tool goes over one of them, a low step. After an inside corner the tool
+/// stops where it touches the end of the step, before one it starts where it touches the start. It
+/// may not cut into the moves beside the step.
 bool RadiusPath::join_over_step(const Curve& a, const Curve& b, double offset, Join& join) const {
   const auto go_over = [&](Join::Step step, Point touch, Point along) {
     join.over = step;
@@ -95,8 +98,9 @@ bool RadiusPath::join_over_step(const Curve& a, const Curve& b, double offset, J
   return cut > -least && go_over(Join::First, tool, before);
 }
 
-/// Before a low step in an outside corner: the tool goes around only as far as the move behind the
-/// step asks, or straight to that where the two meet in a corner that is inside by a hair.
+/// Join two moves at an outside corner before a low step. The tool goes around only as far as the
+/// move after the step asks, or straight to that move where the two meet in a corner that is inside
+/// by a hair.
 bool RadiusPath::join_before_step(const Curve& a, const Curve& b, const Curve& behind,
                                   double offset, Join& join) const {
   const Point u = a.end_direction();
@@ -116,7 +120,7 @@ bool RadiusPath::join_before_step(const Curve& a, const Curve& b, const Curve& b
   return meet.has_value();
 }
 
-/// The move that the tool goes over becomes a bit of a line along which it comes to its end.
+/// Make the step that the tool goes over a short line, along which the tool comes to its end.
 void RadiusPath::begin_step(const Piece& piece, Axes& from, Point along) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   const Point end = view.point(piece.end), corner = view.point(from);

@@ -7,7 +7,7 @@
 namespace cncsub {
 namespace {
 
-/// How far an arc reaches on an axis of its plane.
+/// Widen `low` and `high` by how far an arc reaches on an axis of its plane.
 void arc_reach(MotionView m, const Piece& piece, const Axes& machine, int axis, double& low,
                double& high) {
   const PlaneAxes plane = arc_axes(piece.plane, piece.state.parallel);
@@ -34,11 +34,11 @@ void arc_reach(MotionView m, const Piece& piece, const Axes& machine, int axis, 
   }
 }
 
-/// The way of the tool between two points, in machine coordinates, over a parameter 0 to 1.
+/// The path of the tool between two points, in machine coordinates, over a parameter 0 to 1.
 struct TravelPath {
   Axes from{}, to{};
   std::array<double, 3> done{1, 1, 1};  // where an axis that moves at its own rate arrives
-  // Of an arc: in the plane, true lengths.
+  // The fields of an arc, in the plane, true lengths.
   double turn = 0, first = 0, radius = 0;
   int a = 0, b = 1;
   std::array<double, 3> centre{}, share{1, 1, 1};
@@ -53,7 +53,7 @@ struct TravelPath {
     return centre[i] + radius * (axis == a ? std::cos(angle) : std::sin(angle)) / share[i];
   }
 
-  /// The places where an axis has a value.
+  /// List the places where an axis has a value.
   void meetings(int axis, double value, std::vector<double>& list) const {
     const auto i = static_cast<std::size_t>(axis);
     if (turn == 0 || (axis != a && axis != b)) {
@@ -73,7 +73,7 @@ struct TravelPath {
 
 namespace {
 
-/// Whether a corner of the area is not above the other by 2000 least increments. [Talm 068]
+/// Return whether a corner of the area is not above the other by 2000 least increments. [Talm 068]
 bool area_is_empty(MotionView m) {
   for (const std::size_t i : {0u, 1u, 2u})
     if ((i != 1 || !m.facts.lathe()) &&
@@ -82,7 +82,7 @@ bool area_is_empty(MotionView m) {
   return false;
 }
 
-/// Where axes at rapid that do not wait for each other arrive.
+/// Find where axes at rapid arrive that do not wait for each other.
 void arrive_apart(MotionView m, TravelPath& path, std::vector<double>& places) {
   const double whole = rapid_time(path.from, path.to, m.facts.rapid, m.facts.diameters);
   for (std::size_t i = 0; i < 3 && whole > 0; ++i) {
@@ -107,7 +107,7 @@ void follow_arc(MotionView m, const Piece& piece, TravelPath& path) {
   path.first = std::atan2(b, a);
 }
 
-/// The axes of the area; a lathe's Y counts where the area has it.
+/// Return the axes of the area; a lathe's Y counts where the area has it.
 std::vector<int> area_axes(MotionView m) {
   const StrokeArea& area = m.state.area;
   if (m.facts.lathe() && area.low[1] == area.high[1]) return {0, 2};
@@ -170,7 +170,7 @@ Result check_area(MotionView m, const Piece& piece, const Axes& machine) {
     for (const double value : {area.low[i], area.high[i]}) path.meetings(i, value, places);
   std::erase_if(places, [](double t) { return std::isnan(t) || t < 0 || t > 1; });
   std::sort(places.begin(), places.end());
-  // Between two such places the way lies inside all along, or outside.
+  // Between two such places the path lies inside all along, or outside.
   const bool must_stay_inside =
       m.facts.control->motion.stroke_area.value == StrokeCheck::OutsideForbidden;
   const double margin = must_stay_inside ? -1e-6 : 1e-6;

@@ -14,7 +14,7 @@
 
 namespace cncsub {
 
-/// What is wrong, or nothing.
+/// The fault of a block, or nothing.
 using Result = std::optional<Fault>;
 
 /// The words of a block by their meaning, and how far it has come.
@@ -32,13 +32,13 @@ struct BlockWords {
   Meaning meaning(Group group) const { return words.codes->meaning(group); }
 };
 
-/// Whether one of the G codes of a block, ten times its number, is such.
+/// Return whether one of the G codes of a block, ten times its number, passes the test.
 template <class Test>
 bool any_code(const NcWords& words, const Test& test) {
   return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);
 }
 
-/// Where moves go: they change the state, and leave rows in a table.
+/// The sink of moves: they change the state, and leave rows in a table.
 struct MoveSink {
   const MotionFacts& facts;
   MotionState& state;
@@ -48,7 +48,7 @@ struct MoveSink {
   operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
 };
 
-/// What the words of a block may touch.
+/// Everything that the words of a block may touch.
 struct MotionContext {
   const MotionFacts& facts;
   MotionState& state;

@@ -16,7 +16,7 @@ void number_groups(MotionFacts& facts) {
     facts.group_numbers[at(own.group)] = own.number;
 }
 
-/// The place of a corner word in a block's mask, -1 where the machine has none of that name.
+/// Return the place of a corner word in a block's mask, -1 where the machine has none of that name.
 int place_of(CornerLetters::Entry word, bool lathe) {
   if (word.comma)
     return word.letter == 'C'   ? kCommaC

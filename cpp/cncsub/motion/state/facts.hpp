@@ -22,40 +22,40 @@ namespace cncsub {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kInch = 25.4;
-constexpr double kStanding = 1e-9;  // mm: a shorter way is none, it comes of rounding alone
+constexpr double kStanding = 1e-9;  // mm: a shorter path comes of rounding alone and is none
 
-/// The axis of a letter, -1 where it is none.
+/// Return the axis of a letter, -1 where it is none.
 constexpr int axis_of(char letter) {
   if (letter >= 'X' && letter <= 'Z') return letter - 'X';
   if (letter >= 'A' && letter <= 'C') return letter - 'A' + 3;
   return letter >= 'U' && letter <= 'W' ? letter - 'U' + 6 : -1;
 }
 static_assert(kAxisNames == "XYZABCUVW");
-/// The plane of G17, G18 or G19.
+/// Return the plane of G17, G18 or G19.
 constexpr Plane plane_of(Meaning meaning) {
   if (meaning == Meaning::PlaneZX) return Plane::ZX;
   return meaning == Meaning::PlaneYZ ? Plane::YZ : Plane::XY;
 }
-/// Takes over the values of the axes that are named.
+/// Take over the values of the axes that are named.
 void fill(Axes& axes, const std::map<char, double>& values);
-/// "G54", "G54.1 P3", "EXT": 1, 103, 0; -1 for another name.
+/// Return the number of a system: "G54", "G54.1 P3", "EXT" are 1, 103, 0; -1 for another name.
 int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
-/// A whole number of a word, whatever the word holds.
+/// Return the whole number of a word, whatever the word holds.
 inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'000'000'000); }
-/// Whether all of these are numbers that a position, a length or a time may be.
+/// Return whether all of these are numbers that a position, a length or a time may be.
 template <std::size_t Size>
 bool in_range(const std::array<double, Size>& values) {
-  // Asked of all at once, without a branch: as whole numbers the bits of doubles without their
-  // signs stand in the order of the doubles, and those of a NaN behind all.
+  // All are tested at once, without a branch: as whole numbers the bits of doubles without their
+  // signs stand in the order of the doubles, and those of a NaN after all others.
   constexpr auto kSign = std::uint64_t{1} << 63, kMost = std::bit_cast<std::uint64_t>(kLargest);
   std::uint64_t beyond = 0;
   for (const double value : values)
     beyond |= kMost - (std::bit_cast<std::uint64_t>(value) & ~kSign);
   return (beyond & kSign) == 0;
 }
-/// The same of single values: put into an array they would be read back in one piece, for which the
-/// processor waits.
+/// Return the same of single values. In an array they would be read back with one wide load, which
+/// store forwarding cannot serve.
 template <class... Values>
   requires(std::is_same_v<Values, double> && ...)
 bool in_range(Values... values) {
@@ -71,9 +71,9 @@ constexpr std::uint32_t kMostMoves = 2'000;
 #else
 constexpr std::uint32_t kMostMoves = 1'000'000;
 #endif
-/// What ends a block that is broken off; nobody reads it.
+/// Return the fault that ends a block that is broken off; nobody reads it.
 inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 1, "broken off"}; }
-/// Nor does it look for more crossings of its levels with the pieces of a profile.
+/// No block looks for more crossings of its levels with the pieces of a profile than this.
 constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
 
@@ -88,18 +88,18 @@ inline Axes operator-(const Axes& a, const Axes& b) {
   return difference;
 }
 
-/// Words of a block by what they say of a corner: their places in its mask, and these as a mask.
-/// C and R without a comma are words of lathes only.
+/// The words of a block that say one thing of a corner: their places in its mask, and these as a
+/// mask. C and R without a comma are words of lathes only.
 struct CornerWords {
   CornerWords(const CornerLetters& words, bool lathe);
-  /// The place of the first that the block has, -1 where it has none.
+  /// Return the place of the first word that the block has, -1 where it has none.
   int find(std::uint32_t words) const;
 
   std::vector<int> places;
   std::uint32_t mask = 0;
 };
 
-struct Conflict;  // what does not go together
+struct Conflict;  // words or codes that do not go together
 
 struct MotionFacts {
   MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
@@ -123,18 +123,18 @@ struct MotionFacts {
   };
   std::vector<Limit> limits;
   std::vector<const Conflict*> conflicts;
-  std::vector<const Conflict*> conflicts_of_words;  // those a block without G codes has
-  std::vector<const Conflict*> conflicts_of_moves;  // those one has of plain motion codes alone
+  std::vector<const Conflict*> conflicts_of_words;  // of a block without G codes
+  std::vector<const Conflict*> conflicts_of_moves;  // of a block with plain motion codes only
   CornerWords chamfers, rounds, angles;
-  bool general_only;             // no block takes a short way
-  std::uint32_t other_axes = 0;  // of a mill beside X, Y and Z, the letters that say nothing else
-  std::uint32_t increments = 0;  // of a lathe with G code system A: U and W, where they are no more
+  bool general_only;             // no block takes the fast path
+  std::uint32_t other_axes = 0;  // of a mill: axis letters beside X, Y and Z that mean nothing else
+  std::uint32_t increments = 0;  // of a lathe, G code system A: U and W that are no corner words
 
-  /// Whether the control refuses what this cause names.
+  /// Return whether the control refuses what this cause names.
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }
   void list_conflicts();
   bool lathe() const { return machine != MachineType::Mill; }
-  /// What a length of this axis counts in a path: half on a diameter axis.
+  /// Return what a length of this axis counts in a path: half on a diameter axis.
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
 };
 

@@ -1,4 +1,4 @@
-// What a block needs from around it, and what it came to.
+// The inputs that a block needs from the machine, and its outcome.
 #pragma once
 
 #include <cstddef>
@@ -19,45 +19,46 @@ struct ProfileNumbers {
   std::int64_t ns = 0, nf = 0;
 };
 struct MotionFacts;
-/// Of a block with P and Q: the profile that its cycle takes, if it is one that does.
+/// Return the profile that P and Q of a block name, if its cycle takes one.
 std::optional<ProfileNumbers> named_profile(const MotionFacts& facts, const NcWords& words);
 
 struct Profile {
   std::vector<NcWords> blocks;
-  std::list<BlockCodes> computed;  // of those of them that compute their codes
-  Address behind = kNowhere;       // the block behind the last of them
-  bool right_behind = false;       // the first stands right behind the cycle
+  std::list<BlockCodes> computed;  // the codes of those of the blocks that compute them
+  Address behind = kNowhere;       // the block after the last of them
+  bool right_behind = false;       // the first stands right after the cycle
   std::optional<Fault> fault;      // what kept it from being read
 };
 
-/// What a block came to.
+/// The outcome of a block.
 struct MotionOutcome {
   bool moved = false;         // an axis really moved
   bool axis_word = false;     // a motion block with an axis word
-  Address behind = kNowhere;  // G71 to G73: the run goes on here, behind the profile
+  Address behind = kNowhere;  // G71 to G73: the run goes on here, after the profile
   std::int64_t moves = 0;
   SkipMove skip = SkipMove::No;
   bool missed_reference = false;  // G27 has moved elsewhere, which alarms then
-  // What the block says and the control does not obey beside something else of the block.
+  // What the block says and the control does not obey next to other words of the block.
   std::uint32_t dropped = 0;        // addresses, as in a mask
   std::uint16_t dropped_codes = 0;  // the places of G codes among the block's
 
   void drop(std::uint32_t addresses) { dropped |= addresses; }
 };
 
-/// What a block needs from around it.
+/// The inputs that a block needs from the machine.
 struct MachineInputs {
-  const Profile* profile = nullptr;      // that the block names
-  SkipLists skips;                       // of what they do not tell the workpiece decides
+  const Profile* profile = nullptr;      // the profile that the block names
+  SkipLists skips;                       // the workpiece decides what they leave open
   const Workpiece* workpiece = nullptr;  // in machine coordinates
-  /// Whether to break off a block that takes very long, asked of `run`; or nothing.
+  /// Return whether to break off a block that takes very long; called with `run`, may be null.
   bool (*interrupted)(void* run) = nullptr;
   void* run = nullptr;
 
-  /// Whether a signal can come: one was told, or there is a workpiece to touch.
+  /// Return whether a signal can come: one was reported, or there is a workpiece to touch.
   bool has_signals() const { return skips.any() || workpiece != nullptr; }
 
-  /// Asks that now and then; `work` is what was done since the last time, a move being 1.
+  /// Return whether to break off, asked now and then. `work` is what was done since the last call,
+  /// a move being 1.
   bool over(std::size_t work) {
     worked += work;
     if (worked < kAskWork || interrupted == nullptr) return false;

@@ -1,4 +1,4 @@
-// What modes and words say together: feeds, the words of other codes.
+// Answers that take both modes and words: feeds, the words of other codes.
 #include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {

@@ -12,7 +12,7 @@ inline bool compensating(const MotionState& state) {
   const Meaning radius = state.modal[at(Group::Radius)].meaning;
   return radius == Meaning::RadiusLeft || radius == Meaning::RadiusRight;
 }
-/// -1 to the left, 1 to the right, 0 where nothing is compensated.
+/// Return -1 to the left, 1 to the right, 0 where nothing is compensated.
 inline int side_of(const MotionState& state) {
   const Meaning radius = state.modal[at(Group::Radius)].meaning;
   return radius == Meaning::RadiusLeft ? -1 : radius == Meaning::RadiusRight ? 1 : 0;
@@ -23,11 +23,11 @@ inline bool g20(const MotionState& state) {
 inline bool polar(const MotionState& state) {
   return state.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
 }
-/// I, J and K are coordinates of the centre.
+/// Return whether I, J and K are coordinates of the centre.
 inline bool centre_is_absolute(const MotionState& state) {
   return state.modal[at(Group::Centre)].meaning == Meaning::CentreAbsolute;
 }
-/// Rotation, scaling or mirror is on.
+/// Return whether rotation, scaling or mirror is on.
 inline bool is_transformed(const MotionState& state) {
   return state.transform.rotation || state.transform.scaling || state.transform.mirror;
 }
@@ -35,34 +35,34 @@ inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;
 }
 
-/// The codes of these groups that a block has are in force from here on.
+/// Put the codes of a block in these groups in force.
 inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t groups) {
   for (std::uint32_t left = codes.groups & groups; left != 0; left &= left - 1) {
     const auto group = static_cast<std::size_t>(std::countr_zero(left));
     state.modal[group] = codes.of[group];
   }
 }
-/// Whether a code of the block takes a word for itself, which then sets no mode: F of G04 may be
-/// its time, D of G96 the limit of the spindle.
+/// Return whether a code of the block takes a word for itself. The word then sets no mode: F of G04
+/// may be its time, D of G96 the limit of the spindle.
 bool takes_word(MotionView m, const BlockWords& block, char letter);
-/// F of a block as a feed.
+/// Read F of a block as a feed.
 Result feed_of(MotionView m, const BlockWords& block, double& feed);
-/// What F1 without a point is. [general knowledge]
+/// Return the feed of F1 without a point. [general knowledge]
 double feed_increment(const MotionState& state);
-/// Whether every cut has an F of its own: under G93, where the control says so.
+/// Return whether every cut has an F of its own: under G93, where the control says so.
 bool feed_of_each_cut(MotionView m);
 Result need_feed(MotionView m, const BlockWords& block, Meaning meaning);
-/// Whether a cut would wait for a spindle that was never told how fast to turn.
+/// Return whether a cut would wait for a spindle that was never given a speed.
 bool lacks_speed(MotionView m);
-/// Whether the axis words of a block are those of a motion, which is made after its one-shot code.
+/// Return whether the axis words of a block are those of a motion that follows its one-shot code.
 inline bool leaves_axes(const MotionFacts& facts, const BlockWords& block) {
   return block.has(Group::OneShot) &&
          facts.control->motion.codes_that_move.value.has(block.code(Group::OneShot).code);
 }
-/// Whether a radius is compensated when a block's codes behind G40 to G42 are carried out: where
-/// moves end by their own normals these come first. [rs274 2.9]
+/// Return whether a radius is compensated when a block's codes after G40 to G42 are carried out.
+/// Where moves end by their own normals, G40 to G42 come first. [rs274 2.9]
 bool compensates_behind(MotionView m, const BlockWords& block);
-/// Whether a block's motion is made in spite of its one-shot code.
+/// Return whether a block's motion is made in spite of its one-shot code.
 bool goes_with_motion(const MotionState& state, const BlockWords& block);
 
 }  // namespace cncsub

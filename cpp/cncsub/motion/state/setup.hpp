@@ -1,4 +1,4 @@
-// What was set at the machine before the run.
+// The settings of the machine before the run.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace cncsub {
 
-/// Lengths in mm, X of a lathe as a diameter.
+/// The settings of the machine. Lengths are in mm, X of a lathe is a diameter.
 struct Setup {
   std::string machine;           // "mill", "lathe-a", "lathe-b"; empty = the control's own
   std::map<char, double> start;  // work coordinates; an axis not named stands at its machine zero

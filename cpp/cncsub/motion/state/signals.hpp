@@ -1,4 +1,4 @@
-// Skip signals: which there are, and what was told of them before the run.
+// Skip signals: which there are, and what was reported of them before the run.
 #pragma once
 
 #include <array>
@@ -9,27 +9,28 @@
 
 namespace cncsub {
 
-/// Skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z each.
+/// A set of skip signals, a bit for each: 1 to 8, and those of G36 and G37, one for X, Y and Z
+/// each.
 using SignalMask = std::uint32_t;
 constexpr SignalMask kAnySignal = ~SignalMask{0};
 constexpr int kArrivalSignal = 9;  // of X
 constexpr int kSkipSignals = kArrivalSignal + 3;
 constexpr SignalMask signal_bit(int signal) { return SignalMask{1} << signal; }
 
-/// What is said of a skip signal on the way of one block.
+/// The report of a skip signal on the path of one block.
 struct SkipSignal {
   enum class Comes : std::uint8_t { AtFraction, AtCoordinate, Never } comes = Comes::AtFraction;
-  double value = 0;  // of the way, or in work coordinates, mm
+  double value = 0;  // of the path, or in work coordinates, mm
   int axis = 0;
 };
 
-/// What is told of the signals that a block watches, and those of which nothing is left.
+/// The reports of the signals that a block watches, and the signals of which no report is left.
 struct ReportedSkips {
   std::vector<SkipSignal> reported;
   SignalMask open = 0;
 };
 
-/// What was told of each signal, block after block, and of any signal (0); and how much of that is
+/// The reports of each signal, block after block, and of any signal (0); and how many of them are
 /// used up.
 struct SkipLists {
   using Next = std::array<std::size_t, kSkipSignals>;
@@ -37,9 +38,9 @@ struct SkipLists {
   const Next* used = nullptr;  // before this block
   std::optional<Next> taken;   // with what this block takes, where it takes any
 
-  /// Whether anything was told of any signal.
+  /// Return whether anything was reported of any signal.
   bool any() const;
-  /// The next that is told of these signals. What is told of any signal comes first.
+  /// Take the next report of these signals. What is reported of any signal comes first.
   ReportedSkips take(SignalMask signals);
 };
 

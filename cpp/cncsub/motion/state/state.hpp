@@ -14,10 +14,10 @@
 
 namespace cncsub {
 
-/// X, Y and Z of a mask of letters, as bits of the axes.
+/// Return X, Y and Z of a mask of letters as bits of the axes.
 constexpr std::uint32_t straight_axes(std::uint32_t letters) { return letters >> ('X' - 'A') & 7u; }
 
-/// A motion on its way to the table: the end without tool offsets, in coordinates from
+/// A motion that is not yet in the table. Its end is without tool offsets, in coordinates from
 /// ModalValues::origin.
 struct Piece {
   MoveKind kind = MoveKind::Rapid;
@@ -39,8 +39,8 @@ struct Piece {
   Axes offset{};         // from work coordinates to those
   Axes length{};         // from those to the machine's
   MoveState state;
-  // Of a compensated move that waits by its own normal: its way in the plane as it is programmed,
-  // and from its end to where the tool ends.
+  // A compensated move that waits by its own normal: its programmed path in the plane, and the
+  // vector from its end to where the tool ends.
   std::array<double, 2> way{}, beside{};
 
   bool operator==(const Piece&) const = default;
@@ -50,20 +50,20 @@ struct Piece {
 struct PendingAngle {
   double angle = 0;         // degrees
   std::vector<Piece> line;  // one or none: copying none costs nothing
-  int idle = 0;             // blocks without a move behind it
+  int idle = 0;             // blocks without a move after it
 
   bool waiting() const { return !line.empty(); }
 
   bool operator==(const PendingAngle&) const = default;
 };
 
-/// What is known of moves that wait, and is nothing but numbers: a copy is one of bytes.
+/// The numbers of the moves that wait. A copy is one of bytes.
 struct LookaheadValues {
   Axes corner_from{};     // where the block with a corner starts, from the origin
   Axes radius_from{};     // where the first of the compensated moves starts
   Axes radius_to{};       // where the last compensated move in the plane ended
-  std::size_t step = 0;   // where in `radius` a low step waits for the move behind it; 0: none
-  Axes step_from{};       // where that starts
+  std::size_t step = 0;   // where in `radius` a low step waits for the move after it; 0: none
+  Axes step_from{};       // where that step starts
   bool moved = false;     // a move in the plane came in this block
   bool starting = false;  // that move is the start-up
   bool engaged = false;   // the tool is off the programmed path
@@ -82,7 +82,7 @@ struct LookaheadValues {
 struct LookaheadQueue : LookaheadValues {
   std::vector<Piece> corner;  // a block with a chamfer or a corner round
   std::vector<Piece>
-      radius;  // a compensated move, and behind it those that do not move in the plane
+      radius;  // a compensated move, and after it those that do not move in the plane
 
   bool operator==(const LookaheadQueue&) const = default;
 };
@@ -147,18 +147,18 @@ struct Transform {  // rotation, scaling and mirror
   std::array<double, 3> centre{}, scale_centre{}, scale{1, 1, 1}, mirror_at{};
   double angle = 0;
   Plane plane = Plane::XY;
-  bool frame = false;  // the centre is the zero point of turned coordinates
+  bool frame = false;  // the centre is the zero point of rotated coordinates
   std::uint32_t mirrored = 0;
 
   bool operator==(const Transform&) const = default;
 };
 
-/// What of the modal state is nothing but numbers: a copy is one of bytes.
+/// The numbers of the modal state. A copy is one of bytes.
 struct ModalValues {
-  // What the short ways of lines and arcs read and write.
+  // The fast path of lines and arcs reads and writes these.
   bool plain = false;  // nothing but G00 to G03 with words for X Y Z F and a centre can happen
   bool incremental = false;
-  std::uint8_t motion_code = 0;  // where it is plain: 1 is G01
+  std::uint8_t motion_code = 0;  // where `plain`: 1 is G01
   std::uint32_t row_state = 0;
   const Moves* row_moves = nullptr;  // the table row_state belongs to; only compared
   double unit = 1;                   // mm in one unit of the program
@@ -166,11 +166,11 @@ struct ModalValues {
   double seconds_per_mm = 0;
   double time = 0;
   Axes work{};      // the programmed point, work coordinates
-  Axes tool_at{};   // machine position behind the last recorded move; kept where not `plain`
+  Axes tool_at{};   // machine position after the last recorded move; kept where not `plain`
   double lead = 0;  // of threads, where it is kept apart from the feed
   std::uint32_t named = 0;    // axes that moves named
   bool tool_pending = false;  // a tool offset waits for the next move
-  bool moved_before = false;  // or set coordinates: the head of the program is over
+  bool moved_before = false;  // a move came, or set coordinates: the head of the program is over
 
   double polar_angle = 0;
   bool polar_known = false;
@@ -181,30 +181,32 @@ struct ModalValues {
   std::array<double, 3> rapid_seconds{};  // per unit of the axis
 
   Axes offset{};  // work to base: zero points, shift, local
-  // What pieces count from, base. It is the zero point of the work coordinates, so that a path is
-  // worked out in the numbers that were programmed, wherever these lie on the machine; while moves
-  // wait it stays the zero point of the first of them.
+  // What pieces count from, base: the zero point of the work coordinates. A path is worked out in
+  // the programmed numbers, wherever these lie on the machine. While moves wait, the origin stays
+  // the zero point of the first of them.
   Axes origin{};
   Axes length{};  // base to machine: tool length
   Axes shift{}, local{};
-  Axes kept_shift{};     // what the shift becomes when it is taken back in
-  bool shifted = false;  // it counts
+  Axes kept_shift{};     // what the shift becomes when it is restored
+  bool shifted = false;  // `kept_shift` counts
   Axes tool_shift{};     // lathe tool offset as a shift of the work coordinates
   Axes middle{};         // intermediate point of G28, base
   std::uint32_t middle_known = 0;
-  // Radians about Z, counter-clockwise, by which work coordinates stand to the machine's. What is
-  // called base and machine here is turned back by it, so that it differs from work by an offset.
+  // The angle of the work coordinates to the machine's, in radians about Z, counter-clockwise. What
+  // is called base and machine here is rotated back by it, so that it differs from work by an
+  // offset.
   double frame_angle = 0;
   bool diameter = false;               // X words count twice
   std::array<double, 2> spline_way{};  // from the end of a spline along its direction there
   bool skip_touched = false;           // the signal of the last skip came
-  // The zero point and the turn in force, where variables of its work system were written since.
+  // The zero point and the rotation in force, where variables of its work system were written
+  // since.
   bool zero_is_held = false;
   Axes zero{};
   double zero_turn = 0;    // degrees
-  double feed_before = 0;  // that of G94 or G95 before G93, where each cut has its own
+  double feed_before = 0;  // the feed of G94 or G95 before G93, where each cut has its own
   // Whether the control has set the last skip, the work system and the shift since a program wrote
-  // over their variables: what was written counts until then.
+  // their variables. Until then what was written counts.
   std::array<bool, 3> set_anew{};
   int length_axis = 2;
   Axes skip{};  // skip position: work coordinates, tool included
@@ -215,16 +217,16 @@ struct ModalValues {
   int extra_system = 0;                                // G54.1 P
   double speed = 0, surface_speed = 0, max_speed = 0;  // S of G97, of G96, limit
   bool surface = false;
-  bool turns = false;        // the spindle
+  bool turns = false;        // the spindle turns
   bool backward = false;     // counter-clockwise
-  bool rigid_waits = false;  // M29 came, and its tapping cycle not yet
-  bool rigid = false;        // the cycle in force came behind M29
+  bool rigid_waits = false;  // M29 came, its tapping cycle did not yet
+  bool rigid = false;        // the cycle in force came after M29
   bool data_set = false;     // a G10 came
   int b = 0, h = 0, d = 0, t = 0;
   int tool = 0, tool_offset = 0;
-  double given_radius = 0;  // that of a radius compensation without an offset number
-  bool no_motion = false;   // behind G80, where no motion code is in force then
-  int cycle_before = -1;    // ten times the code of the cycle that was in force when it began
+  double given_radius = 0;  // of a radius compensation without an offset number
+  bool no_motion = false;   // after G80, where no motion code is in force then
+  int cycle_before = -1;    // ten times the code of the cycle that was in force before it
   MultipleData multiple;
   Transform transform;
   StrokeArea area;
@@ -251,7 +253,7 @@ struct OffsetTables {
       system_angles;  // work systems about Z, degrees, by number: 7 is the first extra one
   std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
 
-  /// Those of H or D, which a variable reads or writes.
+  /// Return the offsets of H or D, which a variable reads or writes.
   const std::vector<double>* of(VariableKind kind) const;
   std::vector<double>* of(VariableKind kind) {
     return const_cast<std::vector<double>*>(std::as_const(*this).of(kind));
@@ -259,7 +261,7 @@ struct OffsetTables {
   bool operator==(const OffsetTables&) const = default;
 };
 
-/// The whole of it.
+/// The whole state of the motion.
 struct MotionState : ModalState {
   OffsetTables tables;
 
@@ -268,7 +270,7 @@ struct MotionState : ModalState {
 
 struct MotionFacts;  // what never changes during a run
 
-/// What reads the motion looks at.
+/// The facts and the state, for code that only reads them.
 struct MotionView {
   const MotionFacts& facts;
   const MotionState& state;

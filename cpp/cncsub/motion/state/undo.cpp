@@ -28,7 +28,7 @@ void OffsetLog::clear() {
 
 namespace {
 
-/// Takes pieces over, of which there are none nearly always.
+/// Take pieces over. There are nearly always none.
 void take_pieces(std::vector<Piece>& to, const std::vector<Piece>& from) {
   if (!to.empty() || !from.empty()) to = from;
 }
@@ -39,7 +39,7 @@ void take_lookahead(LookaheadQueue& to, const LookaheadQueue& from) {
   take_pieces(to.radius, from.radius);
 }
 
-/// Takes over everything modal.
+/// Take over everything modal.
 void take_modal(ModalState& to, const ModalState& from) {
   static_cast<ModalValues&>(to) = from;
   to.pending_angle.angle = from.pending_angle.angle;

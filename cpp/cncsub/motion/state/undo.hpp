@@ -1,4 +1,4 @@
-// What takes a block back that alarms.
+// The rollback of a block that alarms.
 #pragma once
 
 #include <map>
@@ -10,10 +10,10 @@
 
 namespace cncsub {
 
-/// What the running block changed in the offset tables, as it was before.
+/// The former values of what the running block changed in the offset tables.
 class OffsetLog {
  public:
-  /// An offset that is about to change.
+  /// Log an offset that is about to change, and return it.
   double& change(double& place) {
     offsets_.emplace_back(&place, place);
     return place;
@@ -27,10 +27,11 @@ class OffsetLog {
   std::vector<std::pair<int, std::optional<ToolOffsets>>> tools_;
 };
 
-/// The state and the table of moves as they are; of the offset tables only what changes is kept.
+/// The rollback of the state and of the table of moves. Of the offset tables only what changes is
+/// kept.
 class Undo {
  public:
-  /// `before`: where the state is kept; the room that it has is used again.
+  /// `before` keeps the state; its memory is used again.
   Undo(MotionState& state, ModalState& before, OffsetLog& log, Moves* moves);
   void put_back();
 

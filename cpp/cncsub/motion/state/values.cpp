@@ -13,7 +13,7 @@ double unit_of(const MotionFacts& facts, Meaning units) {
 
 namespace {
 
-/// How many least increments a unit of the program has, of a length or of an angle.
+/// Return how many least increments a unit of the program has, of a length or of an angle.
 double steps_of(MotionView m, bool degrees) {
   const bool tenth = !degrees && g20(m.state);
   return 1 / (in_pulses(m.state) ? 1 : m.facts.increment * (tenth ? 0.1 : 1));

@@ -7,38 +7,38 @@
 
 namespace cncsub {
 
-/// The value of a word that counts something, or names it by its number, made whole as the operands
-/// of calls are. What is written as a number counts as what an expression gives: `flatten` writes
-/// one for the other.
+/// Return the value of a word that counts something, or names it by its number, made whole as the
+/// operands of calls are. A written number counts like the result of an expression: `flatten`
+/// writes one for the other.
 inline double counted(MotionView m, const NcWords& words, char letter) {
   const bool rounds = m.facts.control->calls.call_values.value == CallValues::Rounded;
   return rounds ? std::round(words[letter]) : words[letter];
 }
 
-/// How many millimetres the unit of a code of units is.
+/// Return how many millimetres the unit of a code of units is.
 double unit_of(const MotionFacts& facts, Meaning units);
-/// Whether the words of an address count degrees.
+/// Return whether the words of an address count degrees.
 constexpr bool counts_degrees(char address) {
   return ((bit('A') | bit('B') | bit('C') | bit('H')) & bit(address)) != 0;
 }
-/// Whether a length that is computed is brought to the least increment.
+/// Return whether a computed length is rounded to the least increment.
 inline bool rounds_computed(const Control& control) {
   return control.motion.computed_lengths.value == ComputedLengths::Rounded;
 }
 inline bool in_pulses(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Pulses;
 }
-/// The value of a word in units of the program that is computed, or written without a point: that
-/// counts least increments, or is brought to one.
+/// Return the value, in units of the program, of a word that is computed or written without a
+/// point: it counts least increments, or is rounded to one.
 double in_steps(MotionView m, const NcWords& words, char address);
-/// The value of the word at a place of the mask, a length that is no axis, in mm.
+/// Return the value in mm of the word at a place of the mask, a length that is no axis.
 double length_at(MotionView m, const NcWords& words, int place);
-/// The value of a word in units of the program.
+/// Return the value of a word in units of the program.
 inline double in_units(MotionView m, const NcWords& words, char address) {
   return ((words.computed | words.whole) & bit(address)) == 0 ? words[address]
                                                               : in_steps(m, words, address);
 }
-/// The value of an axis or length word in mm or degrees.
+/// Return the value of an axis or length word in mm or degrees.
 inline double number(MotionView m, const NcWords& words, char address) {
   const double value = in_units(m, words, address);
   if (address == 'X' && m.state.diameter) return value / 2 * m.state.unit;
@@ -48,11 +48,12 @@ inline double number(MotionView m, const NcWords& words, char address) {
 inline double number(MotionView m, const BlockWords& block, char address) {
   return number(m, block.words, address);
 }
-/// A computed value at an address as the control takes it: to the least increment.
+/// Return a computed value at an address as the control takes it: rounded to the least increment.
 double rounded(MotionView m, char address, double value);
-/// The seconds that P of a drilling cycle says.
+/// Return the seconds that P of a drilling cycle says.
 double dwell_in_hole(MotionView m, const NcWords& words);
-/// The axes that addresses (a block's mask) can move, as the columns of the moves are called.
+/// Return the axes that addresses (a block's mask) can move, as the columns of the moves are
+/// called.
 std::string axes_of(MotionView m, std::uint32_t mask);
 
 }  // namespace cncsub

@@ -7,7 +7,7 @@ namespace cncsub {
 namespace {
 
 constexpr double kTouch = 2e-6;  // mm: less is grazing, and the place of a touch is rounded
-constexpr double kBehind = 2;    // a place behind the end of the way
+constexpr double kBehind = 2;    // a place beyond the end of the path
 
 double dot(const Point3& a, const Point3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Point3 between(const Point3& from, const Point3& to, double t) {
@@ -15,8 +15,8 @@ Point3 between(const Point3& from, const Point3& to, double t) {
           from[2] + (to[2] - from[2]) * t};
 }
 
-/// From a point to the surface of a convex body, negative inside: along a line it never turns
-/// twice.
+/// Return the distance from a point to the surface of a convex body, negative inside. Along a line
+/// it never turns twice.
 double distance(const Solid& solid, const Point3& p) {
   const Point3 d{p[0] - solid.at[0], p[1] - solid.at[1], p[2] - solid.at[2]};
   switch (solid.shape) {
@@ -52,7 +52,8 @@ struct Span {
   double from = 0, to = kBehind;
 };
 
-/// Where a function that falls and then rises lies below a level between two places on its sides.
+/// Return where a function that falls and then rises crosses a level, between two places on its
+/// sides.
 template <class Function>
 double crossing(const Function& f, double above, double below, double level) {
   for (int i = 0; i < 100; ++i) {
@@ -63,7 +64,7 @@ double crossing(const Function& f, double above, double below, double level) {
   return above;
 }
 
-/// Where such a function is lowest.
+/// Return where such a function is lowest.
 template <class Function>
 double lowest(const Function& f) {
   constexpr double kGolden = 0.6180339887498949;
@@ -84,7 +85,7 @@ double lowest(const Function& f) {
   return best;
 }
 
-/// Where the ball presses on a body. `gap` is from the ball to the body.
+/// Return where the ball presses on a body. `gap` is the distance from the ball to the body.
 template <class Function>
 std::optional<Span> pressing(const Function& gap) {
   const double deepest = lowest(gap);
@@ -95,8 +96,8 @@ std::optional<Span> pressing(const Function& gap) {
   return span;
 }
 
-/// Where the ball is free in a hole; the end is where it meets the wall. `past` is how far the ball
-/// reaches into the wall.
+/// Return where the ball is free in a hole; the end is where it meets the wall. `past` is how far
+/// the ball reaches into the wall.
 template <class Function>
 std::optional<Span> free(const Function& past) {
   const double widest = lowest(past);
@@ -107,12 +108,13 @@ std::optional<Span> free(const Function& past) {
   return span;
 }
 
-/// Where the ball presses on bodies, and where it is free in holes.
+/// The spans in which the ball presses on bodies, and those in which it is free in holes.
 struct Spans {
   std::vector<Span> bodies, holes;
 };
 
-/// Of the solids that give one of these signals. Nothing where the ball can touch none.
+/// Return the spans of the solids that give one of these signals, nothing where the ball can touch
+/// none.
 std::optional<Spans> spans_of(const Workpiece& workpiece, SignalMask signals, const Point3& from,
                               const Point3& to) {
   const double radius = workpiece.stylus;
@@ -135,7 +137,7 @@ std::optional<Spans> spans_of(const Workpiece& workpiece, SignalMask signals, co
   return spans;
 }
 
-/// The first place from `t` on where the ball presses on a body.
+/// Return the first place from `t` on where the ball presses on a body.
 double touched_from(const std::vector<Span>& bodies, double t) {
   double touched = kBehind;
   for (const Span& body : bodies)
@@ -143,7 +145,7 @@ double touched_from(const std::vector<Span>& bodies, double t) {
   return touched;
 }
 
-/// Where the ball leaves the holes in which it is at `t`, -1 where it is in none.
+/// Return where the ball leaves the holes in which it is at `t`, -1 where it is in none.
 double left_from(const std::vector<Span>& holes, double t) {
   double left = -1;
   for (const Span& hole : holes)
@@ -157,7 +159,7 @@ std::optional<double> first_contact(const Workpiece& workpiece, SignalMask signa
                                     const Point3& from, const Point3& to) {
   const auto spans = spans_of(workpiece, signals, from, to);
   if (!spans) return std::nullopt;
-  // From body to body and from hole to hole, each of which is left once.
+  // The ball goes from body to body and from hole to hole, each of which is left once.
   for (double t = 0;;) {
     const double touched = touched_from(spans->bodies, t);
     if (touched > 1) return std::nullopt;
@@ -170,7 +172,7 @@ namespace {
 
 constexpr double kJustOutside = 1e-6;
 
-/// Whether a point beside a hole is in no body, or in another hole.
+/// Return whether a point beside a hole is in no body, or in another hole.
 bool in_the_open(const std::vector<Solid>& solids, const Solid& hole, const Point3& p) {
   bool body = false;
   for (const Solid& solid : solids) {
@@ -181,10 +183,10 @@ bool in_the_open(const std::vector<Solid>& solids, const Solid& hole, const Poin
   return !body;
 }
 
-/// Whether all of an end of a cylinder is open: its middle, and points around it.
+/// Return whether all of an end of a cylinder is open: its middle, and points around it.
 bool end_is_open(const std::vector<Solid>& solids, const Solid& hole, double along) {
   const Point3& d = hole.direction;
-  // Two ways across the axis.
+  // Two directions across the axis.
   const Point3 other = std::fabs(d[0]) < 0.9 ? Point3{1, 0, 0} : Point3{0, 1, 0};
   Point3 u{d[1] * other[2] - d[2] * other[1], d[2] * other[0] - d[0] * other[2],
            d[0] * other[1] - d[1] * other[0]};
@@ -201,7 +203,7 @@ bool end_is_open(const std::vector<Solid>& solids, const Solid& hole, double alo
   });
 }
 
-/// A place between the ends of a side of a box, near one of them where there is no other.
+/// Return a place between the ends of a side of a box, near one of them where there is no other.
 double place_on(const Solid& box, std::size_t axis, double share) {
   const double low = box.low[axis], high = box.high[axis];
   if (std::isfinite(low) && std::isfinite(high)) return low + (high - low) * share;
@@ -209,7 +211,7 @@ double place_on(const Solid& box, std::size_t axis, double share) {
   return std::isfinite(high) ? high - share : share;
 }
 
-/// The same of a face of a box.
+/// Return whether all of a face of a box is open.
 bool face_is_open(const std::vector<Solid>& solids, const Solid& box, std::size_t axis,
                   double value) {
   Point3 p{};

@@ -29,7 +29,7 @@ struct Solid {
   double first = -kOpen, last = kOpen;  // the ends of a cylinder, along its axis from `at`
 };
 
-/// What stands in the machine, and what feels for it.
+/// The solids that stand in the machine, and the stylus that feels for them.
 struct Workpiece {
   std::vector<Solid> solids;
   double stylus = 0;             // the radius of its ball
@@ -38,14 +38,14 @@ struct Workpiece {
   std::string system = "G54";    // the zero point of the coordinates, "machine" for none
 };
 
-/// The faces of holes that end in the open lose their lid: a bore from 0 down in a part whose top
-/// is at 0 is entered from above.
+/// Take the lid off holes whose faces end in the open: a bore from 0 down in a part whose top is at
+/// 0 is entered from above.
 void open_holes(std::vector<Solid>& solids);
 
-/// Where on the way `from`-`to` of its centre, 0 to 1, the ball first presses on a body that gives
-/// one of these signals, or on the wall of a hole in one; holes alone are holes in something
-/// without end. A ball that begins inside a body touches at 0; one that only grazes, slides along a
-/// face or leaves it does not touch.
+/// Return where on the path `from`-`to` of its centre, 0 to 1, the ball first presses on a body
+/// that gives one of these signals, or on the wall of a hole in one. Holes alone are holes in
+/// something without end. A ball that begins inside a body touches at 0; one that only grazes,
+/// slides along a face or leaves it does not touch.
 std::optional<double> first_contact(const Workpiece& workpiece, SignalMask signals,
                                     const Point3& from, const Point3& to);
 
