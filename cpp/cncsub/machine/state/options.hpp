@@ -26,8 +26,8 @@ struct Inputs {
   bool operator_given = false;
   // Variables that another program writes, each time the run waits.
   std::vector<std::map<std::int32_t, double>> writes;
-  // Of each block that watches a signal, in order, whichever it watches (the first list), or those
-  // of one signal; behind them the workpiece decides.
+  // What blocks that watch a skip signal find, in order: whichever they watch (the first list), or
+  // those of one signal. After the last one the workpiece decides.
   std::array<std::vector<SkipSignal>, kSkipSignals> skips;
   std::shared_ptr<const Workpiece> workpiece;
   // What the machine's signals become when it is sent a code: 'M' 117.

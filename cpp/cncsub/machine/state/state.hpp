@@ -36,10 +36,10 @@ struct OpenFrame {
   std::int32_t modal = -1;        // the modal call that it is the macro of
   std::int32_t modal_limit = 0;   // only modal calls below this one follow its moves
   std::uint32_t loops = 0;        // how many of the open loops belong to frames below
-  std::uint32_t label = 0;        // by which it was called, 0 = by none
+  std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
-  bool shares_locals = false;     // of its level, those with a number are the caller's
-  bool interrupts = false;        // behind it the caller's block does what it waits with
+  bool shares_locals = false;     // the numbered locals of its level are the caller's
+  bool interrupts = false;        // after it the caller's block does what it waits with
 
   bool operator==(const OpenFrame&) const = default;
 };
@@ -53,20 +53,20 @@ struct ModalCall {
   bool every_block = false;    // G66.1: it follows blocks, not moves
 };
 
-/// What a block has left to do - its call, return or jump - when a modal macro follows its move.
+/// The call, return or jump that a block has left to do when a modal macro follows its move.
 struct WaitingBlock {
   Op op = Op::Call;                 // Op::Call for every kind of call, Op::Return or Op::Jump
   std::uint32_t aux = 0;            // of the block
   Address at = 0;                   // the block
-  std::int64_t step = 0;            // it is a step already: which
+  std::int64_t step = 0;            // the step that it is already
   Target target;                    // of a call
   double p = kVacant, l = kVacant;  // of a return or a jump
   std::vector<double> arguments;    // of a call
   std::vector<std::uint8_t> programmed;
 };
 
-/// What blocks take from the world outside, which goes on with every look: a block that alarms
-/// gives it back.
+/// What blocks read from the world outside. Every read moves it on; a block that alarms is rolled
+/// back.
 struct ExternalReads {
   double clock_ms = 0;                            // #3001, besides the time of the moves
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
@@ -79,20 +79,20 @@ struct ExternalReads {
   bool operator==(const ExternalReads&) const = default;
 };
 
-/// What is known of labels: subprograms by their own, all else by the subprogram it was met in.
+/// The labels met: a subprogram by its own label, all else by the subprogram it was met in.
 struct Labels {
   struct Met {
     Address address = kNowhere;
     OWordKind kind = OWordKind::Sub;
-    std::int32_t repeats = -1;  // that are left, -1: to be counted anew
+    std::int32_t repeats = -1;  // passes left, -1: to be counted anew
 
     bool operator==(const Met&) const = default;
   };
   std::unordered_map<std::uint64_t, Met> met;
-  bool defining = false;   // the head of a subprogram was met: it is passed over
+  bool defining = false;   // the head of a subprogram was met: it is skipped
   bool searching = false;  // a call goes to a head that nobody has met
-  bool skipping = false;   // the block was reached by passing over others
-  bool entered = false;    // a branch of the innermost IF
+  bool skipping = false;   // the block was reached by skipping others
+  bool entered = false;    // a branch of the innermost IF was entered
   bool back = false;       // the main program was returned to, and defined nothing since
   // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
   // WHILE is still there when the next DO ends]
@@ -105,7 +105,7 @@ struct State {
   // Where the run is.
   Address pc = 0;                   // the block to be executed next
   std::vector<OpenFrame> frames;    // the main program first
-  int subprograms = 0, macros = 0;  // how many of the open calls are which
+  int subprograms = 0, macros = 0;  // how many of the open calls are subprograms, and macros
   Labels labels;
   std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
   std::vector<ModalCall> modals;      // in the order they were declared
@@ -117,7 +117,7 @@ struct State {
     SavedModes modes;
   };
   std::vector<ModalStackEntry> modal_stack;  // modes, the innermost program's last
-  Address moved_at = 0;  // the block behind whose move a modal call comes, or that called last
+  Address moved_at = 0;  // the block whose move a modal call follows, or that called last
 
   // Variables.
   int level = 0;                          // the present level of locals
