@@ -110,8 +110,7 @@ struct Code {
   LargeVector<Cell> cells;
   CodeLists code_lists;
   std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
-  OpenTable<ExpressionCell> expressions;  // one after the other; the number of one is where it
-                                          // begins
+  OpenTable<ExpressionCell> expressions;  // one after the other; a number is where one begins
   LargeVector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
   LargeVector<Argument> arguments;

@@ -19,7 +19,7 @@ struct Fault {
   std::uint32_t width = 1;  // bytes; 0 = the name, number or sign that stands there
   std::string detail;
   Address block = kNowhere;  // the block it stands in; otherwise the one that is being executed
-  // "X+", "LA" of a line and the arc behind it, or "EX" of a call of the external device, where the
+  // "X+", "LA" of a line and the arc after it, or "EX" of a call of the external device, where the
   // control may have a number for each
   std::array<char, 2> kind{};
   char address = 0;       // of the word that is wrong, where `at` does not say it
@@ -30,7 +30,7 @@ struct Fault {
 
 struct Code;
 
-/// The alarm of a fault in this block; frames are the caller's to add.
+/// Return the alarm of a fault in this block; the caller adds the frames.
 Alarm alarm_of(const Code& code, Address address, const Fault& fault);
 
 }  // namespace cncsub

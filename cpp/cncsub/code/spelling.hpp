@@ -1,5 +1,5 @@
-// How a dialect writes what the neutral rooms read and write: for checks, fixes, messages and flat
-// programs.
+// How a dialect writes what the neutral folders read and write: for checks, fixes, messages and
+// flat programs.
 #pragma once
 
 #include <span>
@@ -25,7 +25,7 @@ struct Spelling {
   Around brackets{"[", "]"};
   /// Its operators and how tightly they bind, where a control lets it choose: by that order.
   std::span<const OperatorRow> (*operators)(LogicOrder order) = nullptr;
-  std::string_view slash_function = "ATAN";  // its second argument stands behind a slash
+  std::string_view slash_function = "ATAN";  // its second argument stands after a slash
   bool long_numbers = false;  // no rule says how many digits a number in an expression may have
   bool numbered = true;       // variables are assigned by their number: #5221=5
 

@@ -69,8 +69,7 @@ struct Watch {
   using Clock = std::chrono::steady_clock;
 
   const std::function<bool()>* interrupted = nullptr;  // while it runs: whether to stop
-  Stop broken_off = Stop::Running;                     // why the running block was stopped in its
-                                                       // middle
+  Stop broken_off = Stop::Running;                     // why the running block was stopped
   Clock::time_point begun;                             // while it runs: when it began
   double spent = 0, asked = 0;  // seconds at work before, and until it asked `interrupted`
   std::uint64_t in_block = 0;   // bytes that the running block takes besides what it records
@@ -95,8 +94,7 @@ struct Watched {
   std::vector<std::uint32_t> seen_at;         // of each place: into `seen`
   std::vector<std::int32_t> locals, commons;  // by their index: what is watched of them, or -1
   std::vector<std::uint32_t> system;          // neither local nor common,
-  std::vector<std::uint32_t> moving;          // those of `system` that follow from moves, time or
-                                              // locals
+  std::vector<std::uint32_t> moving;          // those that follow moves, time or locals
 
   bool empty() const { return places.empty(); }
 };
