@@ -89,7 +89,7 @@ class Builder {
   bool in_program() const { return in_program_; }
   /// Return the program that was begun last.
   Program& program() { return code_.programs.back(); }
-  /// Begins a program whose first block comes next.
+  /// Begin a program whose first block comes next.
   void begin_program(const Program& program);
   /// End the program where its text ends; its blocks can be found by their numbers from now on.
   void end_program(std::uint32_t text_end, std::uint32_t line);

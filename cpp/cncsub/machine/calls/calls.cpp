@@ -65,7 +65,7 @@ std::optional<Fault> refused_again(const Run& run, const CallRecord& record, con
   return std::nullopt;
 }
 
-/// One call more than the control allows.
+/// Return the fault of one call more than the control allows.
 std::optional<Fault> refused_deeper(const Run& run, const CallRecord& record) {
   const CallRules& rules = run.control().calls;
   const int macros = run.state.macros + (record.macro ? 1 : 0);

@@ -19,8 +19,7 @@ namespace cncsub {
 namespace {
 
 constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks skipped between two looks
-constexpr std::size_t kPartRows = 1 << 20;      // rows of moves or changes: a part with more ends
-                                                // early
+constexpr std::size_t kPartRows = 1 << 20;      // of moves or changes: a part with more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
 constexpr Op kFirstStatement = Op::Set, kLastStatement = Op::EndDo;
 
