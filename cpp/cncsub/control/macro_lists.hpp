@@ -55,7 +55,7 @@ constexpr std::string_view name_of(StatementKind kind) {
   return kStatementNames[static_cast<std::size_t>(kind)];
 }
 
-/// What may stand in a list of functions.
+/// An entry of a list of functions.
 struct FunctionEntry {
   using Entry = Function;
   static constexpr std::size_t kMost = std::size(kFunctionNames);
@@ -67,7 +67,7 @@ struct FunctionEntry {
   static std::string wrong(std::string_view text);
 };
 
-/// `GOTO`, or `GOTO?` where no source says whether the control has it.
+/// An entry as `GOTO`, or `GOTO?` where no source says whether the control has it.
 struct StatementEntry {
   struct Entry {
     StatementKind kind{};

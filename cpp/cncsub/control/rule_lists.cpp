@@ -146,7 +146,7 @@ std::string RegisteredEntry::wrong(std::string_view text) {
 
 namespace {
 
-/// The same entry: of statements, whether or not it is known.
+/// Return whether two entries are the same: of statements, whether or not they are known.
 bool same_entry(std::string_view a, std::string_view b) {
   const auto bare = [](std::string_view text) {
     return text.ends_with('?') ? text.substr(0, text.size() - 1) : text;

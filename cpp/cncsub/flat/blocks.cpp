@@ -54,7 +54,7 @@ class BlockWriter::Maker {
   void take(const WrittenWord& word);
   void take_rest();
   const std::string& failed() const { return failed_; }
-  /// The part that says which word cannot be written.
+  /// Return the part that says which word cannot be written.
   Part unwritten() const { return {Part::Kind::Unwritten, failed_[0], 0, 0}; }
 
  private:
