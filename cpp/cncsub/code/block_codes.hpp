@@ -20,8 +20,8 @@ namespace cncsub {
 constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
 constexpr std::uint32_t bit(Group group) { return 1u << at(group); }
 
-// How many G and M codes a block may have, and how many lists of them a library: nothing but an
-// attack has more.
+// The most G and M codes of a block, and the most lists of them in a library: nothing but an attack
+// has more.
 constexpr std::size_t kGCodesOfBlock = 12, kMCodesOfBlock = 6, kMostLists = 4096;
 
 /// The codes of a block as they are written, in their order.

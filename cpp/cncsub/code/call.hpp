@@ -1,4 +1,4 @@
-// Calls as they are written, and what they say once their operands are known.
+// Calls as they are written, and their targets once the operands are known.
 #pragma once
 
 #include <cstdint>

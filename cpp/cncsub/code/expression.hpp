@@ -23,7 +23,7 @@ enum class Ins : std::uint8_t {
 #undef INS
 };
 
-/// What an instruction holds besides its place.
+/// The kinds of what an instruction holds besides its place.
 enum class Holds : std::uint8_t { None, Variable, Value };
 
 namespace instructions {

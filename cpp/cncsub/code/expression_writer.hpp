@@ -98,7 +98,7 @@ class ExpressionWriter {
   /// Write an expression of one instruction; return its number.
   std::uint32_t one(const Instruction& only, std::uint32_t at, std::uint32_t width);
 
-  /// How much is written: what is written from there on can be rolled back.
+  /// The number of cells written. What is written from there on can be rolled back.
   struct Place {
     std::size_t cells;
   };

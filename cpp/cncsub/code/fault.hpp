@@ -1,4 +1,4 @@
-// What is wrong with a block, and the alarm that it becomes.
+// The fault of a block, and the alarm that it becomes.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace cncsub {
 using Address = std::uint32_t;
 constexpr Address kNowhere = 0xffffffff;
 
-/// What is wrong with a block, and where in its file.
+/// The fault of a block, with its place in the file.
 struct Fault {
   Cause cause{};
   std::uint32_t at = 0;     // byte offset in the file's text

@@ -180,7 +180,7 @@ class Joining {
 
   Code& code_;
   Joined& of_;
-  // Where the tables of the part begin.
+  // The places where the tables of the part begin.
   std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, expressions_ = 0, calls_ = 0, jumps_ = 0,
                 arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0, selects_ = 0,
                 faults_ = 0, drops_ = 0, entries_ = 0;

@@ -34,15 +34,15 @@ struct OWord {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   OWordKind kind = OWordKind::Sub;
-  std::uint32_t label = 0;      // into Code::labels; kNone: the call's P says it
+  std::uint32_t label = 0;      // into Code::labels; kNone: the call's P gives it
   std::uint32_t value = kNone;  // the expression of a condition, a count, a returned value
   std::uint32_t next = kNone;   // the address that skipping leads to
   std::uint32_t call = kNone;   // of a call: into Code::calls
-  // Into Code::faults. Of M99: the fault that it is in a call; of endsub: the fault that it is
-  // outside of one after another call came back.
+  // The place in Code::faults: of M99, of the fault that it is in a call; of endsub, of the fault
+  // that it is outside of one after another call came back.
   std::uint32_t refused = kNone;
-  // What the control says where a subprogram is called, or ended, as one of another kind; at the
-  // end of a tape, that what was looked for is not there.
+  // The text of the control where a subprogram is called, or ended, as one of another kind; at the
+  // end of a tape, the text that what was looked for is not there.
   const char* of_another_kind = "";
   std::uint32_t at = 0, width = 1;
   std::uint32_t beside = 0;  // the letters beside M98 that only the mode in force may use
@@ -64,8 +64,8 @@ struct NamedVariable {
   std::int32_t index = 0;
 };
 
-/// What a block does besides its words: assignments, then a message, then the words, all with the
-/// values from before.
+/// The actions of a block besides its words: assignments, then a message, then the words, all with
+/// the values from before.
 struct ParallelAssign {
   std::uint32_t first_statement = 0, statements = 0;
   std::uint32_t print = OWord::kNone;  // into Code::prints

@@ -51,10 +51,10 @@ struct Program {
   std::int32_t duplicate_of = kNoProgram;
   std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
   bool keeps_modes = false;          // its return restores the modes of its caller
-  std::uint32_t opening = 0;         // of a file that begins with a %: its place, and 1
+  std::uint32_t opening = 0;         // of a file that begins with a %: its place plus 1
 };
 
-/// A hash table that finds programs by what they are called. It is given its room once.
+/// A hash table that finds programs by number or name. It is allocated once.
 class ProgramIndex {
  public:
   void reserve(std::size_t programs);

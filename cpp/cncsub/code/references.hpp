@@ -1,5 +1,5 @@
-// What a block refers to: the programs it calls, the blocks it jumps to, the variables it reads and
-// writes. The code tells it, without a run.
+// The references of a block: the programs it calls, the blocks it jumps to, the variables it reads
+// and writes. They are found in the code, without a run.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a call says: which program, from which block, how often.
+// The target of a call: which program, from which block, how often.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What is wrong with a variable in every run.
+// The faults of a variable that hold in every run.
 #pragma once
 
 #include <cstdint>

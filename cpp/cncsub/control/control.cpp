@@ -35,7 +35,7 @@ const std::vector<CauseInfo>& all_causes() {
 
 namespace {
 
-// What may be in a set.
+// The members of a set.
 
 template <class E>
 std::vector<std::pair<E, Option>> members_of() {

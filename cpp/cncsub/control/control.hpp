@@ -44,7 +44,7 @@ struct Option {
 template <class Choice>
 const std::vector<Option>& options();
 
-/// What a control refuses that others run (refusals.def).
+/// The causes for which a control refuses what others run (refusals.def).
 using Refusals = Set<Cause, 512>;
 
 /// Return the word for an entry of a set.
@@ -131,10 +131,10 @@ struct AlarmEntry {
   const DirectedNumber* towards(std::string_view direction) const;
 };
 
-/// How many axes have a variable of those that `skip_variables` begins.
+/// The number of axes that have a variable from `skip_variables` on.
 inline constexpr int kSkipAxes = 5;
 
-/// What a variable number is. The engine knows the kinds; the control says at which numbers they
+/// The kinds of variables. The engine knows the kinds; the control says at which numbers they
 /// stand.
 enum class VariableKind : std::uint8_t {
   Vacant,           // #0
@@ -194,8 +194,8 @@ struct VariableRange {
   char address = 0;  // of a modal word
   std::string source;
   Evidence evidence = Evidence::Inferred;
-  // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
-  // begin before these: how many are missing.
+  // Of commons that are other names of commons: the number of the first one. Of a kind whose
+  // numbers begin before these: how many are missing.
   std::int32_t from = 0;
   bool metric = false;           // lengths are millimetres, whatever the unit of the program
   bool not_compensated = false;  // no program reads it while a radius is compensated

@@ -1,5 +1,5 @@
-// What a G code means on a machine: the tables of mills and lathes, and what a control changes in
-// them.
+// The meanings of G codes on a machine: the tables of mills and lathes, and what a control changes
+// in them.
 #pragma once
 
 #include <array>

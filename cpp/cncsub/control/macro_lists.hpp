@@ -94,7 +94,7 @@ struct Span {
   std::int32_t last = 0;
 
   static constexpr std::int32_t kLargest = 999'999'999;
-  /// Nothing where it is neither; what ends before it begins is read.
+  /// Read a span; nothing where the text is none. One that ends before it begins is read.
   static constexpr std::optional<Span> read(std::string_view text) {
     const auto dash = std::min(text.find('-'), text.size());
     const auto first = number(text.substr(0, dash));

@@ -12,7 +12,7 @@
 
 namespace cncsub {
 
-/// How a code calls a program.
+/// The ways in which a code calls a program.
 enum class CodeCallKind : std::uint8_t { Subprogram, Macro, Modal, ModalEveryBlock };
 /// The names of these kinds, which call as M98, G65, G66 and G66.1 do.
 inline constexpr std::string_view kCodeCallNames[] = {"call", "macro-call", "modal-call",

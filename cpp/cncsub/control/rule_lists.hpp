@@ -13,7 +13,7 @@
 
 namespace cncsub {
 
-/// What is wrong with what somebody gave, or nothing.
+/// A message that says what is wrong with an entry, or nothing.
 using Wrong = std::optional<std::string>;
 using CheckEntry = std::function<Wrong(std::string_view)>;
 

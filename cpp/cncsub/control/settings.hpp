@@ -1,4 +1,4 @@
-// What parameters set, as data: `bit(rule::no_radius, NoRadius::Line, NoRadius::Alarm)`.
+// The settings of parameters, as data: `bit(rule::no_radius, NoRadius::Line, NoRadius::Alarm)`.
 #pragma once
 
 #include <string>
@@ -47,9 +47,9 @@ Setting entry_while_zero(RuleOf<Set<E, Most>> rule, std::type_identity_t<E> left
 Setting number(RuleOf<int> rule);
 /// Set the rule to the number as it is; a 0 stands for this one.
 Setting number(RuleOf<int> rule, int for_zero);
-/// Millimetres, of which the rule holds thousandths.
+/// Set the rule, which holds thousandths, from millimetres.
 Setting micrometres(RuleOf<int> rule);
-/// The same; a 0 leaves what the engine takes by itself.
+/// Set it in the same way; a 0 leaves what the engine takes by itself.
 Setting micrometres_unless_zero(RuleOf<int> rule);
 
 /// Take the number as that of the M code with this role; a 0 stands for `usual`.

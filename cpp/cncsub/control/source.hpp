@@ -1,4 +1,4 @@
-// Where facts come from, and how far a source may be trusted on a control.
+// The sources of facts, and how far each may be trusted on a control.
 #pragma once
 
 #include <cstdint>

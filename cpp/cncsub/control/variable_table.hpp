@@ -11,7 +11,7 @@
 
 namespace cncsub {
 
-/// How many commons a control may be given: a run holds each of them.
+/// The most commons that a control may be given: a run holds each of them.
 inline constexpr std::int64_t kMostCommons = 100'000;
 /// The first common that is kept at power-off.
 inline constexpr std::int32_t kFirstKept = 500;

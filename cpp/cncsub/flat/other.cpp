@@ -110,7 +110,7 @@ std::string OtherWriter::head(const std::string& name) const {
     std::string written(around.before);
     for (const char c : letters ? name : "PROG" + number) {
       if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // inside a character
-      // What no name holds, blanks, points and letters of other scripts, is written as _.
+      // A name holds no blanks, points and letters of other scripts: they are written as _.
       written += is_letter(c) || is_digit(c) ? c : '_';
     }
     return written + std::string(around.behind) + "\n";

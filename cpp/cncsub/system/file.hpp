@@ -7,7 +7,7 @@
 
 namespace cncsub::system {
 
-/// How a file is opened, for whoever is told of it: O_RDONLY, which is the same everywhere.
+/// The mode in which a file is opened: O_RDONLY, which is the same everywhere.
 constexpr int kReadOnly = 0;
 
 /// An open file. It opens without waiting for anybody: a pipe that nobody writes opens at once, and
@@ -42,8 +42,8 @@ class File {
 
 /// Give this thread, which opens many files and ends soon, a table of file numbers of its own. In
 /// the one table of the process, several threads wait for each other. In the new one only what a
-/// process begins with is open: nothing that others opened is kept open by it, nor may be used.
-/// Nothing happens on a system that has no such thing.
+/// process begins with is open: nothing that others opened is kept open by it, nor may be used. On
+/// a system that has no such thing, do nothing.
 void open_files_apart();
 
 }  // namespace cncsub::system

@@ -1,4 +1,4 @@
-// What a folder of the system holds.
+// The entries of a folder of the system.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
-// Memory for what is large: tables and texts of what is read, columns of what ran, arrays of those
-// who look. A piece that one gave back the next one takes: the first touch of fresh pages costs
-// more than what is written there.
+// Memory for what is large: tables and texts of what is read, columns of what ran, arrays for
+// users. A piece that one gave back the next one takes: the first touch of fresh pages costs more
+// than what is written there.
 #pragma once
 
 #include <bit>
@@ -16,8 +16,8 @@ namespace cncsub::system {
 /// Take a piece of memory that may have been used before. One of large pages begins where a page
 /// does.
 void* take_memory(std::size_t bytes);
-/// Keeps it for the next one, up to `kMostKept` bytes in all. What nobody took for ten seconds goes
-/// back to the system, together with a later piece that comes here.
+/// Keep a piece for the next taker, up to `kMostKept` bytes in all. A piece that nobody took for
+/// ten seconds goes back to the system, when a later piece comes here.
 void give_memory(void* memory, std::size_t bytes) noexcept;
 /// Give the large pieces that are kept back to the system now: a table has grown out of them, and
 /// the next reading is far away.

@@ -1,4 +1,4 @@
-// OWord statements: subprograms, branches and loops of O-words.
+// O words: subprograms, branches and loops.
 //
 // Nothing is nested here: a statement asks what its label was met with. A part that is not executed
 // is skipped, to the next statement of the label.

@@ -1,4 +1,4 @@
-// Where a run goes on after M99, M97, M02, M30 or the end of a text.
+// Returns, jumps and ends: M99, M97, M02, M30 and the end of a text.
 #pragma once
 
 #include "cncsub/machine/state/context.hpp"

@@ -25,7 +25,7 @@ bool may_be_read(Run& run, const OWord& own, std::int32_t file, const std::strin
 bool uses_words_beside(Run& run, const OWord& own);
 /// Skip to the next block of the statement, as from the head of a sub to its end.
 bool skip_over(Run& run, const OWord& own, const std::string& sought);
-/// Skip to the next statement of the label, which is told that it was skipped to.
+/// Skip to the next statement of the label, and mark it as reached by skipping.
 bool skip_to_label(Run& run, const OWord& own);
 
 }  // namespace cncsub

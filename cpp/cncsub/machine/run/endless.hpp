@@ -23,8 +23,8 @@ struct Endless {
   std::int64_t period = 0;      // blocks from a state until it comes back, 0 where it did not
   std::string outside;          // it came back, but the loop reads this from the world outside
   std::int64_t looked = 0;      // blocks that were executed to find out
-  std::vector<Address> blocks;  // of the loop, each once, in the order in which they run; or the
-                                // block that starts the program over, or that waits
+  std::vector<Address> blocks;  // the blocks of the loop, each once, in the order in which they
+                                // run; or the block that starts the program over, or that waits
   std::vector<std::string> changing;  // what differs from one pass to the next: "#100", "X"
   Stop then = Stop::Running;          // how the run would have stopped within these blocks
 };

@@ -20,7 +20,7 @@
 
 namespace cncsub {
 
-/// What the assignments and messages of a block replaced, for a rollback. A block that does
+/// The values and messages before the assignments of a block, for a rollback. A block that does
 /// something else besides may alarm after them.
 struct BeforeTogether {
   struct Variable {
@@ -41,7 +41,7 @@ struct BeforeTogether {
   void forget() { *this = {}; }
 };
 
-/// What is known of the running block. Between two blocks nothing of this counts.
+/// The state of the running block. Between two blocks nothing of it counts.
 struct RunningBlock {
   Address next = 0;               // where the run goes on after it; or one of the two below
   bool words_done = false;        // its words are executed: what alarms now leaves a step
@@ -64,7 +64,7 @@ struct RunningBlock {
   static constexpr Address kRestart = kNowhere, kEnd = kNowhere - 1;
 };
 
-/// Who may stop the run, and when it next looks for a reason to stop.
+/// The means to stop a run, and when it next looks for a reason to stop.
 struct Watch {
   using Clock = std::chrono::steady_clock;
 

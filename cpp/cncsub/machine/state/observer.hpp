@@ -1,6 +1,6 @@
-// What the running block did, for an observer that writes it down: the words as they were executed,
-// with their values, and what was assigned and said. A run without an observer only looks at a
-// pointer for it, and plain moves not even at that.
+// The record of the running block for an observer that writes it down: the words as they were
+// executed, with their values, and what was assigned and said. A run without an observer only looks
+// at a pointer for it, and plain moves not even at that.
 #pragma once
 
 #include <cstdint>

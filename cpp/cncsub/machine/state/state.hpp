@@ -56,8 +56,8 @@ struct ModalCall {
 /// The call, return or jump that a block has left to do when a modal macro follows its move.
 struct WaitingBlock {
   Op op = Op::Call;                 // Op::Call for every kind of call, Op::Return or Op::Jump
-  std::uint32_t aux = 0;            // of the block
-  Address at = 0;                   // the block
+  std::uint32_t aux = 0;            // the aux of the block
+  Address at = 0;                   // the address of the block
   std::int64_t step = 0;            // the step that it is already
   Target target;                    // of a call
   double p = kVacant, l = kVacant;  // of a return or a jump
@@ -65,8 +65,8 @@ struct WaitingBlock {
   std::vector<std::uint8_t> programmed;
 };
 
-/// What blocks read from the world outside. Every read moves it on; a block that alarms is rolled
-/// back.
+/// The reads of blocks from the world outside. Every read moves it on; a block that alarms is
+/// rolled back.
 struct ExternalReads {
   double clock_ms = 0;                            // #3001, besides the time of the moves
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
@@ -94,15 +94,15 @@ struct Labels {
   bool skipping = false;   // the block was reached by skipping others
   bool entered = false;    // a branch of the innermost IF was entered
   bool back = false;       // the main program was returned to, and defined nothing since
-  // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
-  // WHILE is still there when the next DO ends]
+  // Set by a break and a continue, until the end of a loop asks. [rs274 2.9: a break of a WHILE is
+  // still there when the next DO ends]
   bool breaks = false, continues = false;
 
   bool operator==(const Labels&) const = default;
 };
 
 struct State {
-  // Where the run is.
+  // The place of the run.
   Address pc = 0;                   // the block to be executed next
   std::vector<OpenFrame> frames;    // the main program first
   int subprograms = 0, macros = 0;  // how many of the open calls are subprograms, and macros
@@ -131,12 +131,12 @@ struct State {
   std::map<std::int32_t, double> signals;     // of the machine, as they are now
   std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
 
-  // What was done so far.
+  // The counts of what was done so far.
   std::int64_t executed = 0;              // blocks
   std::int64_t cycles = 0;                // of the main program
   std::int64_t last_m = -1, last_n = -1;  // the last M code and sequence number; -1: none yet
-  std::int64_t skipped = 0;               // blocks passed over by block skip in a row
-  std::int64_t skipped_behind = -1;       // since that many blocks were executed
+  std::int64_t skipped = 0;               // blocks skipped by block skip in a row
+  std::int64_t skipped_behind = -1;       // they were skipped when that many blocks were executed
   ExternalReads external_reads;
   std::size_t next_write = 0;   // of Inputs::writes
   std::size_t next_answer = 0;  // of Inputs::operator_starts
@@ -147,7 +147,7 @@ struct State {
   Address jumped_from = kNowhere;           // that jump
   std::uint32_t last_condition = kNowhere;  // the expression that was asked since; or none
 
-  // Why the run has stopped.
+  // The reason why the run has stopped.
   Stop stop = Stop::Running;
   std::optional<Alarm> alarm;
   std::string waiting_for;  // "#1000", or "cycle start after M00"

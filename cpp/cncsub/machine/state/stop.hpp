@@ -1,4 +1,4 @@
-// How a block or a run ends before its time: alarms, stops, and rollback.
+// The end of a block or a run before its time: alarms, stops, and rollback.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a program tells the operator or a printer, and what the control tells of a block.
+// Texts of a program for the operator or a printer, and words that the control reports as dropped.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What the instructions of ins.def compute, from their operand in the code and the values on the
-// stack. `a` is the last value; where there is `b`, that is the last and `a` the one before it.
+// The computations of the instructions of ins.def, from their operand in the code and the values on
+// the stack. `a` is the last value; where there is `b`, that is the last and `a` the one before it.
 // Those that can fail return an optional value. Whoever evaluates expressions includes this file,
 // once.
 #pragma once
@@ -31,7 +31,7 @@ struct InstructionView {
   std::uint8_t address() const { return static_cast<std::uint8_t>(cell->low >> 8); }
 };
 
-/// Why an expression has no value.
+/// The reason why an expression has no value.
 struct Trap {
   Cause cause{};
   std::uint32_t at = 0;

@@ -1,5 +1,4 @@
-// What a block's motion reads from around it: the profile that it names, skip signals, who stops
-// it.
+// The inputs of a block's motion: the profile that it names, skip signals, and who stops it.
 #pragma once
 
 #include "cncsub/machine/state/context.hpp"

@@ -342,8 +342,8 @@ void clear_variables(Run& run) {
 
 namespace {
 
-/// Variables that have another number as well are listed by that, as programs call them: #100 where
-/// the control counts #10100.
+/// List variables that have another number as well by that, as programs call them: #100 where the
+/// control counts #10100.
 void call_by_aliases(const Run& run, std::map<std::int32_t, double>& values) {
   for (const auto& [range, base] : run.code->variables) {
     if (!is_alias(range)) continue;
