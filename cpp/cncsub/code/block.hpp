@@ -29,28 +29,28 @@ enum class Op : std::uint8_t {
   IfThen,       // aux: statement
   If,
   Else,
-  EndIf,  // aux: statement; If: to = behind ELSE or ENDIF
+  EndIf,  // aux: statement; If: to = after ELSE or ENDIF
   While,
   Do,
-  EndDo,  // aux: statement; While: to = behind END; EndDo: to = the WHILE or DO
+  EndDo,  // aux: statement; While: to = after END; EndDo: to = the WHILE or DO
   HCode,  // G65 H (aux: statement)
   Print,  // DPRNT, BPRNT (aux: print)
   OpenOutput,
   CloseOutput,
   NameVariables,   // SETVN (aux: statement)
-  OWord,           // aux: labelled
-  ParallelAssign,  // aux: together: assignments, a message, and words
-  Select,  // aux: variant: which of two blocks this one is, by the skip switches or by who called
+  OWord,           // aux: o_word
+  ParallelAssign,  // aux: parallel_assign: assignments, a message, and words
+  Select,  // aux: select: one of two blocks, by the skip switches or by who called
   Fault,   // aux: fault
-  EndOfRecord,  // behind the last block of every program
+  EndOfRecord,  // after the last block of every program
 };
 
-/// A block of words and nothing else.
+/// Return whether a block has words and nothing else.
 constexpr bool is_words(Op op) { return op <= Op::Arc; }
 
 /// A word's cell: its value, or the number of its expression.
 union Cell {
-  /// Addresses of a block.
+  /// Sets of a block's addresses, as masks.
   struct Extra {
     std::uint32_t expressions;  // those whose cell is an expression
     std::uint32_t whole;        // those whose number has no point; and kPointedH
@@ -67,7 +67,7 @@ constexpr int kRadius = 30, kAngle = 31;  // @ and ^, a point by polar coordinat
 constexpr int kAddresses = 32;
 constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
-// The words of a plain move: where it ends, and the centre of an arc.
+// The words of a plain move: its end point, and the centre of an arc.
 constexpr std::uint32_t kEndWords = bit('X') | bit('Y') | bit('Z');
 constexpr std::uint32_t kCentreWords = bit('I') | bit('J') | bit('K');
 
@@ -82,7 +82,7 @@ struct Block {
   std::uint32_t mask = 0;
   std::uint32_t aux = 0;
   std::uint32_t skip : 10 = 0;  // bit k: not executed when switch k is on
-  std::uint32_t list : 12 = 0;  // of its codes, if listed
+  std::uint32_t list : 12 = 0;  // where its codes are in Code::code_lists, if listed
   std::uint32_t g_count : 4 = 0;
   std::uint32_t m_count : 3 = 0;
   Op op = Op::Words;
@@ -98,11 +98,11 @@ struct Block {
   static constexpr std::uint8_t kListed = 32;  // its codes are one of Code::code_lists
 
   bool has_codes() const { return g_count != 0 || m_count != 0; }
-  /// How many cells its codes take.
+  /// Return how many cells its codes take.
   int code_cells() const {
     return (flags & kListed) != 0 ? 0 : static_cast<int>(g_count + m_count);
   }
-  /// So many codes, which are those of a list of Code::code_lists; -1: they are cells.
+  /// Set the codes to a list of Code::code_lists; `number` -1: they are cells.
   void set_codes(int number, std::size_t g, std::size_t m) {
     flags |= number >= 0 ? kListed : std::uint8_t{0};
     list = static_cast<std::uint32_t>(std::max(number, 0)) & (kMostLists - 1);
@@ -114,12 +114,12 @@ static_assert(kMostLists == 1 << 12 && kGCodesOfBlock < 16 && kMCodesOfBlock < 8
               "a block holds them");
 static_assert(sizeof(Block) == 32);
 
-/// What an assignment writes, as a block keeps it in its `data`: which variable, and where that
+/// The target of an assignment, as a block keeps it in its `data`: the variable, and where it
 /// stands in the block.
 struct Assigned {
   Statement::Target target{};
   std::uint32_t index = 0;  // as in Statement; Indirect: how many cells before the value the
-                            // expression begins that gives the variable's number
+                            // expression of the variable's number begins
   std::uint32_t at = 0, width = 1;  // in the block
 
   static constexpr std::uint32_t kMostIndex = (1U << 14) - 1, kMostPlace = 255;
@@ -134,8 +134,8 @@ struct Assigned {
     return {static_cast<Statement::Target>(kind_of(block) + kLocal), index_of(block),
             data >> 16 & kMostPlace, data >> 24};
   }
-  /// The same as a statement, but for its width. `value`: where its expression begins; `text`: the
-  /// block.
+  /// Return the assignment as a statement without its width. `value`: where its expression begins;
+  /// `text`: where the block begins.
   Statement statement(std::uint32_t value, std::uint32_t text) const {
     Statement of;
     of.expression = value;
@@ -148,7 +148,7 @@ struct Assigned {
     of.variable_width = width;
     return of;
   }
-  /// 0 for a local, 1 for a common, more for others; and the index.
+  /// Return 0 for a local, 1 for a common, more for others; `index_of`: the index.
   static std::uint32_t kind_of(const Block& block) { return block.data & 3U; }
   static std::uint32_t index_of(const Block& block) { return block.data >> 2 & kMostIndex; }
 
@@ -184,7 +184,7 @@ struct NcWords {
   std::array<double, kAddresses> value{};
   const BlockCodes* codes = &kNoCodes;
   bool ends = false;   // M02 or M30 stands in the block
-  bool stops = false;  // the run stops behind it: moves that wait for the next one wait no more
+  bool stops = false;  // the run stops after it: moves in the lookahead queue wait no more
   Address at = 0;      // the block, for faults
 
   bool has(char address) const { return (mask & bit(address)) != 0; }

@@ -10,14 +10,14 @@ bool is_computed(const Control& c, Meaning meaning) {
   return meaning != Meaning::Uncomputed;
 }
 
-/// Whether a code is that of a plain move.
+/// Return whether a code is that of a plain move.
 bool is_of_move(const CodeMeanings& meanings, const GCode& code) {
   return is_neutral(code.meaning) ||
          (code.group == Group::Motion && code.meaning >= Meaning::Rapid &&
           code.meaning <= Meaning::Ccw && meanings.g.of(code.meaning).code == code.code);
 }
 
-/// Why a code alarms wherever it stands.
+/// Return why a code alarms wherever it stands; nothing where it does not.
 std::optional<Cause> refusal(Meaning meaning) {
   if (meaning == Meaning::None) return Cause::GCodeNotAvailable;
   if (meaning == Meaning::Unknown) return Cause::CodeNotKnown;
@@ -47,7 +47,7 @@ BlockCodes::BlockCodes(const CodeList& list, const CodeMeanings& meanings) : Cod
   }
 }
 
-/// False where the code alarms: those behind it are not looked at.
+/// Take a code. Return false where it alarms: the codes after it are not looked at.
 bool BlockCodes::take(std::size_t place, const CodeMeanings& meanings) {
   const Control& c = meanings.control;
   const int written = g_codes[place];
@@ -81,7 +81,7 @@ bool BlockCodes::take(std::size_t place, const CodeMeanings& meanings) {
   return true;
 }
 
-/// A code does not count that stands before a place.
+/// Drop a code that stands before a place: it does not count.
 void BlockCodes::drop(int tenfold, std::size_t before) {
   for (std::size_t i = 0; i < before; ++i)
     if (g_codes[i] == tenfold) dropped = static_cast<std::uint16_t>(dropped | 1U << i);
@@ -105,7 +105,7 @@ int CodeLists::keep_single(std::size_t tenfold) {
   return kept;
 }
 
-/// Where a list stands in the table, or would.
+/// Return where a list stands in the table, or would.
 std::size_t CodeLists::slot_of(const CodeList& list) const {
   const std::size_t most = slots_.size() - 1;
   std::size_t slot = hash(list) & most;

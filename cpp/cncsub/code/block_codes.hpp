@@ -20,11 +20,11 @@ namespace cncsub {
 constexpr std::size_t at(Group group) { return static_cast<std::size_t>(group); }
 constexpr std::uint32_t bit(Group group) { return 1u << at(group); }
 
-// How many G and M codes a block may have, and how many lists of them a library: nothing but an
-// attack has more.
+// The most G and M codes of a block, and the most lists of them in a library: nothing but an attack
+// has more.
 constexpr std::size_t kGCodesOfBlock = 12, kMCodesOfBlock = 6, kMostLists = 4096;
 
-/// The codes as they are written, in their order.
+/// The codes of a block as they are written, in their order.
 struct CodeList {
   std::array<int, kGCodesOfBlock> g_codes{};  // ten times the code: G54.1 is 541
   std::array<int, kMCodesOfBlock> m_codes{};
@@ -41,13 +41,14 @@ struct CodeMeanings;
 using MeaningSet = std::bitset<128>;
 constexpr std::size_t at(Meaning meaning) { return static_cast<std::size_t>(meaning); }
 
-/// G92.1 to G92.3, which go with another code that holds for one block. [rs274 2.9]
+/// Return whether it is G92.1 to G92.3, which go with another code that holds for one block. [rs274
+/// 2.9]
 inline bool changes_shift(Meaning meaning) {
   return meaning == Meaning::ClearShift || meaning == Meaning::SuspendShift ||
          meaning == Meaning::RestoreShift;
 }
 
-/// The codes with their meanings. Of two of a group the later counts.
+/// The codes of a block with their meanings. Of two of a group the later counts.
 struct BlockCodes : CodeList {
   BlockCodes() = default;
   BlockCodes(const CodeList& list, const CodeMeanings& meanings);
@@ -67,7 +68,7 @@ struct BlockCodes : CodeList {
   bool has(Group group) const { return (groups & bit(group)) != 0; }
   bool has(Role role) const { return (roles >> static_cast<unsigned>(role) & 1) != 0; }
   Meaning meaning(Group group) const { return of[at(group)].meaning; }
-  /// Whether they are nothing but a code of a plain move, or none.
+  /// Return whether the block has no code but one of a plain move, or none.
   bool only_of_moves() const { return of_move && m_count == 0; }
 
  private:
@@ -78,15 +79,16 @@ struct BlockCodes : CodeList {
 /// The lists of codes that the blocks of a library have, each of them once.
 class CodeLists {
  public:
-  /// The number of a list; -1 where there are too many: the block keeps its codes itself then.
+  /// Return the number of a list; -1 where there are too many: the block keeps its codes itself
+  /// then.
   int keep(const CodeList& list);
-  /// Of one G code alone, ten times its number.
+  /// Return the number of the list of one G code alone, given ten times its number.
   int keep(int tenfold) {
     const auto place = static_cast<std::size_t>(tenfold);
     return place < singles_.size() && singles_[place] > 0 ? singles_[place] - 1
                                                           : keep_single(place);
   }
-  /// Every block keeps its codes itself from now on.
+  /// Let every block keep its codes itself from now on.
   void keep_none() { most_ = 0; }
   std::span<const CodeList> all() const { return lists_; }
   const CodeList& operator[](std::size_t number) const { return lists_[number]; }
@@ -102,7 +104,7 @@ class CodeLists {
   std::array<std::int16_t, 1000> singles_{};  // by ten times the code, from 1
 };
 
-/// What G codes mean to one kind of machine of a control, and so the lists of a library.
+/// The meanings of G codes on one kind of machine of a control, and so of the lists of a library.
 struct CodeMeanings {
   CodeMeanings(const Control& of, MachineType type, const CodeLists& lists,
                std::span<const WordUse> word_uses = {});

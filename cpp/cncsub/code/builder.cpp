@@ -18,7 +18,8 @@ Cell cell_of(const WordValue& value) {
   return cell;
 }
 
-/// A code below 0 would read as an expression, and one too large is refused when it runs.
+/// Return the cell of a code. A code below 0 would read as an expression, and one too large is
+/// refused when it runs.
 Cell code_cell(const WordValue& code) {
   Cell cell{};
   if (code.computed)
@@ -115,7 +116,7 @@ namespace {
 
 bool is_within(double value, double most) { return value >= 0 && value <= most; }
 
-/// The codes, where all of them are written as numbers that the control knows.
+/// Return the codes, where all of them are written as numbers that the control knows.
 std::optional<CodeList> known_codes(const Code& code, const WordList& words) {
   CodeList list;
   for (int i = 0; i < words.g_count; ++i) {
@@ -132,7 +133,7 @@ std::optional<CodeList> known_codes(const Code& code, const WordList& words) {
   return list;
 }
 
-/// Whether a plain move may have these words: it is not asked where it leads to.
+/// Return whether a plain move may have these words: no check asks where it leads to.
 bool are_small(const WordList& words) {
   constexpr double kMost = 1e30;  // the sum of very many of them is still a position
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
@@ -174,7 +175,7 @@ void Builder::words(Block& block, const WordList& words) {
     code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
   if (code_.drops.size() > first_drop_) {
     block.flags |= Block::kDrops;
-    // They are found by the block's data, which are its own then.
+    // Drops are found by the block's data, which then are its own.
     if (code_.cells.size() == block.data) code_.cells.push_back({});
   }
   for (; first_drop_ < code_.drops.size(); ++first_drop_)

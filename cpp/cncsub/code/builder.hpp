@@ -1,8 +1,8 @@
-// Writes neutral code. It is the one place that appends to it: a dialect reads text and says here
-// what it means.
+// Writes neutral code. Nothing else appends to it: a dialect reads text and says here what it
+// means.
 //
 // A block is made in the reader's hands (its text, line and sequence number are the reader's) and
-// becomes what it is by one of the calls below; `append` puts it behind the others of its program.
+// becomes what it is by one of the calls below; `append` puts it after the others of its program.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ struct WordList {
 
   void add_g(WordValue code) { g[static_cast<std::size_t>(g_count++)] = code; }
   void add_m(WordValue code) { m[static_cast<std::size_t>(m_count++)] = code; }
-  /// `address`: its place in a mask.
+  /// Set a word. `address`: its place in a mask.
   void set(int address, WordValue value, bool is_whole) {
     const std::uint32_t mark = 1u << address;
     values[static_cast<std::size_t>(address)] = value;
@@ -56,15 +56,15 @@ class Builder;
 struct Joined {
   Builder& from;
   Code& code;
-  std::vector<int>& lists;  // its lists of codes as they are numbered where it is joined to
+  std::vector<int>& lists;  // the numbers of its lists of codes in the other code
   bool goes_on = false;     // its first program is the rest of the one that is written there
   std::uint32_t line = 0;   // how many lines of the file stand before it
   double to_come = 0;  // how much is still to be read, as a multiple of what is joined with this
 };
 
-/// Whether what another builder wrote can be put behind the blocks of this one.
+/// Return whether what another builder wrote can be put after the blocks of this one.
 bool can_join(Builder& to, const Joined& of);
-/// Puts it there, and leaves the other one's code without blocks, to be written anew.
+/// Put it there, and leave the other one's code without blocks, to be written anew.
 void join(Builder& to, Joined& of);
 
 class Builder {
@@ -87,16 +87,16 @@ class Builder {
   // ---- programs ----
 
   bool in_program() const { return in_program_; }
-  /// The program that was begun last.
+  /// Return the program that was begun last.
   Program& program() { return code_.programs.back(); }
-  /// Begins a program whose first block comes next.
+  /// Begin a program whose first block comes next.
   void begin_program(const Program& program);
-  /// Ends it where its text ends; its blocks can be found by their numbers from now on.
+  /// End the program where its text ends; its blocks can be found by their numbers from now on.
   void end_program(std::uint32_t text_end, std::uint32_t line);
-  /// Takes the last program away, with its blocks. `leader`: so many lines at the head of its file
+  /// Take the last program away, with its blocks. `leader`: so many lines at the head of its file
   /// are no program.
   void drop_program(std::int32_t leader = 0);
-  /// A program that is a part of the one that was ended last, or of another before it.
+  /// Add a program that is a part of the one that was ended last, or of another before it.
   void part(const Program& program);
 
   // ---- blocks, and the records of what they do ----
@@ -108,8 +108,8 @@ class Builder {
   }
   Block& block(Address address) { return code_.blocks[address]; }
 
-  /// Keeps a record beside the others of its kind: its number. A block that is kept so is executed
-  /// by another one, a Choose or an IfThen.
+  /// Keep a record and return its number. A block that is kept so is executed by another one, a
+  /// Select or an IfThen.
   template <class Record>
   std::uint32_t keep(Record record) {
     auto& kept = table<Record>();
@@ -120,27 +120,27 @@ class Builder {
   Record& record(std::uint32_t number) {
     return table<Record>()[number];
   }
-  /// The block does what the record says.
+  /// Make the block do what the record says.
   template <class Record>
   void become(Block& block, Op op, Record record) {
     block.op = op;
     block.aux = keep(std::move(record));
   }
-  /// The control refuses the block when it is reached.
+  /// Make the block a fault: the control refuses it when it is reached.
   void refuse(Block& block, Fault fault) { become(block, Op::Fault, std::move(fault)); }
-  /// Assignments beside a message and words.
+  /// Make the block assignments beside a message and words.
   void parallel_assign(Block& block, const std::vector<Statement>& statements, const Print* print,
                        const Block* words);
-  /// The place of the next argument; those of one call follow each other.
+  /// Return the place of the next argument; those of one call follow each other.
   std::uint32_t next_argument() const { return static_cast<std::uint32_t>(code_.arguments.size()); }
 
   // ---- words ----
 
-  /// Gives the block its words. One with nothing but a plain move becomes Op::Linear or Op::Arc.
+  /// Give the block its words. One with nothing but a plain move becomes Op::Linear or Op::Arc.
   void words(Block& block, const WordList& words);
-  /// A word that the control reads and does not obey, of the block whose words come next.
+  /// Record a word that the control reads and does not obey, of the block whose words come next.
   void drop(std::uint32_t at, std::uint32_t width) { code_.drops.push_back({0, at, width}); }
-  /// The same for a block of whole G codes, perhaps an M code (-1: none), and `values` by letter:
+  /// Give words to a block of whole G codes, perhaps an M code (-1: none), and `values` by letter:
   /// those of the mask, expressions where `extra` says so.
   void plain_words(Block& block, std::span<const int> g, int m, std::uint32_t mask,
                    const Cell::Extra& extra, const std::array<Cell, 26>& values);
@@ -177,20 +177,20 @@ class Builder {
   ExpressionWriter expressions_;
   Names names_;
   bool in_program_ = false;
-  std::size_t first_drop_;  // of the block whose words come next
+  std::size_t first_drop_;  // the first drop of the block whose words come next
 };
 
-/// The block gives the value of an expression to a variable.
+/// Make the block give the value of an expression to a variable.
 inline void set(Block& block, const Assigned& to, std::uint32_t expression) {
   block.op = Op::Set;
   block.aux = expression;
   block.data = to.data();
 }
-/// The same for what a statement says; in the block itself where that holds it.
+/// Make the block execute the assignment of a statement; the block itself holds it where it can.
 void assign(Builder& to, Block& block, const Statement& statement);
 
-/// A block of nothing but G00 or G01 (or no G), X, Y, Z and F is a linear move; with G02 or G03 (or
-/// no G) and words of a centre an arc.
+/// Mark a block of nothing but G00 or G01 (or no G), X, Y, Z and F as a linear move; one with G02
+/// or G03 (or no G) and words of a centre as an arc.
 inline void mark_move(Block& block, int g) {
   const bool centre = (block.mask & kCentreWords) != 0;
   const bool arc = g < 0 ? centre : g >= 2;
@@ -201,7 +201,7 @@ inline void mark_move(Block& block, int g) {
   block.flags |= g < 0 ? Block::kNoG : g % 2 == 1 ? Block::kSecondG : std::uint8_t{0};
 }
 
-/// Gives a block its codes: one G code, or more.
+/// Give a block its codes: one G code, or more.
 inline void write_code(Code& code, Block& block, int tenfold) {
   const int number = code.code_lists.keep(tenfold);
   block.set_codes(number, 1, 0);

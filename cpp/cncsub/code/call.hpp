@@ -1,4 +1,4 @@
-// Calls as they are written, and what they say once their operands are known.
+// Calls as they are written, and their targets once the operands are known.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace cncsub {
 
-/// What a call is, as its frame shows it: a call of its own, or that of a code which calls.
+/// The kind of a call, as its frame shows it: a call of its own, or that of a code which calls.
 enum class CallKind : std::uint8_t {
   Subprogram,       // M98
   External,         // M198: a program of the external device
@@ -31,7 +31,7 @@ enum class CallKind : std::uint8_t {
   BCode,
   Ascii  // a letter whose every code calls
 };
-/// M98, G66.1, T-code: the name under which a kind is shown.
+/// Return the name under which a kind is shown: M98, G66.1, T-code.
 std::string_view to_string(CallKind kind);
 inline bool is_macro(CallKind kind, CodeCallKind code) {
   switch (kind) {
@@ -56,7 +56,7 @@ struct Argument {
   Operand operand;
 };
 
-/// What a call says once its operands are known.
+/// The target of a call, once its operands are known.
 struct Target {
   std::int64_t program_number = -1;
   std::int32_t program = kNoProgram;
@@ -70,15 +70,15 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
-/// M97 P: a jump in the running program; M96 P Q: while an input is 0.
+/// The jump of M97 P in the running program, or of M96 P Q while an input is 0.
 struct JumpRecord {
   Operand p;
   bool reads_input = false;
-  std::uint32_t input = 0;  // the expression that gives it
+  std::uint32_t input = 0;  // the expression that gives the input
   std::uint32_t at = 0, width = 1;
 };
 
-/// What few calls have.
+/// The parts that few calls have.
 struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
@@ -86,7 +86,7 @@ struct CallExtras {
   char count = 'L';  // the address of `l` as it is written
 };
 
-/// The same as a value that takes no room where there is nothing of it.
+/// Extras of a call that take no room where there are none.
 class SeldomValue {
  public:
   SeldomValue() = default;

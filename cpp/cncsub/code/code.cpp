@@ -36,7 +36,7 @@ VariablePlace placed(const PlacedRange& of, std::int64_t number) {
 }  // namespace
 
 VariablePlace Code::place(std::int64_t number) const {
-  // Locals and commons are the first ranges, and what programs use most: they are met one by one.
+  // Tries the first ranges one by one: locals and commons stand there, and programs use them most.
   auto from = variables.begin();
   for (int i = 0; i < 4 && from != variables.end() && from->range.first <= number; ++i) {
     if (number <= from->range.last) break;
@@ -77,7 +77,7 @@ std::uint32_t Code::label(std::int64_t number) const {
 
 namespace {
 
-/// The first head from an address on, in the text that holds `text_of`.
+/// Return the first head of a label from an address on, in the file that holds `text_of`.
 Address first_head(const Code& code, std::uint32_t label, Address from, Address text_of) {
   const auto& heads = code.heads;
   const auto found = std::lower_bound(

@@ -38,13 +38,13 @@ namespace cncsub {
 
 using system::LargeVector;
 
-/// A number has no more digits than these, whatever a rule says: a double holds no more.
+/// The most digits of a number, whatever a rule says: a double holds no more.
 constexpr int kMostDigits = 15;
 inline int most_digits(const Control& control) {
   return std::min<int>(control.reading.max_digits.value, kMostDigits);
 }
 
-/// Where a variable lives.
+/// The place of a variable.
 struct VariablePlace {
   VariableKind kind = VariableKind::Common;
   std::int32_t index = -1;  // Local: the number itself; Common and Kept: the place among the
@@ -63,8 +63,8 @@ struct PlacedRange {
   std::int32_t base = 0;
 };
 
-/// Locals, or some of the first commons: where they lie, and how a value that may be vacant is
-/// pushed.
+/// Locals, or some of the first commons: where they lie, and the instruction that pushes a value
+/// that may be vacant.
 struct DirectVariables {
   std::uint32_t first = 0, count = 0;
   Ins raw{};
@@ -76,7 +76,7 @@ struct DirectVariables {
 struct DirectVariableRanges {
   std::array<DirectVariables, 3> ranges{};
 
-  /// Null where the variable is another one.
+  /// Return the range that holds a variable; null where none does.
   const DirectVariables* find(std::uint32_t number) const {
     for (const DirectVariables& of : ranges)
       if (number - of.first < of.count) return &of;
@@ -95,7 +95,7 @@ struct Code {
   std::span<const WordUse>
       word_uses;  // the words that it refuses without a code; none: it takes all
   bool external_device = false;
-  bool general_only = false;   // read and run by the general way alone, see `compile`
+  bool general_only = false;   // read and run by the general path alone, see `compile`
   std::bitset<10001> g_codes;  // the codes of the control, ten times each; all where it has no list
   std::bitset<16> lacking;     // kinds of statements that the control does not have, or
   std::bitset<16> unheard_of;  // that no source tells of, which are lacking too
@@ -110,7 +110,7 @@ struct Code {
   LargeVector<Cell> cells;
   CodeLists code_lists;
   std::shared_ptr<const CodeMeanings> meanings;  // on the control's own kind of machine
-  OpenTable<ExpressionCell> expressions;  // one behind the other; its number is where one begins
+  OpenTable<ExpressionCell> expressions;  // one after the other; a number is where one begins
   LargeVector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
   LargeVector<Argument> arguments;
@@ -136,32 +136,31 @@ struct Code {
   Expression expression(std::uint32_t number) const {
     return Expression(expressions.data() + number);
   }
-  /// The variable with a name that lies there; null where none does.
+  /// Return the named variable that lies there; null where none does.
   const NamedVariable* named(bool common, std::int32_t index) const {
     const auto found = named_at[common ? 1 : 0].find(index);
     return found == named_at[common ? 1 : 0].end() ? nullptr : &named_variables[found->second];
   }
   VariablePlace place(std::int64_t number) const;
-  /// Whether a program can name this variable: from 1 to `last`, and commons that are there.
+  /// Return whether a program can name this variable: one from 1 to `last`, or a common.
   bool can_name(std::int64_t number, std::int64_t last) const;
 
-  /// The fault of a statement of this kind at `at`; nothing where the control has it.
+  /// Return the fault of a statement of this kind at `at`; nothing where the control has it.
   std::optional<Fault> lacks(StatementKind kind, std::uint32_t at) const {
     if (!lacking.test(static_cast<std::size_t>(kind))) return std::nullopt;
     return lacking_fault(kind, at);
   }
   Fault lacking_fault(StatementKind kind, std::uint32_t at) const;
 
-  /// The innermost program that holds a block.
+  /// Return the innermost program that holds a block.
   std::int32_t program_at(Address address) const;
-  /// The label that is this number, OWord::kNone where no block has it.
+  /// Return the label that is this number; OWord::kNone where no block has it.
   std::uint32_t label(std::int64_t number) const;
-  /// The nearest head of a subprogram from an address on, in the text that its program is a part
-  /// of.
+  /// Return the nearest head of a subprogram from an address on, in the same file.
   Address head_from(std::uint32_t label, Address from) const;
-  /// The nearest one behind a block.
+  /// Return the nearest one after a block.
   Address head_behind(std::uint32_t label, Address at) const;
-  /// The codes of a block that are written as numbers.
+  /// Return the codes of a block that are written as numbers.
   CodeList codes_of(const Block& block) const;
   std::string name_of(const Program& program) const;
   std::string name_of(std::int32_t program) const {
@@ -169,20 +168,20 @@ struct Code {
   }
   std::string_view comment_of(const Program& program) const;
   std::string_view text_of(const Block& block, const Program& program) const;
-  /// Its words as they are written, those of its first 65,535 bytes.
+  /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
 
-  /// The program of a number or name, kNoProgram where there is none.
+  /// Return the program of a number or name; kNoProgram where there is none.
   std::int32_t find(std::int64_t number, bool external = false) const;
   std::int32_t find(std::string_view name, bool external = false) const;
 
-  /// Makes every program known by its number and its name, and the first one of a file by the
-  /// file's name; of several under one name the first counts. `over` may end it.
+  /// Register every program by its number and its name, and the first one of a file by the file's
+  /// name. Of several under one name the first counts. `over` may end it.
   void register_programs(const std::function<bool()>& over);
 
-  /// What an alarm says where a program has no block of a number.
+  /// Return what an alarm says where a program has no block of a number.
   std::string no_block(std::int64_t n, const Program& program) const;
-  // The block N(n) of a program; kNowhere where there is none.
+  // Return the block N(n) of a program; kNowhere where there is none.
   Address first_of(const Program& program, std::int64_t n) const;
   Address first_from(const Program& program, std::int64_t n, Address from) const;
   Address next_of(const Program& program, std::int64_t n, Address behind) const;
@@ -191,12 +190,12 @@ struct Code {
   Address return_target(const Program& program, std::int64_t n, Address call) const;
 };
 
-/// What an assignment does: of a block with Op::Set or Op::Assign.
+/// Return what the assignment of a block with Op::Set or Op::Assign does.
 Statement assignment_of(const Code& code, const Block& block);
-/// Which kinds of statements its control has not.
+/// List the kinds of statements that the control does not have.
 void list_statements(Code& code);
 
-/// The number in O0023, %23, :23 or 23; -1 where the name is none.
+/// Return the number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);
 
 }  // namespace cncsub

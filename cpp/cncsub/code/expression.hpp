@@ -23,7 +23,7 @@ enum class Ins : std::uint8_t {
 #undef INS
 };
 
-/// What an instruction holds besides its place.
+/// The kinds of what an instruction holds besides its place.
 enum class Holds : std::uint8_t { None, Variable, Value };
 
 namespace instructions {
@@ -45,8 +45,8 @@ struct Instruction {
   double value = 0;          // a constant; of a variable: its number
 };
 
-/// An instruction as it is kept: in one cell, its place or the number of its variable in the upper
-/// half. Where it holds a value, that is a cell of its own behind it.
+/// An instruction as it is kept: one cell, with its place or the number of its variable in the
+/// upper half. A value that it holds is a cell of its own after it.
 struct ExpressionCell {
   std::uint32_t low = 0, high = 0;
 
@@ -66,9 +66,9 @@ struct ExpressionCell {
   }
 };
 
-/// How many cells an instruction takes.
+/// Return how many cells an instruction takes.
 constexpr int cells_of(Ins op) { return held_by(op) == Holds::Value ? 2 : 1; }
-/// What an instruction says that is kept from `at` on, which is known to be this one.
+/// Return the instruction that is kept from `at` on, which is known to be `op`.
 inline Instruction instruction_at(const ExpressionCell* at, Ins op) {
   const auto address = static_cast<std::uint8_t>(at->low >> 8);
   switch (held_by(op)) {
@@ -97,21 +97,21 @@ class Expression {
     VariableToConstant,   // #1LT5
     ConstantAndVariable,  // 5-#1
   };
-  /// How wide one is at most that is not Long.
+  /// The largest width of an expression that is not Long.
   static constexpr std::uint32_t kWidest = (1U << 16) - 1;
 
   explicit Expression(const ExpressionCell* head) : head_(head) {}
 
   Form form() const { return static_cast<Form>(head_->low & 0xFFU); }
-  /// Of two values: what joins them.
+  /// Return what joins two values.
   Ins op() const { return static_cast<Ins>(head_->low >> 8 & 0xFFU); }
   std::uint32_t at() const { return head_->high; }
   std::uint32_t width() const { return form() == Form::Long ? head_->low >> 8 : head_->low >> 16; }
   const ExpressionCell* cells() const { return head_ + 1; }
-  /// How many there are, where the form says it.
+  /// Return how many cells there are, where the form says it.
   std::ptrdiff_t size() const { return kSizes[static_cast<std::size_t>(form())]; }
 
-  /// Its instructions without an End, one after the other.
+  /// The instructions of an expression without an End, one after the other.
   class Iterator {
    public:
     explicit Iterator(const Expression& of)

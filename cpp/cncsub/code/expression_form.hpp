@@ -1,5 +1,5 @@
-// How an expression is computed, by its instructions: in the shortest way where it is one value, or
-// one operation on two.
+// Chooses how an expression is computed, by its instructions: in the shortest form where it is one
+// value, or one operation on two.
 #pragma once
 
 #include "cncsub/code/expression.hpp"
@@ -12,7 +12,7 @@ struct ExpressionForm {
   Form form;
   Ins op = Ins::Constant;  // of two values: what joins them
 
-  /// Of the instructions from `at` to `end`, which do not hold the End.
+  /// Return the form of the instructions from `at` to `end`, which do not hold the End.
   static ExpressionForm of(const ExpressionCell* at, const ExpressionCell* end);
 
  private:
@@ -21,7 +21,7 @@ struct ExpressionForm {
   static constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::LessEqual; }
   static constexpr bool joins(Ins op) { return op >= Ins::Add && op <= Ins::Multiply; }
 
-  /// The same operation on two values.
+  /// Return the same operation on two values.
   static constexpr Ins without_constant(Ins op) {
     return op == Ins::AddConstant        ? Ins::Add
            : op == Ins::SubtractConstant ? Ins::Subtract

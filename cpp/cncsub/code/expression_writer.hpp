@@ -11,46 +11,46 @@
 
 namespace cncsub {
 
-/// The instructions of the expression that is being written. They stand where they stay, behind the
-/// expressions of the code, where the cell before the first is free for the head.
+/// The instructions of the expression that is being written. They stand where they stay, after the
+/// expressions of the code. The cell before the first is free for the head.
 class OpenInstructions {
  public:
-  /// `short_forms`: what is one value, or one operation on two, is kept in its own form.
+  /// `short_forms`: one value, or one operation on two, is kept in its own form.
   OpenInstructions(OpenTable<ExpressionCell>& table, bool short_forms)
       : table_(table), widest_(short_forms ? Expression::kWidest : 0) {}
 
-  /// Another expression begins. One that was begun and did not end is forgotten.
+  /// Begin another expression. One that was begun and did not end is forgotten.
   void begin() {
     first_ = top_ = table_.room(kRoom) + 1;
     limit_ = first_ + kRoom - kSpare;
   }
-  /// Where the next instruction goes. Up to the limit a few have room behind it.
+  /// Return where the next instruction goes. Up to the limit there is room for a few after it.
   ExpressionCell* top() const { return top_; }
   const ExpressionCell* limit() const { return limit_; }
-  /// Where there is room.
+  /// Write a cell where there is room.
   void put(ExpressionCell cell) { *top_++ = cell; }
   void make_room();
 
   std::uint32_t place_of(const ExpressionCell* at) const {
     return static_cast<std::uint32_t>(at - first_);
   }
-  /// The place of the next one.
+  /// Return the place of the next cell.
   std::uint32_t next() const { return place_of(top_); }
-  /// The operation of the instruction at a place.
+  /// Return the operation of the instruction at a place.
   Ins op(std::uint32_t place) const { return first_[place].op(); }
-  /// The value of one that holds it.
+  /// Return the value of an instruction that holds one.
   double value(std::uint32_t place) const { return first_[place + 1].value(); }
   void set_value(std::uint32_t place, double value) {
     first_[place + 1] = ExpressionCell::of(value);
   }
-  /// Another operation that holds the same.
+  /// Replace an operation by another one that holds the same.
   void set_op(std::uint32_t place, Ins op) {
     first_[place].low = (first_[place].low & ~0xFFU) | static_cast<std::uint32_t>(op);
   }
   void set_at(std::uint32_t place, std::uint32_t at) { first_[place].high = at; }
-  /// Takes away the instructions from this place on.
+  /// Take away the instructions from this place on.
   void rollback(std::uint32_t from) { top_ = first_ + from; }
-  /// They become an expression, which stands there in the text: its number.
+  /// Make them an expression, which stands there in the text; return its number.
   std::uint32_t end(std::uint32_t at, std::uint32_t width);
 
  private:
@@ -58,7 +58,7 @@ class OpenInstructions {
   static constexpr std::size_t kSpare = 20;  // the head, a few instructions and the End
 
   OpenTable<ExpressionCell>& table_;
-  std::uint32_t widest_;  // in the text, of an expression in a form of its own
+  std::uint32_t widest_;  // the widest text of an expression in a form of its own
   ExpressionCell *first_ = nullptr, *top_ = nullptr, *limit_ = nullptr;
 };
 
@@ -87,7 +87,7 @@ class ExpressionWriter {
 
   OpenInstructions& open() { return open_; }
   void begin() { open_.begin(); }
-  /// The place of the next instruction.
+  /// Return the place of the next instruction.
   std::uint32_t next() const { return open_.next(); }
   void emit(const Instruction& instruction) {
     put(ExpressionCell::of(instruction));
@@ -95,10 +95,10 @@ class ExpressionWriter {
   }
   void rollback(std::uint32_t from) { open_.rollback(from); }
   std::uint32_t end(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
-  /// An expression of one instruction: its number.
+  /// Write an expression of one instruction; return its number.
   std::uint32_t one(const Instruction& only, std::uint32_t at, std::uint32_t width);
 
-  /// How much is written: what is written from there on can be taken back.
+  /// The number of cells written. What is written from there on can be rolled back.
   struct Place {
     std::size_t cells;
   };

@@ -17,7 +17,7 @@ struct WordPlace {
 bool in_name(char c) { return is_letter(upper(c)) || c == '_'; }
 bool in_number(char c) { return is_digit(c) || c == '.'; }
 
-/// Behind the # at `from`: its number, or its expression as far as that is closed.
+/// Return the end of the # at `from`: of its number, or of its expression as far as that is closed.
 std::size_t end_of_variable(std::string_view text, std::size_t from) {
   std::size_t to = from;
   while (to < text.size() && (text[to] == '#' || is_blank(text[to]))) ++to;
@@ -33,7 +33,8 @@ std::size_t end_of_variable(std::string_view text, std::size_t from) {
   return from + 1;
 }
 
-/// The name, number, variable or numbered word (DO1) of a macro statement that a place lies in.
+/// Return the name, number, variable or numbered word (DO1) of a macro statement that a place lies
+/// in.
 WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace place) {
   std::size_t first = place.at, last = first + place.width;
   if (place.width == 0 || last > text.size()) return place;
@@ -62,7 +63,7 @@ bool names(const Fault& fault, const WrittenWord& word) {
   return fault.code < 0 || !word.known || std::lround(word.value * 10) == fault.code;
 }
 
-/// The word, or of a macro statement the token, that holds a place of the block's `text`.
+/// Return the word, or of a macro statement the token, that holds a place of the block's `text`.
 WordPlace widened(const Spelling& spelling, WordPlace place, const WrittenWord& word,
                   std::string_view text) {
   if (word.address.empty() || word.address == "#") return whole_token(spelling, text, place);
@@ -71,7 +72,7 @@ WordPlace widened(const Spelling& spelling, WordPlace place, const WrittenWord& 
   return {word.at, std::max(word.width, place.at + place.width - word.at)};
 }
 
-/// The bytes of the whole word that a fault points into.
+/// Return the bytes of the whole word that a fault points into.
 WordPlace whole_word(const Code& code, const Program& program, const Block& block,
                      const Fault& fault) {
   const WordPlace place{fault.at, std::max(fault.width, 1u)};
@@ -95,20 +96,21 @@ std::uint32_t characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
 }
 
-/// The first characters of a text, as many as so many bytes hold.
+/// Return the first characters of a text, as many as so many bytes hold.
 std::string_view first_of(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   while (bytes > 0 && continues(text[bytes])) --bytes;
   return text.substr(0, bytes);
 }
 
-/// Shows a place of a file's text: its line, and the word with its column, in whole characters.
+/// Show a place of a file's text: its line, and the word with its column, in whole characters.
 void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t width) {
   while (at > 0 && at < text.size() && continues(text[at])) --at;
   const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
   std::size_t line_end = std::min(text.find('\n', at), text.size());
-  // The end of a line on Windows is read as a blank and an end of a line: not shown, not marked.
+  // The end of a line on Windows is read as a blank and an end of a line: it is neither shown nor
+  // marked.
   while (line_end > at && is_blank(text[line_end - 1])) --line_end;
   std::size_t end = at + std::min<std::size_t>(width, line_end - at);
   while (end < line_end && continues(text[end])) ++end;
@@ -120,8 +122,8 @@ void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t wid
   while (!alarm.word.empty() && is_blank(alarm.word.back())) alarm.word.pop_back();
 }
 
-/// A text of the list may have places for what the control puts in: {line}, {block}, {name},
-/// {file}.
+/// Fill in the places that a text of the list has for what the control puts in: {line}, {block},
+/// {name}, {file}.
 void fill_in(Alarm& alarm, std::string_view name, std::string_view block) {
   const auto put = [&alarm](std::string_view mark, std::string_view what) {
     std::size_t at = alarm.text.find(mark);
@@ -135,7 +137,7 @@ void fill_in(Alarm& alarm, std::string_view name, std::string_view block) {
   put("{block}", block);
 }
 
-/// Whether a fault points into the head of a program, which stands before its first block.
+/// Return whether a fault points into the head of a program, which stands before its first block.
 bool is_of_head(const Program& program, Address address, const Fault& fault) {
   return address == program.first && fault.width > 1 && program.name_length != Program::kOfFile &&
          fault.at + 1 >= program.name_at &&

@@ -1,4 +1,4 @@
-// Which word of its block a fault of the motion is about.
+// Finds the word of its block that a fault of the motion is about.
 #include "cncsub/code/fault_words.hpp"
 
 #include <algorithm>
@@ -60,14 +60,15 @@ struct Finder {
     }
     return nullptr;
   }
-  /// A name as CauseInfo::words has them.
+  /// Find a word by a name as CauseInfo::words has them.
   const WrittenWord* named(std::string_view name) const {
     if (name == "axis") return axis();
     for (const auto& [text, groups] : kGroupNames)
       if (text == name) return group(groups);
     return address(name);
   }
-  /// The word of an address; a comma may stand before it, and increments have letters of their own.
+  /// Find the word of an address. A comma may stand before it, and increments have letters of their
+  /// own.
   const WrittenWord* address_or_like(char name) const {
     if (const WrittenWord* word = address({&name, 1})) return word;
     if (const WrittenWord* word = address(std::string(",") + name)) return word;
@@ -75,7 +76,7 @@ struct Finder {
     const std::size_t axis = kAxes.find(name);
     return axis == std::string_view::npos ? nullptr : address(kIncrements.substr(axis, 1));
   }
-  /// A G code, or what stands first.
+  /// Return a G code, or what stands first.
   const WrittenWord* first() const {
     if (const WrittenWord* g = address("G")) return g;
     for (const WrittenWord& word : words)

@@ -1,4 +1,4 @@
-// Which word of its block a fault of the motion is about.
+// Finds the word of its block that a fault of the motion is about.
 #pragma once
 
 #include <string_view>
@@ -9,12 +9,12 @@
 
 namespace cncsub {
 
-/// Points a fault at one of the words of its block, which begins at `text` in its file: at the word
+/// Point a fault at one of the words of its block, which begins at `text` in its file: at the word
 /// the fault names, else at the one its cause is about.
 void point_at_word(const GCodes& codes, const std::vector<WrittenWord>& words, std::uint32_t text,
                    Fault& fault);
 
-/// The causes that point at a word of their own, not at the head of their block.
+/// Return the causes that point at a word of their own, not at the head of their block.
 std::vector<std::string_view> causes_with_words();
 
 }  // namespace cncsub

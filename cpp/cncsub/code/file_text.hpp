@@ -1,4 +1,4 @@
-// The text of a file: many megabytes, perhaps, that are given their room once.
+// The text of a file: many megabytes, perhaps, that are allocated once.
 #pragma once
 
 #include <algorithm>
@@ -10,11 +10,11 @@
 
 namespace cncsub {
 
-/// Behind its last byte stands a zero, as behind that of a string: readers look one byte ahead.
+/// A text with a zero after its last byte, as a string has: readers look one byte ahead.
 class FileText {
  public:
   FileText() = default;
-  /// Room for so many bytes that are not written yet. Whoever touches memory first waits for it, so
+  /// Allocate so many bytes that are not written yet. Whoever touches memory first waits for it, so
   /// several threads may write.
   explicit FileText(std::size_t size)
       : bytes_(Memory().allocate(size + 1), GiveBack{size + 1}), size_(size) {
@@ -34,7 +34,7 @@ class FileText {
   std::string_view view() const {
     return bytes_ == nullptr ? "" : std::string_view(bytes_.get(), size_);
   }
-  /// No more than the first bytes are of the text.
+  /// Keep only the first bytes of the text.
   void shorten(std::size_t size) {
     if (size >= size_) return;
     size_ = size;

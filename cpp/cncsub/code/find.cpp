@@ -1,4 +1,4 @@
-// How programs are found by their numbers and names, and blocks by theirs.
+// Finds programs by their numbers and names, and blocks by theirs.
 #include <algorithm>
 #include <bit>
 
@@ -45,14 +45,15 @@ bool first_in_file(const Code& code, std::size_t program) {
   return program == 0 || code.programs[program - 1].file != code.programs[program].file;
 }
 
-/// Whether a program answers to a number.
+/// Return a test of whether a program has this number.
 auto numbered(const Code& code, std::int64_t number) {
   return [&code, number](std::int32_t i) {
     return code.programs[static_cast<std::size_t>(i)].number == number;
   };
 }
 
-/// Whether a program answers to a name: its own, or the one of the file that it is the first of.
+/// Return a test of whether a program has this name: its own, or that of the file it is the first
+/// of.
 auto with_name(const Code& code, std::string_view name) {
   return [&code, name](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
@@ -87,7 +88,7 @@ void Code::register_programs(const std::function<bool()>& over) {
     if (programs[i].inside == kNoProgram) known(i);
     parts = parts || programs[i].inside != kNoProgram;
   }
-  // A name means a file first: the parts of files are found by their labels.
+  // A name means a file first, so the parts of files come last: they are found by their labels.
   for (std::size_t i = 0; parts && i < programs.size() && !over(); ++i)
     if (programs[i].inside != kNoProgram) known(i);
 }
@@ -110,7 +111,7 @@ struct Entries {
   const SequenceEntry* last;
 };
 
-/// The blocks of one number, in the order of the program.
+/// Return the blocks of one number, in the order of the program.
 Entries entries(const Code& code, const Program& program, std::int64_t n) {
   const SequenceEntry* first = code.sequence.data() + program.first_entry;
   const SequenceEntry* last = code.sequence.data() + program.last_entry;

@@ -1,5 +1,5 @@
-// What was read into a code of its own, by another thread perhaps, is put behind what was read
-// before: every number that leads from one table into another one grows by what stands there.
+// Puts what was read into a code of its own, by another thread perhaps, after what was read before:
+// every number that leads from one table into another one grows by what stands there.
 #include <algorithm>
 #include <bit>
 #include <iterator>
@@ -18,7 +18,7 @@ std::uint32_t size_of(const Table& table) {
   return static_cast<std::uint32_t>(table.size());
 }
 
-/// Puts one table behind another: where it begins there.
+/// Append one table to another; return where it begins there.
 template <class Table>
 std::uint32_t append(Table& to, Table& from, double to_come = 0) {
   constexpr double kMostGrowth = 8, kMargin = 1.05;
@@ -26,7 +26,8 @@ std::uint32_t append(Table& to, Table& from, double to_come = 0) {
   const std::size_t both = to.size() + from.size();
   const bool outgrown = both > to.capacity();
   if (outgrown && to_come > 0) {
-    // A table that grows is there twice: it grows once to what all files need if they are alike.
+    // A table that grows is there twice. So it grows once, to what all files need if they are
+    // alike.
     const double growth = std::min(kMargin * (1 + to_come), kMostGrowth);
     to.reserve(static_cast<std::size_t>(static_cast<double>(both) * growth));
   }
@@ -43,7 +44,7 @@ std::uint32_t append(OpenTable<ExpressionCell>& to, OpenTable<ExpressionCell>& f
   return base;
 }
 
-/// What the numbers of the part grow by.
+/// The joining of a part, with what its numbers grow by.
 class Joining {
  public:
   Joining(Code& code, Joined& of) : code_(code), of_(of) {}
@@ -80,7 +81,7 @@ class Joining {
     entries_ = append(code_.sequence, from.sequence);
   }
 
-  /// Where the records of a kind of block begin; 0 for those that have none, or none in a part.
+  /// Return where the records of a kind of block begin; 0 for blocks without, or without in a part.
   std::uint32_t record_base(Op op) const {
     const auto is_one_of = [op](auto... ops) { return ((op == ops) || ...); };
     if (is_one_of(Op::Call, Op::MacroCall, Op::ModalCall, Op::Return)) return calls_;
@@ -125,7 +126,7 @@ class Joining {
     if (address != kNowhere) address += blocks_;
   }
 
-  /// Expressions, and the words of calls and jumps.
+  /// Move expressions, and the words of calls and jumps.
   void move_values() {
     for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
       CallRecord& call = code_.calls[i];
@@ -179,13 +180,13 @@ class Joining {
 
   Code& code_;
   Joined& of_;
-  // Where the tables of the part begin.
+  // The places where the tables of the part begin.
   std::uint32_t blocks_ = 0, variants_ = 0, cells_ = 0, expressions_ = 0, calls_ = 0, jumps_ = 0,
                 arguments_ = 0, statements_ = 0, h_codes_ = 0, prints_ = 0, selects_ = 0,
                 faults_ = 0, drops_ = 0, entries_ = 0;
 };
 
-/// The number here of each list of codes of the part. False where there are too many.
+/// Number each list of codes of the part in `code`. Return false where there are too many.
 bool list_codes(Code& code, const Code& part, std::vector<int>& numbers) {
   const auto lists = part.code_lists.all();
   while (numbers.size() < lists.size()) {
@@ -198,7 +199,7 @@ bool list_codes(Code& code, const Code& part, std::vector<int>& numbers) {
 
 }  // namespace
 
-/// What reaches into the builder.
+/// The functions that reach into the builder.
 struct Joint {
   static bool can_join(Builder& to, const Joined& of);
   static void join(Builder& to, Joined& of);

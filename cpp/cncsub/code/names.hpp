@@ -12,17 +12,18 @@ class Names {
  public:
   explicit Names(Code& code) : code_(code) {}
 
-  /// The place of a label among Code::labels.
+  /// Return the place of a label among Code::labels.
   std::uint32_t label(const std::string& name);
-  /// The block at this address is where calls of the label lead.
+  /// Make the block at this address the one that calls of the label lead to.
   void head(std::uint32_t label, Address address) { code_.heads.push_back({label, address}); }
-  /// Once all files are read: from now on the heads can be found.
+  /// Sort the heads when all files are read: from then on they can be found.
   void sort_heads();
-  /// The variable of a name, which is a local or a common one: its place in Code::named_variables.
+  /// Return the place in Code::named_variables of the variable of a name, a local or a common one.
   std::uint32_t variable(const std::string& name, bool common);
-  /// Two commons are kept for what the last subprogram returned, and whether it did: the first.
+  /// Return the first of two commons that hold what the last subprogram returned, and whether it
+  /// did.
   std::int32_t returned();
-  /// A name that a variable is given, or used by: its place in Code::names.
+  /// Return the place in Code::names of a name that a variable is given, or used by.
   std::uint32_t text(std::string name);
 
  private:

@@ -1,6 +1,6 @@
-// Statements that are told apart by a label, as O-words are: subprograms, branches and loops. A
-// branch or loop that is not entered is passed over from one statement of its label to the next one
-// behind it, whatever stands between.
+// Statements that a label tells apart, as O-words are: subprograms, branches and loops. A branch or
+// loop that is not entered is skipped from one statement of its label to the next one after it,
+// whatever stands between.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 namespace cncsub {
 
 enum class OWordKind : std::uint8_t {
-  Sub,        // o1 sub: the head of a subprogram; met in the main program it is passed over
+  Sub,        // o1 sub: the head of a subprogram; met in the main program it is skipped
   Head,       // O1: the head of a subprogram that M98 calls; met otherwise it is nothing
   EndSub,     // o1 endsub, o1 endsub [value]
   Return,     // o1 return, o1 return [value]
   Back,       // M99
   Call,       // o1 call [value] ...
   Call98,     // M98 P1 L1
-  FileEnd,    // the % behind a program: passing over comes no farther
+  FileEnd,    // the % after a program: skipping comes no farther
   If,         // o1 if [value]
   ElseIf,     // o1 elseif [value]
   Else,       // o1 else
@@ -34,22 +34,22 @@ struct OWord {
   static constexpr std::uint32_t kNone = 0xffffffff;
 
   OWordKind kind = OWordKind::Sub;
-  std::uint32_t label = 0;      // into Code::labels; kNone: the call's P says it
+  std::uint32_t label = 0;      // into Code::labels; kNone: the call's P gives it
   std::uint32_t value = kNone;  // the expression of a condition, a count, a returned value
-  std::uint32_t next = kNone;   // the address that passing over leads to
+  std::uint32_t next = kNone;   // the address that skipping leads to
   std::uint32_t call = kNone;   // of a call: into Code::calls
-  // Into Code::faults: of M99 the fault that it is in a call, of endsub the one that it is outside
-  // of one after another call came back.
+  // The place in Code::faults: of M99, of the fault that it is in a call; of endsub, of the fault
+  // that it is outside of one after another call came back.
   std::uint32_t refused = kNone;
-  // What the control says where a subprogram is called, or ended, as those of another kind are; at
-  // the end of a tape, that what was looked for is not there.
+  // The text of the control where a subprogram is called, or ended, as one of another kind; at the
+  // end of a tape, the text that what was looked for is not there.
   const char* of_another_kind = "";
   std::uint32_t at = 0, width = 1;
   std::uint32_t beside = 0;  // the letters beside M98 that only the mode in force may use
 };
 
-/// Where a subprogram begins that a call finds by its label; with the label `kReadOnTheWay` a block
-/// that is read although it is passed over.
+/// The head of a subprogram that a call finds by its label; with the label `kReadOnTheWay`, a block
+/// that is read although it is skipped.
 struct LabelledHead {
   static constexpr std::uint32_t kReadOnTheWay = 0xfffffffe;
 
@@ -64,8 +64,8 @@ struct NamedVariable {
   std::int32_t index = 0;
 };
 
-/// What a block does besides its words, all of it with the values from before: assignments, then a
-/// message, then the words.
+/// The actions of a block besides its words: assignments, then a message, then the words, all with
+/// the values from before.
 struct ParallelAssign {
   std::uint32_t first_statement = 0, statements = 0;
   std::uint32_t print = OWord::kNone;  // into Code::prints

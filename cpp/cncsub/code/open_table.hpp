@@ -1,4 +1,4 @@
-// A table of the code that is written at its end before it is known what of that counts.
+// A table of the code that is written at its end before it is known which of the rows count.
 #pragma once
 
 #include <algorithm>
@@ -32,19 +32,19 @@ class OpenTable {
   T& operator[](std::size_t index) { return data_[index]; }
   const T& operator[](std::size_t index) const { return data_[index]; }
 
-  /// Where the next rows go, with room for so many; it holds until more room is asked for.
+  /// Return where the next rows go, with room for so many; it holds until more room is asked for.
   T* room(std::size_t count) {
     if (capacity_ - size_ < count) grow(size_ + count);
     return data_ + size_;
   }
-  /// So many of the rows that were written there count.
+  /// Make so many of the rows that were written there count.
   void add(std::size_t count) { size_ += count; }
   void append(const OpenTable& other) {
     if (other.size_ == 0) return;
     std::memcpy(static_cast<void*>(room(other.size_)), other.data_, other.size_ * sizeof(T));
     add(other.size_);
   }
-  /// Forgets the rows from this one on.
+  /// Forget the rows from this one on.
   void keep(std::size_t count) { size_ = count; }
   void clear() { size_ = 0; }
   void reserve(std::size_t count) {

@@ -29,7 +29,7 @@ struct OperatorRow {
   constexpr bool is_conjunction() const { return op == Ins::And || op == Ins::BothTrue; }
 };
 
-/// The operator whose letters are these, capitals or not; null where none is.
+/// Return the operator whose letters are these, capitals or not; null where none is.
 inline const OperatorRow* operator_of_letters(std::span<const OperatorRow> rows,
                                               std::string_view letters) {
   const auto alike = [](char a, char b) { return upper(a) == upper(b); };
@@ -57,7 +57,7 @@ class WaitingOperators {
   void push(Value left, std::uint32_t at, const Operator& of, int level) {
     *last_++ = {std::move(left), &of, at, level};
   }
-  /// Joins a value with those on its left that bind at least as tightly as a level.
+  /// Join a value with those on its left that bind at least as tightly as a level.
   CNCSUB_ALWAYS_INLINE Value join(Value value, int level) {
     while (last_ != all_ && last_[-1].level >= level && value) {
       --last_;
@@ -84,12 +84,12 @@ class WaitingOperators {
   Waiting* last_;
 };
 
-/// Reads operands and the operators between them, as far as operators follow. The reader of the
+/// Read operands and the operators between them, as far as operators follow. The reader of the
 /// language says what they are:
 ///   operand()                 reads a value with its signs; what is false ends all
 ///   next_operator()           the operator that stands here, which stays; null where none does
 ///   level_of(of, value, left) how tightly it binds; it may join the value with what waits
-///   offset(), pass(of)        where it stands; goes behind it
+///   offset(), pass(of)        where it stands; goes past it
 ///   apply(of, at, left, right) what the operator makes of two values
 template <class Reader>
 CNCSUB_ALWAYS_INLINE inline typename Reader::Value read_operators(Reader& reader) {

@@ -18,7 +18,7 @@ struct SourceFile {
   std::string stem;  // names the program where the text does not
   FileText text;     // UTF-8
   bool external = false;
-  std::int32_t leader = 0;  // how many lines stand before its tape and are no program
+  std::int32_t leader = 0;  // how many lines before its tape are no program
 };
 
 /// A word that the control reads and does not obey: an M code too many, an address written again.
@@ -46,25 +46,24 @@ struct Program {
   std::uint32_t text = 0;  // where its text starts in the file
   std::uint32_t text_end = 0;
   Address first = 0;
-  Address last = 0;                               // one behind the last block: the EndOfRecord
+  Address last = 0;                               // one after the last block: the EndOfRecord
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
   std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
-  bool keeps_modes = false;          // its return takes the modes of its caller back in
-  std::uint32_t opening = 0;         // of a file that begins with a %: its place, and 1
+  bool keeps_modes = false;          // its return restores the modes of its caller
+  std::uint32_t opening = 0;         // of a file that begins with a %: its place plus 1
 };
 
-/// Finds programs by what they are called: the places of programs in one table, hashed. It is given
-/// its room once.
+/// A hash table that finds programs by number or name. It is allocated once.
 class ProgramIndex {
  public:
   void reserve(std::size_t programs);
-  /// The program that is `same` among those under this hash, kNoProgram where there is none.
+  /// Return the program that is `same` among those under this hash; kNoProgram where there is none.
   template <class Same>
   std::int32_t find(std::uint64_t hash, const Same& same) const {
     return slots_.empty() ? kNoProgram : slots_[slot(hash, same)];
   }
-  /// As find; where there is none, `program` is added.
+  /// Do as find; where there is none, add `program`.
   template <class Same>
   std::int32_t find_or_add(std::uint64_t hash, const Same& same, std::int32_t program) {
     std::int32_t& found = slots_[slot(hash, same)];

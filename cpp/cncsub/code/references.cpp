@@ -52,7 +52,7 @@ void ReferenceReader::operands(const CallRecord& call) {
     used_.operand(code_.arguments[call.first_argument + i].operand);
 }
 
-/// What the operands say that are written as numbers; the others are computed.
+/// Fill in what the operands say that are written as numbers; the others are computed.
 void ReferenceReader::target_of(const CallRecord& call, CallReference& reference) {
   CallRecord known = call;
   const auto computed = [this](Operand& of, std::optional<TextPlace>& place) {
@@ -90,7 +90,7 @@ void ReferenceReader::call(const CallRecord& call) {
   operands(call);
 }
 
-/// Where a label leads that is known before anything runs: to a head, or to the file of its name.
+/// Find where a label leads that is known before anything runs: a head, or the file of its name.
 void ReferenceReader::label_of(const OWord& own, CallReference& reference) const {
   const CallRecord& call = code_.calls[own.call];
   std::uint32_t label = own.label;
@@ -132,7 +132,7 @@ void ReferenceReader::o_word(const OWord& own) {
 
 // ---- jumps ----
 
-/// M99 P.
+/// List the jump of M99 P.
 void ReferenceReader::back(const CallRecord& back, bool conditional) {
   used_.operand(back.p);
   used_.operand(back.l);
@@ -150,7 +150,7 @@ void ReferenceReader::back(const CallRecord& back, bool conditional) {
   to_.jumps.push_back(jump);
 }
 
-/// M97 P, and M96 P Q while an input is 0.
+/// List the jump of M97 P, or of M96 P Q while an input is 0.
 void ReferenceReader::jump(const JumpRecord& record) {
   used_.operand(record.p);
   if (record.reads_input) used_.reads(record.input);
@@ -180,7 +180,8 @@ void ReferenceReader::go_to(const Statement& statement, bool conditional) {
   to_.jumps.push_back(jump);
 }
 
-/// G65 H: P is the variable that is set, or from H80 on the block it jumps to; Q and R are values.
+/// List what G65 H refers to. P is the variable that is set, or from H80 on the block it jumps to;
+/// Q and R are values.
 void ReferenceReader::h_code(const HCode& h) {
   constexpr int kJumpAlways = 80;
   const bool jumps = h.number >= kJumpAlways;
@@ -280,8 +281,8 @@ void ReferenceReader::read(const Block& block, bool conditional) {
   }
 }
 
-/// What stands in both variants of a block, or in a word and in the call that it belongs to, is
-/// told once.
+/// Drop references that are listed twice: both variants of a block have them, or a word and the
+/// call that it belongs to.
 void drop_twins(References& of_block) {
   const auto once = [](auto& list, const auto& key) {
     std::set<decltype(key(list[0]))> seen;

@@ -1,5 +1,5 @@
-// What a block refers to: the programs it calls, the blocks it jumps to, the variables it reads and
-// writes. Told by the code, without running it.
+// The references of a block: the programs it calls, the blocks it jumps to, the variables it reads
+// and writes. They are found in the code, without a run.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct CallReference {
   std::int32_t found = kNoProgram;  // among the programs of the code
   bool external = false;            // of the external device
   std::int64_t start = -1;          // the sequence number it begins at, -1: its first block
-  std::int64_t repeats = 1;         // 0: it is passed over
+  std::int64_t repeats = 1;         // 0: it is skipped
   std::optional<TextPlace> computed_program, computed_start, computed_repeats;
   TextPlace place;
 };
@@ -42,7 +42,7 @@ struct VariableReference {
   std::int64_t number = -1;  // -1 where it has a name
   std::string name;          // of a dialect or a table of names
   bool computed = false;     // the number is computed: `place` holds what gives it
-  bool asked = false;        // whether it has a value is all that is asked: EXISTS[#<a>]
+  bool asked = false;        // only whether it has a value is asked: EXISTS[#<a>]
   TextPlace place;           // the value or the word that holds it
 };
 
@@ -55,12 +55,13 @@ struct References {
 constexpr bool is_call(Op op) {
   return op == Op::Call || op == Op::MacroCall || op == Op::ModalCall;
 }
-/// Whether a block of this kind can call, itself or as one of its variants.
+/// Return whether a block of this kind can call, itself or as one of its variants.
 constexpr bool may_call(Op op) {
   return is_call(op) || op == Op::OWord || op == Op::Select || op == Op::IfThen ||
          op == Op::ParallelAssign;
 }
-/// Those of a block of a program. Of blocks that depend on switches or callers, those of each.
+/// Return the references of a block of a program. A block that depends on switches or callers has
+/// those of each variant.
 References references_of(const Code& code, const Block& block, std::int32_t program);
 
 }  // namespace cncsub

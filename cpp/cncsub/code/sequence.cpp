@@ -22,13 +22,13 @@ namespace {
 using Entries = std::span<SequenceEntry>;
 
 constexpr std::size_t kFew = 64;                     // entries that are sorted by comparing
-constexpr std::size_t kNear = std::size_t{1} << 15;  // that stay near the processor meanwhile
-// For which a copy is much of what reading keeps, and a further thread worth its start. (In their
-// place they take twice as long.)
+constexpr std::size_t kNear = std::size_t{1} << 15;  // that stay in the processor's cache meanwhile
+// So many that a copy is much of what reading keeps, and a further thread worth its start. (Sorted
+// in their place, they take twice as long.)
 constexpr std::size_t kMany = std::size_t{1} << 21;
 
-/// Entries by number, then by address: as numbers of some bits. They are sorted in their place, as
-/// a copy of millions would be most of what reading keeps at its peak.
+/// Sorts entries by number, then by address, as numbers of some bits. They are sorted in their
+/// place: a copy of millions would be most of what reading keeps at its peak.
 class Sorting {
  public:
   Sorting(std::uint32_t numbers, Address first, Address last)
@@ -38,7 +38,7 @@ class Sorting {
 
   void sort(Entries entries, InterruptCheck& interrupt) const {
     Room room(entries.size() < kMany ? entries.size() : kNear);
-    // They come by address, which need not be looked at where none overtakes another.
+    // They come by address. Few are sorted stably, so the bits of the address need no look.
     if (entries.size() < kMany) return sort_near(entries, address_bits_, bits_, room);
     const int bits = std::max(bits_ - kSplit, 0);
     const Ends ends = split(entries, bits);
@@ -74,7 +74,7 @@ class Sorting {
     return key(entry) >> from_bit & ((std::uint64_t{1} << width) - 1);
   }
 
-  /// Sorts entries that are alike but for the last bits.
+  /// Sort entries that are alike but for the last bits.
   void sort(Entries entries, int bits, Room& room) const {
     if (entries.size() <= kFew) {
       std::sort(entries.begin(), entries.end(),
@@ -89,7 +89,7 @@ class Sorting {
     }
   }
 
-  /// Puts entries into parts by the bits above the last ones; within a part they are in any order.
+  /// Put entries into parts by the bits above the last ones; within a part they are in any order.
   Ends split(Entries entries, int from_bit) const {
     Ends ends{};
     for (const SequenceEntry& entry : entries) ++ends[digit(entry, from_bit, kSplit) + 1];
@@ -106,8 +106,8 @@ class Sorting {
     return ends;
   }
 
-  /// By counting some bits, the last first, in as few rounds as there are entries for. Those that
-  /// are alike there stay in their order.
+  /// Sort by counting some bits, the last first, in as few rounds as there are entries for. Entries
+  /// that are alike there stay in their order.
   void sort_near(Entries entries, int from_bit, int bits, Room& room) const {
     constexpr int kWidest = 20;
     const int widest = std::min(static_cast<int>(std::bit_width(entries.size())), kWidest);

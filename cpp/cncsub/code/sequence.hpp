@@ -1,4 +1,4 @@
-// Blocks in the order of their sequence numbers.
+// Sorts blocks by their sequence numbers.
 #pragma once
 
 #include "cncsub/code/code.hpp"
@@ -6,7 +6,7 @@
 
 namespace cncsub {
 
-/// The entries of a program, which come by address or by number, are in order from now on.
+/// Sort the entries of a program, which come by address or by number.
 void sort_numbers(Code& code, const Program& program, InterruptCheck& interrupt);
 
 }  // namespace cncsub

@@ -1,5 +1,5 @@
-// How a dialect writes what the neutral rooms read and write: for checks, fixes, messages and flat
-// programs.
+// The spelling of what the neutral code reads and writes, by dialect: for checks, fixes, messages
+// and flat programs.
 #pragma once
 
 #include <span>
@@ -10,8 +10,9 @@
 
 namespace cncsub {
 
-/// `comment`, `message`, `head` (of a program; nothing where none has one): what stands around
-/// their text. `value`: around a value that counts as a computed one.
+/// The spelling of a dialect. `comment`, `message`, `head` (of a program; nothing where none has
+/// one): what stands around their text. `value`: what stands around a value that counts as
+/// computed.
 struct Spelling {
   struct Around {
     std::string_view before, behind;
@@ -21,15 +22,15 @@ struct Spelling {
   };
   Around comment, value, message, head;
 
-  // Of expressions.
+  // The spelling of expressions.
   Around brackets{"[", "]"};
-  /// Its operators and how tightly they bind, where a control lets it choose: by that order.
+  /// The operators and how tightly they bind, by the order of logic where a control lets it choose.
   std::span<const OperatorRow> (*operators)(LogicOrder order) = nullptr;
-  std::string_view slash_function = "ATAN";  // its second argument stands behind a slash
+  std::string_view slash_function = "ATAN";  // its second argument stands after a slash
   bool long_numbers = false;  // no rule says how many digits a number in an expression may have
   bool numbered = true;       // variables are assigned by their number: #5221=5
 
-  // Of words.
+  // The spelling of words.
   std::string_view radius = "R";  // the address of an arc's radius
   std::string_view polar{};       // the signs of a point's radius and angle, each an address
   Codes own_m_codes{};            // the M codes that a machine gives a meaning

@@ -50,7 +50,7 @@ struct Print {
   bool binary = false;
   bool alarms = false;  // the text is that of an alarm
   std::vector<PrintField> fields;
-  std::int32_t shown_if = 0;  // the variable that must be above 0, or nothing is said; 0 is none
+  std::int32_t shown_if = 0;  // the variable that must be above 0, or nothing is said; 0: none
   std::uint32_t at = 0;
 };
 

@@ -25,8 +25,8 @@ Fault fault(Cause cause, const CallRecord& call, std::string detail) {
   return {cause, call.at, call.width, std::move(detail)};
 }
 
-/// "P[#100] is 21234": the word as written where it holds a variable; the message puts it in for
-/// the braces.
+/// Return a text as "P[#100] is 21234". Where the word holds a variable, the message puts it in for
+/// the braces as written.
 std::string named(const Operand& word, const char* letter, double value) {
   return (word.kind == Operand::Kind::Expression ? "{} is " : std::string(letter) + " is ") +
          spell(value);
@@ -34,7 +34,7 @@ std::string named(const Operand& word, const char* letter, double value) {
 
 bool given(const Operand& operand, double value) { return operand.present() && !is_vacant(value); }
 
-/// A count above the largest: one with more digits than that has, where the largest is 9999.
+/// Return the cause of a count above the largest; one with more digits has a cause of its own.
 Cause above(double count, int most) {
   double end = 10;
   while (end <= most) end *= 10;
@@ -71,8 +71,8 @@ class CallWords {
   Target& target_;
 };
 
-/// A whole number from a value: written numbers are whole, computed ones are cut or rounded as the
-/// control does.
+/// Return a whole number from a value: written numbers are whole, computed ones are cut or rounded
+/// as the control does.
 double CallWords::whole(const Operand& operand, double value) const {
   if (operand.kind != Operand::Kind::Expression) return value;
   return control_.calls.call_values.value == CallValues::Cut ? std::trunc(value)
@@ -140,7 +140,7 @@ std::optional<Fault> CallWords::program(std::int32_t own) {
   return names_block ? block_in_p(own) : number_in_p();
 }
 
-/// P is a block of the program that calls.
+/// Take P as a block of the program that calls.
 std::optional<Fault> CallWords::block_in_p(std::int32_t own) {
   const double n = whole(call_.p, values_.p);
   if (n < 0) return wrong_p(Cause::IllegalSequenceNumber);
@@ -149,7 +149,7 @@ std::optional<Fault> CallWords::block_in_p(std::int32_t own) {
   return std::nullopt;
 }
 
-/// P is the number of a program. That of a subprogram may hold a repeat count too.
+/// Take P as the number of a program. That of a subprogram may hold a repeat count too.
 std::optional<Fault> CallWords::number_in_p() {
   const bool macro = call_.macro;
   const double number = whole(call_.p, values_.p);
@@ -175,7 +175,7 @@ std::optional<Fault> CallWords::number_in_p() {
   return count_in_p(target_.program_number);
 }
 
-/// P30002: what stands before the last four digits is a count.
+/// Take what stands before the last four digits of P30002 as a count.
 std::optional<Fault> CallWords::count_in_p(std::int64_t p) {
   const std::int64_t count = p / kCountBase;
   if (count == 0 && call_.p.written <= 4) return std::nullopt;
@@ -199,7 +199,7 @@ std::optional<Fault> CallWords::count_in_p(std::int64_t p) {
   return std::nullopt;
 }
 
-/// No word says which program.
+/// Take the program that a call means that names none, or refuse the call.
 std::optional<Fault> CallWords::left_out(std::int32_t own) {
   const OmittedProgram rule = control_.calls.omitted_program.value;
   const bool outside = call_.kind == CallKind::External;

@@ -1,4 +1,4 @@
-// What a call says: which program, from which block, how often.
+// The target of a call: which program, from which block, how often.
 #pragma once
 
 #include <optional>
@@ -15,12 +15,12 @@ struct CallOperands {
   double device = 0;
 };
 
-/// Reads the operands by the control's rules: the form of the call, before anything of the block is
+/// Read the operands by the control's rules: the form of the call, before anything of the block is
 /// executed. Leaves in `target` how often and from which sequence number, and keeps the program's
 /// number or name for `find_target`.
 std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
                                  const CallOperands& operands, std::int32_t own, Target& target);
-/// Looks the program and its start block up, when the block's other words have been executed.
+/// Look up the program and its start block, after the block's other words have been executed.
 std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target);
 
 }  // namespace cncsub

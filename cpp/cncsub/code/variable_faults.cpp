@@ -35,7 +35,7 @@ std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, st
     case Access::ReadOnly:
       return Fault{.cause = Cause::VariableWriteProtected,
                    .detail = "#" + std::to_string(number) + " cannot be written"};
-    case Access::WriteOnly:  // it is a statement: the block that writes it has done it already
+    case Access::WriteOnly:  // a statement: the block that writes it has done it already
       return Fault{.cause = Cause::VariableWriteProtected,
                    .detail = "#" + std::to_string(number) + " takes a value from a program only"};
   }

@@ -1,4 +1,4 @@
-// What is wrong with a variable in every run.
+// The faults of a variable that hold in every run.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,12 @@
 
 namespace cncsub {
 
-/// Why no program can read it, or nothing.
+/// Return why no program can read a variable, or nothing.
 std::optional<Fault> unreadable(const Code& code, const VariablePlace& place, std::int64_t number);
 inline std::optional<Fault> unreadable(const Code& code, std::int64_t number) {
   return unreadable(code, code.place(number), number);
 }
-/// Why nobody can give it a value, or nothing.
+/// Return why nobody can give a variable a value, or nothing.
 std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, std::int64_t number);
 inline std::optional<Fault> unwritable(const Code& code, std::int64_t number) {
   return unwritable(code, code.place(number), number);

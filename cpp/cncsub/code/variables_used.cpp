@@ -12,7 +12,7 @@ bool is_indirect(Ins op) { return op == Ins::Indirect || op == Ins::IndirectRaw;
 
 }  // namespace
 
-/// One that has a name, or the one that stands at this place.
+/// Return the variable that has a name here, or the one that stands at this place.
 VariableReference VariablesUsed::variable(bool common, std::int32_t index, TextPlace place) const {
   VariableReference found;
   found.place = place;
@@ -40,7 +40,7 @@ VariableReference VariablesUsed::variable(const Instruction& of, bool local,
   return found;
 }
 
-/// The variables that an expression reads.
+/// List the variables that an expression reads.
 void VariablesUsed::reads(std::uint32_t expression) {
   const TextPlace place = place_of(expression);
   const Expression of = code_.expression(expression);

@@ -1,4 +1,4 @@
-// The variables that a block reads and writes, told by its code.
+// Finds the variables that a block reads and writes, from its code.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@ class VariablesUsed {
  public:
   VariablesUsed(const Code& code, References& to) : code_(code), to_(to) {}
 
-  /// Those that an expression reads.
+  /// List the variables that an expression reads.
   void reads(std::uint32_t expression);
   void operand(const Operand& operand);
-  /// Those in the words of a block.
+  /// List the variables in the words of a block.
   void words(const Block& block);
-  /// The one that an assignment writes.
+  /// List the variable that an assignment writes.
   void written(const Statement& statement);
-  /// The one that an operand names is written.
+  /// List the variable that an operand names as written.
   void named_by(const Operand& operand);
 
   TextPlace place_of(std::uint32_t expression) const {

@@ -22,20 +22,20 @@ struct WordUse {
   double none = std::numeric_limits<double>::quiet_NaN();  // a value that counts as no word
 };
 
-/// The same by code, a bit for each letter.
+/// The uses of letters by code, a bit for each letter.
 class WordUses {
  public:
   WordUses() = default;
   explicit WordUses(std::span<const WordUse> uses);
 
-  /// The letters that need a code.
+  /// Return the letters that need a code.
   std::uint32_t checked() const { return checked_; }
   std::uint32_t of_g(int tenfold) const { return of(of_g_, tenfold); }
-  /// M codes of the user take any word. [LC m-code]
+  /// Return the letters of an M code. M codes of the user take any word. [LC m-code]
   std::uint32_t of_m(int code) const { return code >= 100 ? ~0u : of(of_m_, code); }
-  /// The value of a letter that counts as no word; a NaN where there is none.
+  /// Return the value of a letter that counts as no word; a NaN where there is none.
   double none(std::size_t letter) const { return none_[letter]; }
-  /// What is said of the first of these letters.
+  /// Return what the control says of the first of these letters.
   std::string_view text(std::uint32_t letters) const {
     return texts_[static_cast<std::size_t>(std::countr_zero(letters)) % texts_.size()];
   }

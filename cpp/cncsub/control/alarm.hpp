@@ -22,7 +22,7 @@ struct CauseInfo {
   std::string_view words;    // what an alarm of the motion points at, see causes.def
 };
 
-/// Every cause, in the order of the enumeration.
+/// Return every cause, in the order of the enumeration.
 const std::vector<CauseInfo>& all_causes();
 inline const CauseInfo& info(Cause cause) { return all_causes()[static_cast<std::size_t>(cause)]; }
 
@@ -60,7 +60,7 @@ struct Alarm {
   bool operator==(const Alarm&) const = default;
 };
 
-/// The message for people: what, where, the line with a caret, and the callers.
+/// Return the message for people: what, where, the line with a caret, and the callers.
 std::string message(const Alarm& alarm);
 
 }  // namespace cncsub

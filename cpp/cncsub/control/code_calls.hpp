@@ -10,9 +10,9 @@
 
 namespace cncsub {
 
-/// Calls `take(list, number, program)` for each of them: the number as the parameter holds it,
-/// negative where the code calls modally, 0 where it registers nothing; of a switch, by which every
-/// code of a letter calls, 0 too.
+/// Call `take(list, number, program)` for each registered code. `number` is as the parameter holds
+/// it: negative where the code calls modally, 0 where it registers nothing. It is also 0 for a
+/// switch, by which every code of a letter calls.
 template <class Take>
 void each_code_call(const Control& control, const Take& take) {
   constexpr std::int32_t kMost = 1'000'000'000, kMostOfRange = 1000;

@@ -13,7 +13,7 @@
 
 namespace cncsub {
 
-/// Ten times a code such as 54 or 54.1; nothing where the text is none.
+/// Return ten times a code such as 54 or 54.1; nothing where the text is none.
 constexpr std::optional<int> read_code(std::string_view text) {
   int tenfold = 0;
   std::size_t digits = 0;
@@ -32,7 +32,7 @@ constexpr std::optional<int> read_code(std::string_view text) {
   return digits == 0 ? std::nullopt : std::optional(tenfold);
 }
 
-/// 54.1 of 541.
+/// Return 54.1 for 541.
 std::string code_text(int tenfold);
 
 /// A set of codes. A literal such as "0 1 54.1" is checked when it is compiled.
@@ -58,14 +58,14 @@ class Codes {
   }
   constexpr void put(int tenfold) { words_[word(tenfold)] |= bit(tenfold); }
   constexpr bool empty() const { return *this == Codes(); }
-  /// Calls `use` for each, by number.
+  /// Call `use` for each code, by number.
   template <class Use>
   void for_each(Use&& use) const {
     for (std::size_t place = 0; place < words_.size(); ++place)
       for (std::uint64_t rest = words_[place]; rest != 0; rest &= rest - 1)
         use(static_cast<int>(place * 64) + std::countr_zero(rest));
   }
-  /// The codes by number, separated by blanks.
+  /// Return the codes by number, separated by blanks.
   std::string text() const;
   constexpr bool operator==(const Codes&) const = default;
 

@@ -35,7 +35,7 @@ const std::vector<CauseInfo>& all_causes() {
 
 namespace {
 
-// What may be in a set.
+// The members of a set.
 
 template <class E>
 std::vector<std::pair<E, Option>> members_of() {
@@ -83,7 +83,7 @@ inline constexpr const char* kEntryName = "entry of the rule";
 template <>
 inline constexpr const char* kEntryName<Cause> = "cause that may be refused";
 
-/// Changes a set entry by entry, as lists are (rule_lists.hpp).
+/// Change a set entry by entry, as lists are (rule_lists.hpp).
 template <class E, std::size_t Most>
 Wrong change(std::string_view name, Set<E, Most>& set, std::string_view text) {
   const auto members = members_of<E>();
@@ -108,7 +108,7 @@ std::string written(const Roles& roles) {
   return text;
 }
 
-/// Changes the roles code by code, as lists are (rule_lists.hpp).
+/// Change the roles code by code, as lists are (rule_lists.hpp).
 Wrong change(std::string_view name, Roles& roles, std::string_view text) {
   std::string list = written(roles);
   if (auto wrong = change_list(name, list, text, check_role)) return wrong;
@@ -121,7 +121,7 @@ Wrong change(std::string_view name, Roles& roles, std::string_view text) {
   return std::nullopt;
 }
 
-/// Changes a set of codes entry by entry, as lists are (rule_lists.hpp).
+/// Change a set of codes entry by entry, as lists are (rule_lists.hpp).
 Wrong change(std::string_view name, Codes& codes, std::string_view text) {
   std::string list = codes.text();
   if (auto wrong = change_list(name, list, text, check_code)) return wrong;
@@ -230,7 +230,7 @@ void tell_changes(Rule<Roles>& rule, const Roles& before, const std::string& sou
         rule.tell(entry.code.text(), source, evidence);
 }
 
-/// Where an answer changed, its source is this one; of a set that of the entries that came or went.
+/// Set the source of an answer that changed; of a set, that of the entries that came or went.
 template <class T>
 void follow_rule(Rule<T>& rule, const T& before, const std::string& source, Evidence evidence) {
   if (rule.value == before) return;
@@ -240,7 +240,7 @@ void follow_rule(Rule<T>& rule, const T& before, const std::string& source, Evid
     rule = {rule.value, source, evidence};
 }
 
-/// Why the control has no rule of this name, where its group is absent.
+/// Return why the control has no rule of this name, where its group is absent.
 Wrong no_such_rule(const Control& control, RuleGroup group, std::string_view rule) {
   const AbsentGroup* const absent = control.lacks(group);
   if (absent == nullptr) return std::nullopt;
@@ -248,7 +248,7 @@ Wrong no_such_rule(const Control& control, RuleGroup group, std::string_view rul
          std::string(rule) + ": " + absent->source;
 }
 
-/// Somebody gave the answer; of a set only what came or went is theirs.
+/// Set the source of an answer that somebody gave; of a set only what came or went is theirs.
 template <class T>
 void set_source(Rule<T>& rule, [[maybe_unused]] const T& before, const std::string& source,
                 Evidence evidence) {
@@ -358,7 +358,7 @@ const AlarmEntry* Control::alarm(Cause cause) const {
 
 namespace {
 
-/// No fact is stronger than its sources are on this control, whoever wrote it down.
+/// Weaken every fact that is stronger than its sources are on this control, whoever wrote it down.
 void judge(Control& c) {
   const auto weaken = [&c](const std::string& source, Evidence& evidence) {
     evidence = std::max(evidence, strongest(source, c.name));
@@ -375,7 +375,7 @@ void judge(Control& c) {
   for (auto& [cause, entry] : c.alarms) weaken(entry.source, entry.evidence);
 }
 
-/// In the order of their numbers and bits.
+/// Sort parameters by their numbers and bits.
 void sort_parameters(Control& c) {
   const auto place = [](const Parameter& p) {
     const auto name = ParameterName::read(p.name).value_or(ParameterName());

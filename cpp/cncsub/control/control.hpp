@@ -40,14 +40,14 @@ struct Option {
   std::string_view example;
 };
 
-/// The options of a choice, in the order of its enumerators.
+/// Return the options of a choice, in the order of its enumerators.
 template <class Choice>
 const std::vector<Option>& options();
 
-/// What a control refuses that others run (refusals.def).
+/// The causes for which a control refuses what others run (refusals.def).
 using Refusals = Set<Cause, 512>;
 
-/// The word for an entry of a set.
+/// Return the word for an entry of a set.
 template <class E>
 std::string_view slug_of(E entry) {
   return options<E>()[static_cast<std::size_t>(entry)].slug;
@@ -57,14 +57,14 @@ inline std::string_view slug_of(Cause entry) {
   return info(entry).slug;
 }
 
-/// Names of the control's `variable_choices`, separated by blanks: text, for what there is the
-/// control's file tells.
+/// Names of the control's `variable_choices`, separated by blanks. The control's file says which
+/// there are.
 using VariableOptions = std::string;
 
 /// The source of an answer that a control's file leaves as the family has it.
 inline constexpr const char* kFamilyDefault = "family default";
 
-/// The source of one entry of a set, be it there or left out.
+/// The source of one entry of a set, whether it is there or left out.
 struct EntrySource {
   std::string entry;
   std::string source;
@@ -88,7 +88,7 @@ struct Rule {
   }
 };
 
-/// The control has these entries, or has them not; a source of their own says so.
+/// Say that the control has these entries, or lacks them, with a source of their own.
 template <class E, std::size_t Most>
 void has(Rule<Set<E, Most>>& rule, std::initializer_list<std::type_identity_t<E>> entries,
          const std::string& source, Evidence evidence, bool there = true) {
@@ -103,7 +103,7 @@ void lacks(Rule<Set<E, Most>>& rule, std::initializer_list<std::type_identity_t<
   has(rule, entries, source, evidence, false);
 }
 
-/// A code has a role on the control, or has it not (`None`); a source of its own says so.
+/// Give a code a role on the control, or none (`None`), with a source of its own.
 void give_role(Rule<Roles>& rule, CodeName code, Role role, const std::string& source,
                Evidence evidence);
 inline void no_role(Rule<Roles>& rule, std::initializer_list<CodeName> codes,
@@ -113,7 +113,7 @@ inline void no_role(Rule<Roles>& rule, std::initializer_list<CodeName> codes,
 
 /// A number of its own for one direction of an axis, or for one kind of two moves that do not meet.
 struct DirectedNumber {
-  std::string direction;  // "X+", or "-" of any axis; "LA" of a line and the arc behind it
+  std::string direction;  // "X+", or "-" of any axis; "LA" of a line and the arc after it
   std::string number;
   std::string text;
 };
@@ -127,14 +127,14 @@ struct AlarmEntry {
       false;  // the text is the list's own words, not ours: a translation, or from memory
   std::vector<DirectedNumber> directed = {};  // NOLINT(readability-redundant-member-init)
 
-  /// The number of a direction such as "X+", or null where it has none of its own.
+  /// Return the number of a direction such as "X+"; null where it has none of its own.
   const DirectedNumber* towards(std::string_view direction) const;
 };
 
-/// How many axes have a variable of those that `skip_variables` begins.
+/// The number of axes that have a variable from `skip_variables` on.
 inline constexpr int kSkipAxes = 5;
 
-/// What a variable number is. The engine knows the kinds; the control says at which numbers they
+/// The kinds of variables. The engine knows the kinds; the control says at which numbers they
 /// stand.
 enum class VariableKind : std::uint8_t {
   Vacant,           // #0
@@ -194,8 +194,8 @@ struct VariableRange {
   char address = 0;  // of a modal word
   std::string source;
   Evidence evidence = Evidence::Inferred;
-  // Of commons that are other names of commons: what the first one is. Of a kind whose numbers
-  // begin before these: how many are missing.
+  // Of commons that are other names of commons: the number of the first one. Of a kind whose
+  // numbers begin before these: how many are missing.
   std::int32_t from = 0;
   bool metric = false;           // lengths are millimetres, whatever the unit of the program
   bool not_compensated = false;  // no program reads it while a radius is compensated
@@ -248,7 +248,7 @@ struct CodeCall {
 #define RULE(group, type, name, value, meaning) Rule<type> name{value};
 #include "cncsub/control/rules.def"
 
-/// Their groups.
+/// The groups of the rules.
 enum class RuleGroup : std::uint8_t {
 #define GROUP(Type, name, meaning) Type,
 #define END_GROUP(Type, name)
@@ -287,19 +287,19 @@ struct Control {
   std::string user_alarm_number;  // the one number of all user alarms ("P277"), or empty
 
   const AlarmEntry* alarm(Cause cause) const;
-  /// A group that the control does not have, null where it has it.
+  /// Return the entry of a group that the control does not have; null where it has it.
   const AbsentGroup* lacks(RuleGroup group) const;
-  /// The value of a parameter, 0 where the control has none of this name.
+  /// Return the value of a parameter; 0 where the control has none of this name.
   double parameter(std::string_view parameter_name) const;
-  /// Whether anything is computed from a parameter but what a program reads of it.
+  /// Return whether anything is computed from a parameter but what a program reads of it.
   bool uses(const Parameter& parameter) const;
-  /// Sets a parameter of the control and lets it have its effect on the rules. Returns what is
-  /// wrong with the name or the value, or nothing.
+  /// Set a parameter of the control and let it have its effect on the rules. Return what is wrong
+  /// with the name or the value, or nothing.
   std::optional<std::string> set_parameter(const std::string& parameter_name, double value);
 };
 
-/// The control does not have this group of rules: nobody is told of one or may set it, and the
-/// engine meets nothing that it would be asked about.
+/// Leave out a group of rules that the control does not have: nobody is told of one or may set it,
+/// and the engine meets nothing that it would be asked about.
 void leave_out(Control& control, RuleGroup group, const std::string& source, Evidence evidence);
 
 /// The answers of a control without their sources.
@@ -310,7 +310,7 @@ struct Answers {
   explicit Answers(const Control& control);
 };
 
-/// Sources follow values: every rule that no longer answers as `before` comes from `source`.
+/// Set the source of every rule that no longer answers as `before`.
 void follow(Control& control, const Answers& before, const std::string& source, Evidence evidence);
 
 using RuleValue = std::variant<bool, std::int64_t, std::string>;
@@ -330,21 +330,21 @@ struct RuleView {
 };
 
 std::vector<RuleView> rules(const Control& control);
-/// Sets a rule by its name; a list is changed entry by entry (rule_lists.hpp). Returns what is
-/// wrong with the name or the value, or nothing.
+/// Set a rule by its name; a list is changed entry by entry (rule_lists.hpp). Return what is wrong
+/// with the name or the value, or nothing.
 std::optional<std::string> set_rule(Control& control, const std::string& rule_name,
                                     const RuleValue& value,
                                     const std::string& source = "set by the caller",
                                     Evidence evidence = Evidence::Inferred);
-/// Gives entries of a set sources of their own.
+/// Give entries of a set sources of their own.
 void tell_entries(Control& control, const std::string& rule_name,
                   const std::vector<EntrySource>& entries);
 
-/// Brings a control that its file has told into order: parameters by their numbers, no fact
+/// Bring a control that its file has described into order: parameters by their numbers, no fact
 /// stronger than its sources are on this control.
 void complete(Control& control);
 
-/// All controls, by maker and name. Each is a function in a file of its own,
+/// Return all controls, by maker and name. Each is a function in a file of its own,
 /// cpp/controls/<maker>/<control>.cpp.
 const std::vector<Control>& all_controls();
 

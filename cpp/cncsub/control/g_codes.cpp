@@ -191,8 +191,9 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
   }
 }
 
-/// The family's tables say what the control's own codes mean, and nothing about others. What it
-/// has and no table of its kind of machine knows is not computed: it would not alarm there.
+/// Keep what the family's tables say of the control's own codes, and nothing about others. A code
+/// of the control that no table of its kind of machine knows is not computed: it would not alarm
+/// there.
 void GCodes::keep(const Codes& list, bool complete) {
   std::vector<GCode> kept;
   list.for_each([&](int code10) {

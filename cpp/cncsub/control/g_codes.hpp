@@ -1,5 +1,5 @@
-// What a G code means on a machine: the tables of mills and lathes, and what a control changes in
-// them.
+// The meanings of G codes on a machine: the tables of mills and lathes, and what a control changes
+// in them.
 #pragma once
 
 #include <array>
@@ -12,29 +12,29 @@
 
 namespace cncsub {
 
-/// Whether no path depends on a code. G11 ends data, which alarms where none were begun.
+/// Return whether no path depends on a code. G11 ends data, which alarms where none were begun.
 inline bool is_neutral(Meaning meaning) {
   return meaning == Meaning::Neutral || meaning == Meaning::DataEnd;
 }
 
-/// "G54.1" of 541.
+/// Return "G54.1" for 541.
 std::string code_name(int code);
 
-/// The kind of machine of a name such as "lathe-a"; the control's own where the name is none.
+/// Return the kind of machine of a name such as "lathe-a"; the control's own where it is none.
 MachineType machine_of(const Control& control, const std::string& name);
 
 class GCodes {
  public:
   GCodes(const Control& control, MachineType machine);
-  /// The meaning of a code times ten: None where the machine does not have it, Neutral where no
-  /// path depends on it, Uncomputed where the engine does not know its moves, Unknown where no
+  /// Return the meaning of a code times ten: None where the machine does not have it, Neutral where
+  /// no path depends on it, Uncomputed where the engine does not know its moves, Unknown where no
   /// source says whether the control has it.
   GCode find(int code) const {
     const std::size_t place =
         code >= 0 && code < kCodes ? places_[static_cast<std::size_t>(code)] : 0;
     return place == 0 ? GCode{-1, Group::OneShot, unlisted_} : codes_[place - 1];
   }
-  /// The code of a meaning as this machine writes it; code -1 where it has none.
+  /// Return the code of a meaning as this machine writes it; code -1 where it has none.
   GCode of(Meaning meaning) const;
 
  private:

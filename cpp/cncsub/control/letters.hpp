@@ -21,7 +21,7 @@ class Characters {
       if (!put(*literal)) literal_is_wrong();
   }
 
-  /// Puts one behind the others; false where it is none of the kind.
+  /// Put a character after the others; return false where it is none of the kind.
   constexpr bool put(char c) {
     if (!Kind::has(c)) return false;
     if (has(c)) return true;

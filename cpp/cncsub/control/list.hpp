@@ -1,5 +1,4 @@
-// Lists of entries of one kind: what the kind is says how an entry is written and when two are the
-// same.
+// Lists of entries of one kind. The kind says how an entry is written and when two are the same.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,7 @@
 
 namespace cncsub {
 
-/// Takes the next entry off a text of entries with blanks between; empty at its end.
+/// Take the next entry off a text of entries with blanks between; return an empty one at its end.
 constexpr std::string_view take_entry(std::string_view& text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
   const std::string_view entry = text.substr(0, std::min(text.find(' '), text.size()));
@@ -22,7 +21,7 @@ constexpr std::string_view take_entry(std::string_view& text) {
   return entry;
 }
 
-/// The enumerator whose name a word is; nothing where it is none.
+/// Return the enumerator whose name a word is; nothing where it is none.
 template <class E, std::size_t Count>
 constexpr std::optional<E> named(const std::string_view (&names)[Count], std::string_view word) {
   for (std::size_t i = 0; i < Count; ++i)
@@ -46,7 +45,8 @@ class List {
     }
   }
 
-  /// Puts one in the place of the same one, or behind the others; false where these are too many.
+  /// Put an entry in the place of the same one, or after the others; return false where these are
+  /// too many.
   constexpr bool put(const Entry& entry) {
     std::size_t place = 0;
     while (place < size_ && !Kind::same(list_[place], entry)) ++place;
@@ -63,7 +63,7 @@ class List {
   constexpr bool empty() const { return size_ == 0; }
   constexpr const Entry* begin() const { return list_.data(); }
   constexpr const Entry* end() const { return list_.data() + size_; }
-  /// As a literal is written.
+  /// Return the text as a literal is written.
   std::string text() const {
     std::string text;
     for (const Entry& entry : *this) text += (text.empty() ? "" : " ") + Kind::text(entry);

@@ -55,7 +55,7 @@ constexpr std::string_view name_of(StatementKind kind) {
   return kStatementNames[static_cast<std::size_t>(kind)];
 }
 
-/// What may stand in a list of functions.
+/// An entry of a list of functions.
 struct FunctionEntry {
   using Entry = Function;
   static constexpr std::size_t kMost = std::size(kFunctionNames);
@@ -67,7 +67,7 @@ struct FunctionEntry {
   static std::string wrong(std::string_view text);
 };
 
-/// `GOTO`, or `GOTO?` where no source says whether the control has it.
+/// An entry as `GOTO`, or `GOTO?` where no source says whether the control has it.
 struct StatementEntry {
   struct Entry {
     StatementKind kind{};
@@ -94,7 +94,7 @@ struct Span {
   std::int32_t last = 0;
 
   static constexpr std::int32_t kLargest = 999'999'999;
-  /// Nothing where it is neither; what ends before it begins is read.
+  /// Read a span; nothing where the text is none. One that ends before it begins is read.
   static constexpr std::optional<Span> read(std::string_view text) {
     const auto dash = std::min(text.find('-'), text.size());
     const auto first = number(text.substr(0, dash));

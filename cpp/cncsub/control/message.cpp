@@ -1,4 +1,4 @@
-// The alarm as people read it.
+// Writes the alarm as people read it.
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -11,8 +11,8 @@ namespace cncsub {
 
 namespace {
 
-/// How many bytes of UTF-8 here are a character that a terminal obeys instead of showing it: a
-/// control character (U+0000 to U+001F, U+007F to U+009F) or one that turns the line's direction.
+/// Return how many bytes of UTF-8 here are a character that a terminal obeys instead of showing it:
+/// a control character (U+0000 to U+001F, U+007F to U+009F) or one that turns the line's direction.
 std::size_t obeyed(std::string_view text) {
   const auto byte = [&](std::size_t i) {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -46,7 +46,7 @@ std::string place(const std::string& program, std::int64_t n) {
 constexpr std::size_t kLongestLine = 160;  // characters of the source that are shown
 constexpr std::size_t kBefore = 80;        // of them before the word, where the line is longer
 
-/// The line with the word marked below it; of a long line the part around the word.
+/// Return the line with the word marked below it; of a long line the part around the word.
 std::string marked(const Alarm& alarm) {
   std::vector<std::string> characters;
   const std::string_view line = alarm.source_line;

@@ -78,7 +78,7 @@ struct GCode {
   bool operator==(const GCode&) const = default;
 };
 
-/// What a control may give another code: the words of the rule g_meanings.
+/// A meaning that a control may give to another code: the words of the rule g_meanings.
 struct MeaningWord {
   std::string_view word;
   Group group;
@@ -154,7 +154,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"unknown", Group::OneShot, Meaning::Unknown},
 };
 
-/// `68.2=neutral`
+/// An entry as `68.2=neutral`.
 struct MeaningEntry {
   using Entry = GCode;
   static constexpr std::size_t kMost = 128;
@@ -172,7 +172,7 @@ struct MeaningEntry {
   static std::string wrong(std::string_view text);
 };
 
-/// A group of G codes as it is called, and its number on mills and lathes.
+/// The name of a group of G codes, and its number on mills and lathes.
 struct GroupName {
   std::string_view name;
   Group group;
@@ -206,7 +206,7 @@ inline constexpr GroupName kGroupNames[] = {
     {"diameter", Group::Diameter, 0, 0},
 };
 
-/// `plane=2`
+/// An entry as `plane=2`.
 struct GroupEntry {
   struct Entry {
     Group group{};
@@ -231,7 +231,7 @@ struct GroupEntry {
   static std::string wrong(std::string_view text);
 };
 
-/// `C`, or `,C` with the comma in front of it.
+/// An entry as `C`, or `,C` with the comma in front of it.
 struct CornerEntry {
   struct Entry {
     bool comma = false;

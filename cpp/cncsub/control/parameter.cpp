@@ -28,7 +28,7 @@ std::optional<ParameterName> ParameterName::read(std::string_view text) {
 
 namespace {
 
-/// The parameter of this name; zeros in front of its number may be missing.
+/// Find the parameter of this name; zeros in front of its number may be missing.
 template <class Parameters>
 auto* find_parameter(Parameters& parameters, std::string_view name) {
   for (auto& p : parameters)
@@ -41,8 +41,8 @@ auto* find_parameter(Parameters& parameters, std::string_view name) {
 
 std::string written(double value) { return system::shortest(value); }
 
-/// The parameters that somebody who wrote `name` may have meant: the bits of the same number, or
-/// the three nearest numbers.
+/// Return the parameters that somebody who wrote `name` may have meant: the bits of the same
+/// number, or the three nearest numbers.
 std::string near_parameters(const std::vector<Parameter>& parameters, const ParameterName& name) {
   std::vector<std::pair<std::int64_t, std::string_view>> far;
   for (const Parameter& p : parameters)
@@ -65,7 +65,7 @@ double Control::parameter(std::string_view parameter_name) const {
 
 namespace {
 
-/// Whether a list of calling codes is kept in a parameter, or asks for it.
+/// Return whether a list of calling codes is kept in a parameter, or asks for it.
 bool is_of(const CodeCall& list, const Parameter& parameter) {
   if (parameter.name == list.enable || parameter.name == list.every_block) return true;
   const auto name = ParameterName::read(parameter.name);

@@ -37,8 +37,8 @@ struct Parameter {
   // NOLINTEND(readability-redundant-member-init)
 };
 
-/// What a parameter's name says: 6001#5 is number 6001, bit 5; without a bit it is -1. Nothing
-/// where it is no such name.
+/// The name of a parameter: 6001#5 is number 6001, bit 5; without a bit it is -1. `read` returns
+/// nothing where a text is no such name.
 struct ParameterName {
   std::int64_t number = 0;
   int bit = -1;
@@ -47,7 +47,7 @@ struct ParameterName {
   auto operator<=>(const ParameterName&) const = default;
 };
 
-/// Lets a parameter set its rules: `source` is that of every answer that changes.
+/// Let a parameter set its rules. `source` is that of every answer that changes.
 void apply(Control& control, const Parameter& parameter, const std::string& source,
            Evidence evidence);
 

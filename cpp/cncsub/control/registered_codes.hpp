@@ -12,9 +12,9 @@
 
 namespace cncsub {
 
-/// How a code calls a program.
+/// The ways in which a code calls a program.
 enum class CodeCallKind : std::uint8_t { Subprogram, Macro, Modal, ModalEveryBlock };
-/// As M98, G65, G66 and G66.1 do.
+/// The names of these kinds, which call as M98, G65, G66 and G66.1 do.
 inline constexpr std::string_view kCodeCallNames[] = {"call", "macro-call", "modal-call",
                                                       "modal-call-every-block"};
 
@@ -52,7 +52,7 @@ struct RegisteredEntry {
   static std::string wrong(std::string_view text);
 
  private:
-  /// Every S, T or B calls the same program.
+  /// Return whether every S, T or B calls the same program.
   static constexpr bool is_whole_letter(std::string_view text) {
     return text == "S" || text == "T" || text == "B";
   }

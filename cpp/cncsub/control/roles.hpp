@@ -16,7 +16,7 @@
 
 namespace cncsub {
 
-/// `None` is that of a code that is nothing to the order of blocks.
+/// What a code is to the order of blocks; `None`: nothing.
 enum class Role : std::uint8_t {
 #define ROLE(name, slug, example) name,
 #include "cncsub/control/roles.def"
@@ -24,9 +24,9 @@ enum class Role : std::uint8_t {
 };
 
 std::string_view to_string(Role role);
-/// The role of a slug, `None` where there is none.
+/// Return the role of a slug; `None` where there is none.
 Role role_of(std::string_view slug);
-/// The roles by their slugs, in order, without `None`.
+/// Return the roles by their slugs, in order, without `None`.
 std::vector<std::string_view> role_names();
 
 /// A G or an M code, ten times its number. A literal such as "G66.1" is checked when it is
@@ -42,7 +42,7 @@ struct CodeName {
     code ? void(*this = *code) : literal_is_wrong();
   }
 
-  /// M98 or G66.1; nothing where the text is none.
+  /// Read M98 or G66.1; nothing where the text is none.
   static constexpr std::optional<CodeName> read(std::string_view text) {
     if (text.empty() || (text[0] != 'G' && text[0] != 'M')) return std::nullopt;
     const std::optional<int> tenfold = read_code(text.substr(1));
@@ -74,12 +74,12 @@ class Roles {
     return m >= 0 && m < kCodes ? m_[static_cast<std::size_t>(m)] : Role::None;
   }
   Role of_g(int tenfold) const;
-  /// Gives a code a role; `None` takes it away.
+  /// Give a code a role; `None` takes it away.
   void set(CodeName code, Role role);
-  /// The first code of a role, where there is one.
+  /// Return the first code of a role, where there is one.
   std::optional<CodeName> code_of(Role role) const;
   bool has(Role role) const { return code_of(role).has_value(); }
-  /// By letter and number.
+  /// Return the codes that have a role, by letter and number.
   std::vector<Entry> entries() const;
   bool operator==(const Roles&) const = default;
 
@@ -90,10 +90,10 @@ class Roles {
   std::vector<Entry> g_;  // by code; they are few
 };
 
-/// Whether an M code without a role is one that calls, returns or jumps on other controls.
+/// Return whether an M code without a role is one that calls, returns or jumps on other controls.
 bool calls_elsewhere(const Roles& roles, int m);
 
-/// What a family has where a control's file says nothing.
+/// Return the roles that a family has where a control's file says nothing.
 Roles family_roles();
 
 }  // namespace cncsub

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kLongest = 200;  // an entry that is compared with the known ones
 
-/// How many letters have to be changed to make one text of the other.
+/// Return how many letters have to be changed to make one text of the other.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
@@ -57,7 +57,7 @@ std::string near_words(std::string_view word, std::vector<std::string_view> know
 
 namespace {
 
-/// The key of an entry, and what stands behind its equals sign.
+/// Return the key of an entry, and what stands after its equals sign.
 std::string_view key_of(std::string_view entry) { return entry.substr(0, entry.find('=')); }
 std::string_view value_of(std::string_view entry) {
   return entry.substr(std::min(entry.find('='), entry.size() - 1) + 1);
@@ -146,7 +146,7 @@ std::string RegisteredEntry::wrong(std::string_view text) {
 
 namespace {
 
-/// The same entry: of statements, whether or not it is known.
+/// Return whether two entries are the same: of statements, whether or not they are known.
 bool same_entry(std::string_view a, std::string_view b) {
   const auto bare = [](std::string_view text) {
     return text.ends_with('?') ? text.substr(0, text.size() - 1) : text;

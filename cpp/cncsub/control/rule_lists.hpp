@@ -1,4 +1,4 @@
-// Rules that are lists: what somebody changes in them, entry by entry.
+// Changes rules that are lists, entry by entry.
 #pragma once
 
 #include <functional>
@@ -13,17 +13,17 @@
 
 namespace cncsub {
 
-/// What is wrong with what somebody gave, or nothing.
+/// A message that says what is wrong with an entry, or nothing.
 using Wrong = std::optional<std::string>;
 using CheckEntry = std::function<Wrong(std::string_view)>;
 
-/// Changes a list as it is written. Each entry of the text is added, or replaces the one with the
+/// Change a list as it is written. Each entry of the text is added, or replaces the one with the
 /// same key (`68.2=neutral`); `-entry` takes one away; a `=` at the head gives the whole list anew.
-/// Returns what is wrong with an entry, and what is near it, or nothing.
+/// Return what is wrong with an entry, and what is near it, or nothing.
 Wrong change_list(std::string_view rule, std::string& list, std::string_view text,
                   const CheckEntry& check);
 
-/// The same for a list of a kind.
+/// Change a list of a kind in the same way.
 template <class Kind>
 Wrong change(std::string_view rule, List<Kind>& list, std::string_view text) {
   std::string written = list.text();
@@ -40,7 +40,7 @@ Wrong change(std::string_view rule, List<Kind>& list, std::string_view text) {
   return std::nullopt;
 }
 
-/// The same for a set of characters: the text is the whole set.
+/// Change a set of characters: the text is the whole set.
 template <class Kind>
 Wrong change(std::string_view rule, Characters<Kind>& set, std::string_view text) {
   if (text.starts_with('=')) text.remove_prefix(1);
@@ -53,15 +53,15 @@ Wrong change(std::string_view rule, Characters<Kind>& set, std::string_view text
   return std::nullopt;
 }
 
-/// The entries of a list.
+/// Return the entries of a list.
 std::vector<std::string_view> split_entries(std::string_view text);
-/// `; near are ...`: the three known words that are most like this one.
+/// Return `; near are ...`: the three known words that are most like this one.
 std::string near_words(std::string_view word, std::vector<std::string_view> known);
-/// Nothing where the word is a known one, else `foo is no such thing; near are ...`.
+/// Return nothing where the word is a known one, else `foo is no such thing; near are ...`.
 Wrong one_of(std::string_view what, std::string_view word,
              const std::vector<std::string_view>& known);
 
-// What the entries of these rules have to be, and what is near.
+// Return what is wrong with an entry of these rules, and what is near.
 Wrong check_code(std::string_view entry);
 Wrong check_role(std::string_view entry);
 

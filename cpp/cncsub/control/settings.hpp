@@ -1,4 +1,4 @@
-// What parameters set, as data: `bit(rule::no_radius, NoRadius::Line, NoRadius::Alarm)`.
+// The settings of parameters, as data: `bit(rule::no_radius, NoRadius::Line, NoRadius::Alarm)`.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace cncsub {
 
-/// A rule of any control: what it is called, and where it stands.
+/// A rule of any control: its name, and where it stands.
 template <class T>
 struct RuleOf {
   const char* name;
@@ -23,7 +23,7 @@ namespace rule {
 #include "cncsub/control/rules.def"
 }  // namespace rule
 
-/// One answer while the parameter is 0, another while it is not.
+/// Set one answer while the parameter is 0, another while it is not.
 template <class T>
 Setting bit(RuleOf<T> rule, const std::type_identity_t<T>& zero,
             const std::type_identity_t<T>& one) {
@@ -31,7 +31,7 @@ Setting bit(RuleOf<T> rule, const std::type_identity_t<T>& zero,
 }
 inline Setting bit(RuleOf<bool> rule) { return bit(rule, false, true); }
 
-/// The entry is in the set while the parameter is not 0, or while it is.
+/// Keep the entry in the set while the parameter is not 0, or while it is.
 template <class E, std::size_t Most>
 Setting entry(RuleOf<Set<E, Most>> rule, std::type_identity_t<E> entry,
               bool while_not_zero = true) {
@@ -43,19 +43,19 @@ Setting entry_while_zero(RuleOf<Set<E, Most>> rule, std::type_identity_t<E> left
   return entry(rule, left_out, false);
 }
 
-/// The number as it is.
+/// Set the rule to the number as it is.
 Setting number(RuleOf<int> rule);
-/// The number as it is; a 0 stands for this one.
+/// Set the rule to the number as it is; a 0 stands for this one.
 Setting number(RuleOf<int> rule, int for_zero);
-/// Millimetres, of which the rule holds thousandths.
+/// Set the rule, which holds thousandths, from millimetres.
 Setting micrometres(RuleOf<int> rule);
-/// The same; a 0 leaves what the engine takes by itself.
+/// Set it in the same way; a 0 leaves what the engine takes by itself.
 Setting micrometres_unless_zero(RuleOf<int> rule);
 
-/// The number is that of the M code with this role; a 0 stands for `usual`.
+/// Take the number as that of the M code with this role; a 0 stands for `usual`.
 Setting code_of(Role role, int usual);
 
-/// Of several parameters that set one rule the first counts that is not 0.
+/// Set a rule from several parameters: the first one counts that is not 0.
 template <class T>
 Setting first_of(RuleOf<T> rule, const std::vector<std::pair<std::string, T>>& parameters,
                  std::type_identity_t<T> otherwise) {
@@ -69,7 +69,7 @@ Setting first_of(RuleOf<T> rule, const std::vector<std::pair<std::string, T>>& p
           }};
 }
 
-/// The engine reads the number itself where the rule says so.
+/// Mark a parameter whose number the engine reads itself where the rule says so.
 template <class T>
 Parameter read_by(RuleOf<T> rule, Parameter parameter) {
   parameter.read_by = rule.name;

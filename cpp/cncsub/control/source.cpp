@@ -23,14 +23,14 @@ std::string_view to_string(Evidence evidence) {
 
 namespace {
 
-/// Whether a word begins at this place.
+/// Return whether a word begins at this place.
 bool begins(std::string_view text, std::size_t place) {
   const char before = place == 0 ? ' ' : text[place - 1];
   return !is_digit(before) && !is_letter(before) && before != '-';
 }
 
-/// Whether a key stands at this beginning of a word, as a word of its own. A number of the chapter
-/// or of the alarm may follow at once: TA27.
+/// Return whether a key stands at this beginning of a word, as a word of its own. A number of the
+/// chapter or of the alarm may follow at once: TA27.
 bool stands_at(std::string_view text, std::size_t place, std::string_view key) {
   if (text.substr(place, key.size()) != key) return false;
   const std::size_t end = place + key.size();
@@ -50,7 +50,7 @@ bool has_word(std::string_view list, std::string_view word) {
 
 using Sources = std::array<std::vector<const Source*>, 256>;
 
-/// The sources by the first character of their keys.
+/// Return the sources by the first character of their keys.
 const Sources& sources_by_first() {
   static const Sources sources = [] {
     Sources all;

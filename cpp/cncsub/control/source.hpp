@@ -1,4 +1,4 @@
-// Where facts come from, and how far a source may be trusted on a control.
+// The sources of facts, and how far each may be trusted on a control.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace cncsub {
 
-/// The strongest first.
+/// How far a fact may be trusted, the strongest first.
 enum class Evidence : std::uint8_t { SourceDocument, Manual, Secondary, Inferred };
 std::string_view to_string(Evidence evidence);
 
@@ -19,19 +19,19 @@ struct Source {
   std::string_view about;    // the controls whose own it is, separated by blanks
   Evidence evidence;         // how strong it is on these
 
-  /// The strongest evidence that it can be on a control: another control's manual or document is
-  /// secondary.
+  /// Return the strongest evidence that the source can be on a control. Another control's manual or
+  /// document is secondary.
   Evidence on(std::string_view control) const;
 };
 
-/// Every source, in the order of cpp/controls/sources.def.
+/// Return every source, in the order of cpp/controls/sources.def.
 const std::vector<Source>& all_sources();
 
-/// The sources that a text cites by their keys, each once: `TA27, note 3; Talm 212`.
+/// Return the sources that a text cites by their keys, each once: `TA27, note 3; Talm 212`.
 std::vector<const Source*> cited(std::string_view text);
 
-/// The strongest evidence that a fact with this source may carry on a control; inferred where the
-/// text cites nothing.
+/// Return the strongest evidence that a fact with this source may carry on a control; inferred
+/// where the text cites nothing.
 Evidence strongest(std::string_view text, std::string_view control);
 
 }  // namespace cncsub

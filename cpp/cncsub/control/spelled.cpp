@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kUsualEnd = 30;
 
-/// The codes of a role, in the order of their numbers.
+/// Return the codes of a role, in the order of their numbers.
 std::vector<std::string> codes_of(const Control& control, Role role) {
   std::vector<std::string> codes;
   for (const Roles::Entry& entry : control.calls.roles.value.entries())
@@ -39,7 +39,7 @@ std::string ends_and_returns(const Control& control) {
   return either(all);
 }
 
-/// Whether a program can ask for a vacant value by #0.
+/// Return whether a program can ask for a vacant value by #0.
 bool has_vacant(const Control& control) {
   const auto& ranges = control.variables;
   return std::any_of(ranges.begin(), ranges.end(),

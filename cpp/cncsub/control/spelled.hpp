@@ -14,7 +14,7 @@ namespace cncsub {
 /// has none.
 std::string spelled(std::string_view text, const Control& control);
 
-/// The code that ends a subprogram; empty where the control has none.
+/// Return the code that ends a subprogram; empty where the control has none.
 std::string return_code(const Control& control);
 
 }  // namespace cncsub

@@ -19,7 +19,8 @@ const VariableOption* option_named(const Control& control, std::string_view name
   return nullptr;
 }
 
-/// Why numbers cannot be commons: they are something else on this control, or with an option of it.
+/// Return why numbers cannot be commons: they are something else on this control, or with an
+/// option.
 std::optional<std::string> taken(const Control& control, const Span& span) {
   const auto is = [&span](const VariableRange& range, const std::string& what) {
     const std::int32_t first = std::max(span.first, range.first);
@@ -53,7 +54,7 @@ std::optional<std::string> wrong_entry(const Control& control, std::string_view 
   return taken(control, *span);
 }
 
-/// By number; where options name the same ones, each once.
+/// Join spans by number; where options name the same ones, each stands once.
 Spans joined(Spans spans) {
   std::sort(spans.begin(), spans.end(),
             [](const Span& a, const Span& b) { return a.first < b.first; });
@@ -83,7 +84,7 @@ std::optional<std::string> too_many(const Spans& spans) {
          std::to_string(kMostCommons);
 }
 
-/// The control writes the position of a skip into commons; they have to be there.
+/// Return which common is missing of those that the control writes the position of a skip into.
 std::optional<std::string> lacking(const Control& control, const Spans& spans) {
   const int first = control.motion.skip_variables.value;
   if (first <= 0 || spans.empty()) return std::nullopt;
@@ -171,7 +172,7 @@ bool is_alias(const VariableRange& range) {
 
 namespace {
 
-/// Of names of commons those whose commons the control has.
+/// Add the names of commons whose commons the control has.
 void add_alias(std::vector<VariableRange>& ranges, const VariableRange& alias,
                const Spans& commons) {
   for (const Span& span : commons) {

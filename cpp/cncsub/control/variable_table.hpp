@@ -11,33 +11,33 @@
 
 namespace cncsub {
 
-/// How many commons a control may be given: a run holds each of them.
+/// The most commons that a control may be given: a run holds each of them.
 inline constexpr std::int64_t kMostCommons = 100'000;
 /// The first common that is kept at power-off.
 inline constexpr std::int32_t kFirstKept = 500;
 
-/// Gives the rule `commons` anew. The text names ranges (`100-199`), single numbers, and options,
-/// each with all commons of a control that has it. Returns what is wrong with an entry, or nothing.
+/// Set the rule `commons` anew. The text names ranges (`100-199`), single numbers, and options,
+/// each with all commons of a control that has it. Return what is wrong with an entry, or nothing.
 std::optional<std::string> change_commons(const Control& control, Ranges& list,
                                           std::string_view text);
 
-/// Changes the rule `variable_options`, entry by entry as other lists.
+/// Change the rule `variable_options`, entry by entry as other lists.
 std::optional<std::string> change_variable_options(const Control& control, VariableOptions& list,
                                                    std::string_view text);
 
-/// Whether the control has all that the option brings.
+/// Return whether the control has all that the option brings.
 bool is_fitted(const Control& control, const VariableOption& option);
 
-/// What the option brings, as the rule `commons` is written.
+/// Return what the option brings, as the rule `commons` is written.
 std::string numbers_of(const VariableOption& option);
 
-/// Whether these are other names of commons.
+/// Return whether these are other names of commons.
 bool is_alias(const VariableRange& range);
 
-/// Every range that the control has, by number.
+/// Return every range that the control has, by number.
 std::vector<VariableRange> variable_ranges(const Control& control);
 
-/// `there is no #900000`, and the option that would bring it.
+/// Return `there is no #900000`, and the option that would bring it.
 std::string no_variable(const Control& control, std::int64_t number);
 
 }  // namespace cncsub

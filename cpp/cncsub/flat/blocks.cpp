@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kCommaLetters = "CRAD";
 
-/// What the address of a written word is in a mask; -1 where it is none of one letter.
+/// Return the place of a written word's address in a mask; -1 where it is none of one letter.
 int place_of(std::string_view address, const Spelling& spelling) {
   if (address == spelling.radius) return 'R' - 'A';
   const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
@@ -26,7 +26,7 @@ int place_of(std::string_view address, const Spelling& spelling) {
   return letter >= 'A' && letter <= 'Z' ? letter - 'A' : -1;
 }
 
-/// Parts end with a blank that the end of a line loses.
+/// Remove the blank that a part ends with, at the end of a line.
 void end_line(std::string& to) {
   if (!to.empty() && to.back() == ' ') to.pop_back();
 }
@@ -54,7 +54,7 @@ class BlockWriter::Maker {
   void take(const WrittenWord& word);
   void take_rest();
   const std::string& failed() const { return failed_; }
-  /// The part that says which word cannot be written.
+  /// Return the part that says which word cannot be written.
   Part unwritten() const { return {Part::Kind::Unwritten, failed_[0], 0, 0}; }
 
  private:
@@ -63,7 +63,7 @@ class BlockWriter::Maker {
     const auto before = static_cast<std::uint32_t>(block_.mask & ((1u << place) - 1));
     return cells_[std::popcount(before)].value;
   }
-  /// Whether an M code is the end of the block's program.
+  /// Return whether an M code is the end of the block's program.
   bool ends(int m) const {
     return block_.op == Op::EndProgram && to_.code_.control->calls.roles.value.of_m(m) == Role::End;
   }
@@ -83,7 +83,8 @@ class BlockWriter::Maker {
   std::string failed_;
 };
 
-/// A code that calls where it stands as a number was executed as a word: it stands in brackets.
+/// Add the text of a word. A code that calls where it stands as a number was executed as a word: it
+/// is written in brackets.
 void BlockWriter::Maker::text(char letter, const WrittenWord& word) {
   if (!to_.words_.calls(letter, word.value)) return to_.add_text(word.text);
   std::string written;
@@ -142,7 +143,7 @@ void BlockWriter::Maker::take(const WrittenWord& word) {
     take_value(place, word);
 }
 
-/// What the text does not spell.
+/// Add what the text does not spell.
 void BlockWriter::Maker::take_rest() {
   for (std::size_t i = 0; i < codes_.g_count; ++i)
     if (std::string text; (g_taken_ >> i & 1) == 0) {
@@ -173,7 +174,7 @@ void BlockWriter::Maker::take_rest() {
 BlockWriter::BlockWriter(const Machine& machine)
     : code_(machine.code()), words_(machine), lines_(code_.blocks.size()) {}
 
-/// Behind a text it becomes one with it.
+/// Add a text; one after another text becomes one with it.
 void BlockWriter::add_text(std::string_view text) {
   Part* last = parts_.empty() ? nullptr : &parts_.back();
   const bool joins = last != nullptr && last->kind == Part::Kind::Text && last->size != 0 &&

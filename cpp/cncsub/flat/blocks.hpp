@@ -1,6 +1,5 @@
-// The words of blocks, written anew. What a block executes is told by its code; how a number is
-// spelled (`X10.0`, `T0101`, `M08`) and in which order words stand is taken from its text where
-// that says the same.
+// Writes the words of blocks anew. The code says what a block executes. The text says how a number
+// is spelled (`X10.0`, `T0101`, `M08`) and in which order words stand, where it says the same.
 #pragma once
 
 #include <array>
@@ -18,10 +17,10 @@ class BlockWriter {
  public:
   explicit BlockWriter(const Machine& machine);
 
-  /// Writes the words of a block, with `values` (or null) where they are computed. False where one
-  /// of them cannot be written: then `failed` is that word.
+  /// Write the words of a block, with `values` (or null) where they are computed. Return false
+  /// where one of them cannot be written: then `failed` is that word.
   bool write(std::string& to, const Block& block, std::int32_t program, const NcWords* values);
-  /// The same of a cycle whose P and Q become the numbers of a profile's first and last block.
+  /// Write a cycle so that its P and Q become the numbers of a profile's first and last block.
   bool write_cycle(std::string& to, const Block& block, std::int32_t program, const NcWords* values,
                    const std::array<std::int64_t, 2>& profile);
   const std::string& failed() const { return failed_; }

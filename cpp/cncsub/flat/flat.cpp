@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::size_t kPiece = 1 << 20;  // bytes of a piece of text
 
-/// What is assigned to a variable.
+/// Return the text of a value that is assigned to a variable.
 std::string value_text(const Code& code, double value) {
   return is_vacant(value) ? "#0" : expression_text(value, code);
 }
 
-/// Whether what stands in a variable is seen from outside the program.
+/// Return whether the value of a variable is seen from outside the program.
 bool has_effect(const Code& code, std::int64_t number) {
   const VariablePlace place = code.place(number);
   switch (place.kind) {
@@ -37,7 +37,7 @@ bool has_effect(const Code& code, std::int64_t number) {
   }
 }
 
-/// Whether a modal call takes the words of the block that comes next.
+/// Return whether a modal call takes the words of the block that comes next.
 bool takes_words(const State& s) {
   return !s.modals.empty() && s.modals.back().every_block && s.frames.back().modal < 0;
 }
@@ -46,16 +46,16 @@ bool is_user_alarm(const Code& code, std::int64_t number) {
   return code.place(number).kind == VariableKind::UserAlarm;
 }
 
-/// Whether a comment may hold a character on every control: no bracket, quote or line that ends it
-/// or begins another, no % that ends a tape, no comma that makes an order of it.
+/// Return whether a comment may hold a character on every control. It is no bracket, quote or line
+/// end, which end it or begin another, no % that ends a tape, no comma that makes an order of it.
 bool stands_in_comments(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return byte >= 0x80 || is_letter(c) || is_digit(c) ||
          std::string_view(" _-+.#").find(c) != std::string_view::npos;
 }
 
-/// Where a block comes from, as a comment behind it. Of the program's name what could end the
-/// comment is written as _.
+/// Return a comment that says where a block comes from. A character of the program's name that
+/// could end the comment is written as _.
 std::string comment_of(const Code& code, const Block& block, std::int32_t program,
                        const Spelling::Around& around) {
   std::string text = " ";
@@ -67,14 +67,14 @@ std::string comment_of(const Code& code, const Block& block, std::int32_t progra
   return text;
 }
 
-/// Words that are all vacant are none, but their block counts as one without a move.
+/// Return what is written for words that are all vacant: their block counts as one without a move.
 std::string idle_words(const MotionState& state, const Block& block) {
   const int code = state.modal[at(Group::Distance)].code;
   return block.mask != 0 && compensating(state) && code >= 0 ? code_name(code) : "";
 }
 
-/// What starts the program over or, where that ends it, ends it; empty where another control has
-/// nothing that does.
+/// Return the code that starts the program over or, where that ends it, ends it; empty where
+/// another control has none.
 std::string return_of(const Machine& machine, const OtherWriter* other) {
   const CallRules& calls = (other != nullptr ? other->machine() : machine).code().control->calls;
   const bool ends = machine.stop() == Stop::End;
@@ -147,7 +147,7 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
   return true;
 }
 
-/// The name of the program as it is written, with what a control puts around it: <NAME>,
+/// Write the name of the program as it is written, with what a control puts around it: <NAME>,
 /// %_N_NAME_MPF.
 void FlatRun::write_head(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
@@ -177,7 +177,7 @@ void FlatRun::write_head(std::string& text, FlatOrigins& origins) {
   text += '\n';
 }
 
-/// Whether the piece is full, or the run cannot be written.
+/// Write the last block; return whether the piece is full, or the run cannot be written.
 bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   write_done(text, origins);
   const State& s = machine_.state();
@@ -191,7 +191,7 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   return refusal_ || text.size() >= kPiece;
 }
 
-/// What the last block did, if it is a step.
+/// Write what the last block did, if it is a step.
 void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
   if (coming_.executed < 0 || machine_.state().executed == coming_.executed) return;
   coming_.executed = -1;
@@ -204,7 +204,7 @@ void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
     write_block(text, origins);
 }
 
-/// The run has stopped.
+/// Write the end, after the run has stopped.
 void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
   const bool cycles = machine_.stop() == Stop::Cycles;
   const bool returns = cycles || (machine_.stop() == Stop::End && observer_.returned);
@@ -225,14 +225,14 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
 
 // ---- lines ----
 
-/// Where the last block comes from, where that is asked for.
+/// Return where the last block comes from, where that is asked for.
 std::string FlatRun::origin() {
   if (!comments_) return "";
   const Block& block = machine_.code().blocks[coming_.at];
   return comment_of(machine_.code(), block, program_at(coming_.at), for_->spelling->comment);
 }
 
-/// Ends a line that comes from the last block. `has_origin`: the line says so already.
+/// End a line that comes from the last block. `has_origin`: the line says so already.
 void FlatRun::end_line(std::string& text, FlatOrigins& origins, bool has_origin) {
   if (!has_origin) text += origin();
   const Block& block = machine_.code().blocks[coming_.at];
@@ -243,7 +243,7 @@ void FlatRun::end_line(std::string& text, FlatOrigins& origins, bool has_origin)
 
 namespace {
 
-/// Whether modes are kept or taken back in by an M code.
+/// Return whether an M code saves or restores modes.
 bool keeps_modes(const BlockCodes& codes) {
   return codes.has(Role::SaveModes) || codes.has(Role::ForgetModes) ||
          codes.has(Role::RestoreModes) || codes.has(Role::KeepModes);
@@ -301,7 +301,7 @@ bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Blo
 
 // ---- what is assigned and said ----
 
-/// G65 H99.
+/// Write the alarm of G65 H99.
 void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
   if (observer_.raised == nullptr) return;
   const HCode& h = *observer_.raised;
@@ -332,7 +332,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   return true;
 }
 
-/// The fields of DPRNT: their values stand in locals, for it prints no numbers.
+/// Write the fields of DPRNT. Their values go to locals, for it prints no numbers.
 bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string& statement) {
   const Code& code = machine_.code();
   std::size_t printed = 0;

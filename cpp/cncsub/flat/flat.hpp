@@ -1,4 +1,4 @@
-// What a run executes, written as one program without calls, jumps and loops: in pieces, while it
+// Writes what a run executes as one program without calls, jumps and loops: in pieces, while it
 // runs, so that neither the text nor the run has to be kept.
 #pragma once
 
@@ -42,35 +42,35 @@ struct FlatRefusal {
   Address at = kNowhere;
 };
 
-/// What the codes of the block mean that a machine executed last, and of which `heard` was kept.
+/// Return what the codes of a block mean that `machine` executed last and `observer` kept.
 const BlockCodes& codes_of(const Machine& machine, const Observer& observer, const Block& block);
 
 class FlatRun {
  public:
-  /// `at_its_head`: a machine that has executed nothing. `comments`: behind each block where it
-  /// comes from. `other`: one of another control, in whose words the program is written; null
-  /// where the program's own words stay.
+  /// `at_its_head`: a machine that has executed nothing. `comments`: each block says in a comment
+  /// where it comes from. `other`: a machine of another control, in whose words the program is
+  /// written; null where the program's own words stay.
   FlatRun(const Machine& at_its_head, bool comments, const Machine* other = nullptr);
   FlatRun(const FlatRun&) = delete;
   FlatRun& operator=(const FlatRun&) = delete;
 
-  /// Runs on and writes the next piece over `text` and `origins`, about a megabyte. False where
-  /// nothing more comes: the run has stopped, or `refusal` says why the text ends here. Whoever
-  /// `interrupted` finds the machine stopped so.
+  /// Run on and write the next piece over `text` and `origins`, about a megabyte. Return false
+  /// where nothing more comes: the run has stopped, or `refusal` says why the text ends here. Where
+  /// `interrupted` stops the run, the machine says so.
   bool next(const std::function<bool()>& interrupted, std::string& text, FlatOrigins& origins);
 
   const Machine& machine() const { return machine_; }
   const std::optional<FlatRefusal>& refusal() const { return refusal_; }
-  /// Whether the run has come to an end that the text has too.
+  /// Return whether the run has come to an end that the text has too.
   bool ends() const;
 
  private:
-  /// Of the block that is about to be executed.
+  /// The block that is about to be executed.
   struct Coming {
     Address at = kNowhere;
     std::int64_t executed = -1;
     std::int32_t call = -1, repeat = 1;
-    bool plain = false;  // a plain move of which nothing is heard
+    bool plain = false;  // a plain move, which is not observed
   };
 
   /// The blocks of a profile.
@@ -106,7 +106,7 @@ class FlatRun {
   Machine machine_;
   BlockWriter blocks_;
   std::optional<OtherWriter> other_;
-  const Code* for_;  // what the control that the text is for has and how it writes
+  const Code* for_;  // the control that the text is for: what it has and how it writes
   Observer observer_;
   bool comments_;
   Coming coming_;
@@ -114,10 +114,10 @@ class FlatRun {
   bool over_ = false, begun_ = false;
   bool starts_over_ = false;          // the last block starts the program over by a code of its own
   std::int32_t program_ = 0;          // of the last block
-  std::int64_t last_n_ = 0;           // that was given to a block of a profile
+  std::int64_t last_n_ = 0;           // the last number that was given to a block of a profile
   std::vector<std::string> profile_;  // the lines of the profile that the last block follows
   std::map<std::vector<std::string>, std::array<std::int64_t, 2>> profiles_;
-  std::vector<Late> late_;  // profiles that stand behind the end of the program
+  std::vector<Late> late_;  // profiles that stand after the end of the program
   bool taped_ = false;      // the text stands between two %
   std::optional<FlatRefusal> refusal_;
 };

@@ -24,7 +24,7 @@ constexpr std::size_t kLeastDecimals = 3;  // that every number counts as having
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
-/// The letter whose rules hold for an address. A radius and an angle are written as X and Y are.
+/// Return the letter whose rules hold for an address. A radius and an angle are written as X and Y.
 char letter_of(int place) {
   if (place >= kRadius) return place == kRadius ? 'X' : 'Y';
   return place >= kCommaC ? kCommaLetters[static_cast<std::size_t>(place - kCommaC)]
@@ -97,7 +97,7 @@ void WordWriter::begin(const BlockCodes& codes) {
   cycle_ = !one_shot && !lathe_ && in_cycle(state);
 }
 
-/// A computed value as the control rounds it; false where that is not sure.
+/// Round a computed value as the control does; return false where that is not sure.
 bool WordWriter::round(int place, double& value) const {
   const char letter = letter_of(place);
   const MotionView view = machine_.motion().view();
@@ -111,7 +111,7 @@ bool WordWriter::round(int place, double& value) const {
   return true;
 }
 
-/// Whether the control surely rounds a computed value here to its least increment.
+/// Return whether the control surely rounds a computed value here to its least increment.
 bool WordWriter::rounds(char letter) const {
   if (!plain_ || !rounds_) return false;
   if (is_in(kAlwaysLengths, letter)) return true;
@@ -120,7 +120,7 @@ bool WordWriter::rounds(char letter) const {
   return (arc_ && is_in("IJK", letter)) || (cycle_ && letter == 'Q');
 }
 
-/// Whether a plain number counts increments where a computed one counts units.
+/// Return whether a plain number counts increments where a computed one counts units.
 bool WordWriter::counts_increments(char letter, double value) const {
   if (!lathe_ || value != std::floor(value)) return false;
   if (letter == 'H') return increments_;
@@ -142,12 +142,13 @@ std::string WordWriter::address_of(int place) const {
   return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
 }
 
-/// Whether the number is written with a point. One without counts increments where lengths do.
+/// Return whether the number is written with a point. Without, it counts increments where lengths
+/// do.
 bool WordWriter::points(char letter, const NumberText& text) const {
   return text.decimals() > 0 || !is_in(kWithoutPoint, letter);
 }
 
-/// Whether the control takes the plain number, and for this value.
+/// Return whether the control takes the plain number, and for this value.
 bool WordWriter::takes(char letter, bool comma, double value, const NumberText& text,
                        bool rounded) const {
   if (value < 0 && !control_.reading.minus_addresses.value.has(letter)) return false;

@@ -1,4 +1,4 @@
-// Values written so that the control reads them back as the same.
+// Writes values so that the control reads them back as the same.
 #pragma once
 
 #include <cstddef>
@@ -27,10 +27,10 @@ class NumberText {
   std::size_t end_of_whole_ = 0, whole_ = 0;
 };
 
-/// A value in an expression, where a number has so many digits at most: what has more is a sum,
-/// `1.6666666+0.0000000666`.
+/// Return a value as an expression has it, where a number has so many digits at most: a value with
+/// more is a sum, `1.6666666+0.0000000666`.
 std::string expression_text(double value, int most_digits);
-/// The same by the rule of a control or its language.
+/// Return the same by the rule of a control or its language.
 std::string expression_text(double value, const Code& code);
 
 /// Writes words by the rules of a control. A value is written as a plain number where the control
@@ -39,20 +39,20 @@ std::string expression_text(double value, const Code& code);
 class WordWriter {
  public:
   explicit WordWriter(const Machine& machine) : WordWriter(machine, machine) {}
-  /// By the rules of the control of `to`, the words of a run of `machine`.
+  /// Write the words of a run of `machine` by the rules of the control of `to`.
   WordWriter(const Machine& machine, const Machine& to);
 
-  /// The words are those of a block with these codes, which has been executed.
+  /// Begin the words of a block with these codes, which has been executed.
   void begin(const BlockCodes& codes);
-  /// Writes a computed word, `place` as in a mask; false where the control has no way to write it.
+  /// Write a computed word, `place` as in a mask; return false where the control cannot write it.
   bool computed(std::string& to, int place, double value) const;
-  /// One that was written as a number, with a point or, `whole`, without.
+  /// Write a word that was written as a number, with a point or, `whole`, without.
   bool constant(std::string& to, int place, double value, bool whole) const;
-  /// A code that was computed, of which one that calls or ends would do so now: not in brackets.
+  /// Write a computed code: in brackets where it would call or end as a plain number.
   bool code(std::string& to, char letter, int tenfold) const;
-  /// Whether a code calls a program where it is written as a number.
+  /// Return whether a code calls a program where it is written as a number.
   bool calls(char letter, double code) const;
-  /// The same in brackets in any case.
+  /// Write a value in brackets in any case.
   bool bracketed(std::string& to, std::string_view address, double value) const;
 
  private:

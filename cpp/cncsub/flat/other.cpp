@@ -28,20 +28,20 @@ bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
 
-/// Whether the code calls, returns or ends: what becomes of such a code is the run's.
+/// Return whether the code calls, returns or ends: the run decides what becomes of such a code.
 bool is_own(Role role) {
   return role != Role::None && role < Role::SpindleForward && role != Role::Stop &&
          role != Role::OptionalStop && role != Role::End;
 }
 
-/// Whether P of G04 counts seconds there.
+/// Return whether P of G04 counts seconds on a control.
 bool counts_seconds(const Control& control) {
   return control.motion.dwell_unit.value == DwellUnit::PSeconds ||
          control.motion.dwell_point.value == DwellPoint::Seconds ||
          control.motion.dwell_point.value == DwellPoint::CyclesToo;
 }
 
-/// Ten times the G code of a plain move, which no list holds; -1 where the block has none.
+/// Return ten times the G code of a plain move, which no list holds; -1 where the block has none.
 int path_code(const Block& block) {
   const bool line = block.op == Op::Linear;
   if ((!line && block.op != Op::Arc) || (block.flags & Block::kNoG) != 0) return -1;
@@ -67,7 +67,7 @@ NcWords constant_words(const Machine& machine, const Block& block) {
 
 namespace {
 
-/// The number of a program there: that of its name, 1 where the name has none, or none that the
+/// Return the number of a program there: that of its name, or 1 where the name has none that the
 /// control takes.
 std::string number_there(const std::string& number, const Control& control) {
   constexpr std::size_t kMostDigits = 9;
@@ -110,7 +110,7 @@ std::string OtherWriter::head(const std::string& name) const {
     std::string written(around.before);
     for (const char c : letters ? name : "PROG" + number) {
       if ((static_cast<unsigned char>(c) & 0xc0) == 0x80) continue;  // inside a character
-      // What no name holds, blanks, points and letters of other scripts, is written as _.
+      // A name holds no blanks, points and letters of other scripts: they are written as _.
       written += is_letter(c) || is_digit(c) ? c : '_';
     }
     return written + std::string(around.behind) + "\n";
@@ -121,8 +121,8 @@ std::string OtherWriter::head(const std::string& name) const {
 
 // ---- codes ----
 
-/// The code there of what a code means here; -1 where there is none. `idle`: nothing else can be in
-/// force there.
+/// Return the code there of what a code means here; -1 where there is none. `idle`: nothing else
+/// can be in force there.
 int OtherWriter::code_of(const GCode& own, bool& idle) const {
   const MotionFacts& facts = facts_of(to_);
   const auto same = [&own](const GCode& there) {
@@ -185,14 +185,14 @@ bool OtherWriter::put_codes(std::string& to, std::span<const int> codes, bool le
   return true;
 }
 
-/// Whether a block says G01 without an axis while no feed is in force, and the control refuses
-/// that: it gets the code in the block that moves by it.
+/// Return whether a block says G01 without an axis while no feed is in force, and the control
+/// refuses that. The block that moves by the code then gets it.
 bool OtherWriter::leaves_line(const NcWords& words) const {
   return bare_line_needs_feed(to_) && words.codes->meaning(Group::Motion) == Meaning::Line &&
          (words.mask & kAxisWords) == 0 && from_.motion().state().feed == 0;
 }
 
-/// Whether a block moves by the motion code in force and says none.
+/// Return whether a block moves by the motion code in force and writes none.
 bool OtherWriter::moves_by_line(const NcWords& words) const {
   constexpr std::uint32_t kOthers = bit(Group::Motion) | bit(Group::Cycle) | bit(Group::OneShot);
   return (words.mask & kAxisWords) != 0 && (words.codes->groups & kOthers) == 0 &&
@@ -234,7 +234,7 @@ std::string OtherWriter::end() const {
 
 // ---- values ----
 
-/// Whether the words of a block are those of a drilling cycle, and of no other code.
+/// Return whether the words of a block are those of a drilling cycle, and of no other code.
 bool OtherWriter::drills(const NcWords& words) const {
   constexpr std::uint32_t kBeside = bit(Group::Motion) | bit(Group::Plane) | bit(Group::Distance) |
                                     bit(Group::Return) | bit(Group::Feed) | bit(Group::Cycle);
@@ -248,7 +248,7 @@ void OtherWriter::put_repeats(std::string& to, char letter, double count) const 
   to += ' ';
 }
 
-/// What a word says in units of the program.
+/// Return the value of a word in units of the program.
 double OtherWriter::value_of(const NcWords& words, int place) const {
   const double value = words.value[static_cast<std::size_t>(place)];
   if (place >= kCommaC) return value;
@@ -297,7 +297,7 @@ bool OtherWriter::put_dwell(std::string& to, double seconds) {
   return true;
 }
 
-/// The dwell of a drilling cycle, which has one letter and may take no point.
+/// Write the dwell of a drilling cycle, which has one letter and may take no point.
 bool OtherWriter::put_hole_dwell(std::string& to, double seconds) {
   const MotionRules& rules = control_of(to_).motion;
   if (rules.dwell_unit.value == DwellUnit::PSeconds) return put_word(to, 'P' - 'A', seconds);
@@ -313,7 +313,7 @@ bool OtherWriter::put_letter(std::string& to, const NcWords& words, char letter)
       put_repeats(to, letter, words[letter]);
       return true;
     }
-    // What repeats nothing here may do so there, or be refused.
+    // A word that repeats nothing here may do so there, or be refused.
     if (letter == 'K' || letter == 'L') return true;
     if (letter == 'P') return put_hole_dwell(to, dwell_in_hole(from_.motion().view(), words));
   }

@@ -1,5 +1,5 @@
-// Blocks of a program written for another control: by what its own codes mean, in the numbers that
-// it takes, between the words that begin and end a program there.
+// Writes blocks for another control: by what the codes of the program mean, in the numbers that the
+// control takes, between the words that begin and end a program there.
 #pragma once
 
 #include <array>
@@ -18,16 +18,16 @@ class OtherWriter {
   /// are to outlive this.
   OtherWriter(const Machine& from, const Machine& to);
 
-  /// Why no program of the one can be one of the other; empty where nothing speaks against it.
+  /// Return why no program of the one can be one of the other; empty where it can.
   std::string refusal() const;
-  /// What heads the program of a name: with its line feed, or nothing.
+  /// Return the head of a program of a name, with its line feed; empty where it has none.
   std::string head(const std::string& name) const;
-  /// Blocks that switch on what is in force at power-on here, and not there.
+  /// Return the blocks that switch on what is in force at power-on here, and not there.
   std::string modes();
-  /// Writes the words of a block that has been executed. False where they cannot be written: then
-  /// `refused` says why.
+  /// Write the words of a block that has been executed. Return false where they cannot be written:
+  /// then `refused` says why.
   bool write(std::string& to, const Block& block, const NcWords& words);
-  /// What ends a program; empty where the control has no such code.
+  /// Return what ends a program; empty where the control has no such code.
   std::string end() const;
   const std::string& refused() const { return refused_; }
   const Machine& machine() const { return to_; }
@@ -40,7 +40,7 @@ class OtherWriter {
   bool moves_by_line(const NcWords& words) const;
   bool put_values(std::string& to, const NcWords& words);
   bool put_m(std::string& to, const NcWords& words, bool ends);
-  /// The address of a word here, for people.
+  /// Return the address of a word here, for people.
   std::string address_of(int place) const;
   bool put_word(std::string& to, int place, double value);
   bool put_dwell(std::string& to, double seconds);
@@ -57,7 +57,7 @@ class OtherWriter {
   std::string refused_;
 };
 
-/// The words of a block that are all written as numbers.
+/// Return the words of a block that are all written as numbers.
 NcWords constant_words(const Machine& machine, const Block& block);
 
 }  // namespace cncsub

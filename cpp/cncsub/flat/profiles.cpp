@@ -6,9 +6,9 @@
 
 namespace cncsub {
 
-/// A cycle and the blocks that it follows. They stand right behind it where it passes over them;
-/// one that goes on with the next block, as G70 does, names those of a cycle before, or blocks
-/// behind the end of the program.
+/// Write a cycle and the blocks of the profile that it follows. They stand right after it where it
+/// passes over them. A cycle that goes on with the next block, as G70 does, names the blocks of an
+/// earlier cycle, or blocks after the end of the program.
 bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
                                  const Profile& profile) {
   profile_.clear();

@@ -19,30 +19,31 @@
 
 namespace cncsub {
 
-/// A copy goes on from where this machine stands, and each of the two by itself.
+/// A run of a program. A copy goes on from where this machine stands, and each of the two by
+/// itself.
 class Machine {
  public:
-  /// Stands at the first block of the program `main`, or at the block to start from. Variables that
+  /// Stand at the first block of the program `main`, or at the block to start from. Variables that
   /// cannot be written are left as they are (see `write`).
   Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options);
 
-  /// Executes one block. False where the run has stopped before one was executed, or where
-  /// `interrupted`, which a block of very many moves asks now and then, said so: then that block
-  /// did nothing.
+  /// Execute one block. Return false where the run has stopped before one was executed, or where
+  /// `interrupted` stopped the block, which then did nothing. A block of very many moves asks it
+  /// now and then.
   bool step(const std::function<bool()>& interrupted = {});
-  /// Runs until the run stops, or until `pause` says so (asked before each block when it is given).
+  /// Run until the run stops, or until `pause` says so (asked before each block when it is given).
   void run(const std::function<bool()>& interrupted,
            const std::function<bool(const Machine&)>& pause = {});
-  /// Runs on for about this many blocks: fewer where they made very many moves.
+  /// Run on for about this many blocks: fewer where they made very many moves.
   void run(const std::function<bool()>& interrupted, std::int64_t blocks);
-  /// From now on `heard` is told what each block does, until nobody (null) listens. It is to be
+  /// Tell `observer` what each block does from now on, until there is none (null). It is to be
   /// emptied before each block.
   void tell(Observer* observer) { run_.observer = observer; }
-  /// Stops the run as Ctrl-C does.
+  /// Stop the run as Ctrl-C does.
   void interrupt();
-  /// What the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables that
-  /// the control clears are vacant, and the main program is at its head again. What was recorded
-  /// stays.
+  /// Do what the reset key, M02 and M30 do: calls, modal calls and loops are gone, the variables
+  /// that the control clears are vacant, and the main program is at its head again. What was
+  /// recorded stays.
   void reset();
 
   const Code& code() const { return *run_.code; }
@@ -51,34 +52,36 @@ class Machine {
   const Motion& motion() const { return run_.motion; }
   Stop stop() const { return run_.state.stop; }
   const std::optional<Alarm>& alarm() const { return run_.state.alarm; }
-  /// How many blocks were executed.
+  /// Return how many blocks were executed.
   std::int64_t blocks() const { return run_.state.executed; }
-  /// How many calls are open, and what they are, the last one first.
+  /// Return how many calls are open; `frames`: what they are, the last one first.
   int depth() const { return static_cast<int>(run_.state.frames.size()) - 1; }
   std::vector<Frame> frames() const;
 
-  /// Why the program had not ended when the run stopped. Asks now and then who `gives_up`.
+  /// Return why the program had not ended when the run stopped. The search asks `gives_up` now and
+  /// then.
   Endless endless(const std::function<bool()>& gives_up) const {
     return why_endless(run_, kFurtherBlocks, gives_up);
   }
 
-  /// What was recorded so far.
+  /// Return what was recorded so far.
   const Trace& trace() const { return run_.trace; }
-  /// Gives that away; the run goes on with empty tables. Calls that are still open come with a
-  /// later part.
+  /// Give away what was recorded; the run goes on with empty tables. Calls that are still open come
+  /// with a later part.
   Trace take();
-  /// Bytes of what was recorded.
+  /// Return the bytes of what was recorded.
   std::uint64_t memory() const;
-  /// The axes that the programs in memory name, X Y Z first, before any of them moves.
+  /// Return the axes that the programs in memory name, X Y Z first, before any of them moves.
   std::string axes() const;
 
-  /// Every variable that is not vacant or was ever written: commons and the locals of a level.
+  /// Return every variable that is not vacant or was ever written: commons and the locals of a
+  /// level.
   std::map<std::int32_t, double> variables(int level) const;
-  /// A fault says why a variable has no value, or takes none. Locals are those of an open level, 0
-  /// to State::level.
+  /// Read or write a variable. A fault says why it has no value, or takes none. Locals are those of
+  /// an open level, 0 to State::level.
   std::optional<Fault> read(std::int64_t number, int level, double& value) const;
   std::optional<Fault> write(std::int64_t number, int level, double value);
-  /// Sets a signal or a variable as the machine and other programs do.
+  /// Set a signal or a variable as the machine and other programs do.
   void set_from_outside(std::int32_t number, double value);
 
  private:

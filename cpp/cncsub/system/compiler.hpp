@@ -1,7 +1,7 @@
-// What compilers spell in words of their own.
+// Attributes that compilers spell in words of their own.
 #pragma once
 
-// A function that is part of whoever calls it, whatever the compiler thinks of its size.
+// Marks a function to be inlined always, whatever the compiler thinks of its size.
 #if defined(_MSC_VER) && !defined(__clang__)
 #define CNCSUB_ALWAYS_INLINE [[msvc::forceinline]]
 #else

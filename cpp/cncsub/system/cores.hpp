@@ -5,7 +5,7 @@
 
 namespace cncsub::system {
 
-/// How many of them this process may use, one at least.
+/// Return how many processors this process may use, one at least.
 std::size_t cores();
 
 }  // namespace cncsub::system

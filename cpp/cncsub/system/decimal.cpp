@@ -20,7 +20,7 @@ std::size_t digits_from(std::string_view text, std::size_t at) {
   return at;
 }
 
-/// Where the number at the head of the text ends, 0 where there is none.
+/// Return where the number at the head of the text ends; 0 where there is none.
 std::size_t end_of_number(std::string_view text, Decimal form) {
   const std::size_t first = text.starts_with('-') ? 1 : 0;
   std::size_t end = digits_from(text, first);

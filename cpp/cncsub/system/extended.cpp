@@ -46,7 +46,7 @@ Pair operator/(Pair a, Pair b) {
   return sum(first, second) + Pair{rest.high / b.high};
 }
 
-/// As a number of 64 bits has it.
+/// Round a pair as a number of 64 bits.
 Pair rounded(Pair p) {
   int exponent = 0;
   const double part = std::frexp(p.high, &exponent);
@@ -55,7 +55,7 @@ Pair rounded(Pair p) {
   return sum(p.high, unit > 0 ? std::nearbyint(p.low / unit) * unit : p.low);
 }
 
-/// Sine and cosine of an angle up to a quarter of pi.
+/// The sine and cosine of an angle.
 struct SineCosine {
   Pair sine, cosine;
 };
@@ -77,7 +77,7 @@ SineCosine near_nought(Pair r) {
   return of;
 }
 
-/// Of any angle. Angles of more than many turns are those of the library: no digit of them is left.
+/// Compute any angle. The library computes one of very many turns: no digit of it is left.
 SineCosine of_degrees(double degrees) {
   constexpr double kMost = 1e9;
   const Pair angle = rounded(rounded(kPi64 * Pair{degrees}) / Pair{180.0});

@@ -1,7 +1,7 @@
-// Sines and angles as LinuxCNC computes them on a PC: in numbers of 64 bits of mantissa.
-// Microsoft's compiler and Apple's processors have none, Linux on ARM has numbers of 113 bits,
-// which come out otherwise, and what MinGW has leaves the turns of an angle to the processor, which
-// knows pi to few digits.
+// Computes sines and angles as LinuxCNC does on a PC: in numbers of 64 bits of mantissa.
+// Microsoft's compiler and Apple's processors have none. Linux on ARM has numbers of 113 bits,
+// which come out otherwise. MinGW leaves the turns of an angle to the processor, which knows pi to
+// few digits.
 #pragma once
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr bool kHasExtended = false;
 constexpr bool kHasExtended = std::numeric_limits<long double>::digits == 64;
 #endif
 
-// What stands in where a long double is none of these: pairs of doubles, rounded where an extended
+// Substitutes where a long double is none of these: pairs of doubles, rounded where an extended
 // number would be. They are tested wherever they are not needed.
 double sine_by_pairs(double degrees);
 double cosine_by_pairs(double degrees);

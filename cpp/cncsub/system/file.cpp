@@ -93,7 +93,7 @@ std::ptrdiff_t File::read(char* into, std::size_t most, std::uint64_t from) cons
   }
 }
 
-// The numbers of one table are all that the thread sanitizer knows.
+// The thread sanitizer knows the numbers of one table only.
 #if defined(SYS_close_range) && !defined(__SANITIZE_THREAD__)
 void open_files_apart() {
   constexpr unsigned kFirst = 3;  // messages of the last moment go to those before it

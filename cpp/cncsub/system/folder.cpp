@@ -47,7 +47,7 @@ int each_entry(const std::string& path, const std::function<bool(std::string, En
 
 #else
 
-// Whether a file is hidden, or a folder a junction, is not told here: every entry is asked for.
+// This does not tell whether a file is hidden, or a folder a junction: every entry is asked for.
 int each_entry(const std::string& path, const std::function<bool(std::string, EntryKind)>& use) {
   namespace fs = std::filesystem;
   std::error_code error;

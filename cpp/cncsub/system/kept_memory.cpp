@@ -22,7 +22,7 @@ constexpr std::size_t kMiddling = std::size_t{8} << 20;  // and one of less asks
 using Clock = std::chrono::steady_clock;
 constexpr auto kUnused = std::chrono::seconds(10);
 
-/// Memory in large pages that pieces are cut from. It is given back with the last of them.
+/// Memory in large pages that pieces are cut from. It is given back with the last piece.
 struct Region {
   std::atomic<std::uint32_t> pieces = 1;  // those that are in use or kept, and one for `cutting`
   std::size_t cut = sizeof(Region);
@@ -32,17 +32,17 @@ struct Region {
   }
 };
 
-/// What stands before each small piece.
+/// The head that stands before each small piece.
 struct alignas(std::max_align_t) Head {
   Region* region;  // null: the piece stands alone
 };
 
-/// What a kept piece holds.
+/// The content of a kept piece.
 struct Free {
   Free* next;
   Clock::time_point since;
 };
-/// The pieces of one size, those that were given last first.
+/// The kept pieces of one size, those that were given last first.
 struct Size {
   std::size_t bytes = 0;
   Free* first = nullptr;
@@ -67,7 +67,7 @@ void free_small(void* memory) {
 }
 void free_piece(void* memory, bool large) { large ? free_pages(memory) : free_small(memory); }
 
-/// Large pieces come in few sizes as well.
+/// Return the size of a piece; large pieces come in few sizes as well.
 std::size_t whole_size(std::size_t bytes) {
   if (bytes < kLargePage) return bytes;
   const std::size_t unit = std::max(kLargePage, std::bit_floor(bytes) / 8);
@@ -109,7 +109,7 @@ struct Kept {
   }
   void let_go_of_what_nobody_takes(Clock::time_point now) {
     looked = now;
-    // Of each size the last ones are those that are kept longest.
+    // The last pieces of each size are those that are kept longest.
     for (Size& size : sizes) {
       Free** at = &size.first;
       while (*at != nullptr && now - (*at)->since <= kUnused) at = &(*at)->next;
@@ -128,7 +128,7 @@ struct Kept {
       piece = next;
     }
   }
-  /// A piece of a region; null where the system has no room for one.
+  /// Cut a piece from a region; return null where the system has no room for one.
   void* cut(std::size_t wanted) {
     const std::size_t whole =
         sizeof(Head) + (wanted + alignof(Head) - 1) / alignof(Head) * alignof(Head);
@@ -151,7 +151,7 @@ struct Kept {
   }
 };
 
-/// Never destroyed: runs may end after it would be.
+/// Return the kept memory. It is never destroyed: runs may end after it would be.
 Kept& kept() {
   alignas(Kept) static std::array<std::byte, sizeof(Kept)> room;
   static Kept& all = *new (room.data()) Kept;

@@ -1,6 +1,6 @@
-// Memory for what is large: tables and texts of what is read, columns of what ran, arrays of those
-// who look. What one gave back the next one takes: the first touch of fresh pages costs more than
-// what is written there.
+// Memory for what is large: tables and texts of what is read, columns of what ran, arrays for
+// users. A piece that one gave back the next one takes: the first touch of fresh pages costs more
+// than what is written there.
 #pragma once
 
 #include <bit>
@@ -13,13 +13,14 @@
 
 namespace cncsub::system {
 
-/// A piece of memory that may have been used before. Those of large pages begin where one does.
+/// Take a piece of memory that may have been used before. One of large pages begins where a page
+/// does.
 void* take_memory(std::size_t bytes);
-/// Keeps it for the next one, up to `kMostKept` bytes in all. What nobody took for ten seconds goes
-/// back to the system, together with a later piece that comes here.
+/// Keep a piece for the next taker, up to `kMostKept` bytes in all. A piece that nobody took for
+/// ten seconds goes back to the system, when a later piece comes here.
 void give_memory(void* memory, std::size_t bytes) noexcept;
-/// Large pieces that are kept go back to the system now: what a table grew out of, and the next
-/// reading is far away.
+/// Give the large pieces that are kept back to the system now: a table has grown out of them, and
+/// the next reading is far away.
 void give_back_large_memory() noexcept;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(CNCSUB_FUZZ)
@@ -56,7 +57,8 @@ struct KeptMemory {
   bool operator==(const KeptMemory&) const { return true; }
 
  private:
-  /// Of few sizes, so that one fits for another: what is never written costs nothing.
+  /// Return one of few sizes, so that one piece fits for another: what is never written costs
+  /// nothing.
   static std::size_t size(std::size_t count) {
     const std::size_t bytes = count * sizeof(T);
     return kGrows && bytes >= kLeast && bytes < kLargePage ? std::bit_ceil(bytes) : bytes;

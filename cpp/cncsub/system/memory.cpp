@@ -30,8 +30,9 @@ std::int64_t now(clockid_t clock) {
 
 std::atomic<std::int64_t> next_look = 0;
 
-/// Whether large pages come as soon as they can be cleared, this one as well. Time in which others
-/// have the processor does not count; where they come late, they may come soon after a second.
+/// Return whether large pages come as soon as they can be cleared, and ask for this one. Time in
+/// which others have the processor does not count. Pages that come late may come soon after a
+/// second.
 bool come_soon(char* page) {
   const std::int64_t when = now(CLOCK_MONOTONIC);
   if (when < next_look.load(std::memory_order_relaxed)) return false;

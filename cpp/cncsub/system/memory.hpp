@@ -7,14 +7,14 @@ namespace cncsub::system {
 
 constexpr std::size_t kLargePage = std::size_t{2} << 20;
 
-/// Whole large pages of memory, asked for as such where there are many of them; null where there is
-/// no such memory.
+/// Allocate whole large pages of memory, asked for as such where there are many of them. Return
+/// null where there is no such memory.
 void* allocate_pages(std::size_t bytes);
 void free_pages(void* memory);
-/// Asks for large pages, at a place where one begins, where memory was not touched yet. It is
-/// advice: without them all goes on. The first of them is touched, to see whether it pays: a
-/// virtual machine may wait ten times as long for large pages as for small ones, where its host
-/// took back what was not used. Then nobody asks for any more for a second.
+/// Ask for large pages, at a place where one begins, in memory that was not touched yet. It is
+/// advice: without them all goes on. The first page is touched, to see whether it pays: a virtual
+/// machine may wait ten times as long for large pages as for small ones, where its host took back
+/// what was not used. Then nobody asks for any more for a second.
 void ask_for_large_pages(void* memory, std::size_t bytes);
 
 }  // namespace cncsub::system

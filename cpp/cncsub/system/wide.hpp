@@ -9,8 +9,8 @@ namespace cncsub::system {
 
 constexpr char32_t kNoCharacter = 0xFFFD;
 
-/// The character at a place of UTF-8, halves of pairs included (Python's "surrogatepass"), and the
-/// place behind it. Bytes that are none are U+FFFD.
+/// Return the character at a place of UTF-8, halves of pairs included (Python's "surrogatepass"),
+/// and move to the place after it. Bytes that are none are U+FFFD.
 inline char32_t next_point(std::string_view text, std::size_t& at) {
   const auto first = static_cast<unsigned char>(text[at++]);
   if (first < 0x80) return first;
@@ -25,7 +25,7 @@ inline char32_t next_point(std::string_view text, std::size_t& at) {
   return point > 0x10FFFF ? kNoCharacter : point;
 }
 
-/// UTF-8 as 16-bit units.
+/// Return UTF-8 as 16-bit units.
 template <class Wide = std::wstring>
 Wide wide(std::string_view text) {
   using Unit = Wide::value_type;

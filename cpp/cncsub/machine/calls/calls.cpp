@@ -26,7 +26,7 @@ Fault fault(const CallRecord& record, Cause cause, std::string detail) {
   return {cause, record.at, record.width, std::move(detail)};
 }
 
-/// Whether the block itself says that it calls: no code does it.
+/// Return whether the block itself says that it calls, and not a code.
 bool by_name(CallKind kind) {
   switch (kind) {
     case CallKind::Subprogram:
@@ -43,7 +43,7 @@ bool by_name(CallKind kind) {
   }
 }
 
-/// A program that calls itself, or one that has called it.
+/// Return the fault of a program that calls itself, or one that has called it.
 std::optional<Fault> refused_again(const Run& run, const CallRecord& record, const Target& target) {
   const CallRules& rules = run.control().calls;
   const bool started = target.start_n >= 0;
@@ -65,7 +65,7 @@ std::optional<Fault> refused_again(const Run& run, const CallRecord& record, con
   return std::nullopt;
 }
 
-/// One call more than the control allows.
+/// Return the fault of one call more than the control allows.
 std::optional<Fault> refused_deeper(const Run& run, const CallRecord& record) {
   const CallRules& rules = run.control().calls;
   const int macros = run.state.macros + (record.macro ? 1 : 0);
@@ -85,7 +85,7 @@ std::optional<Fault> refused_deeper(const Run& run, const CallRecord& record) {
   return std::nullopt;
 }
 
-/// The block's words are executed; its call follows at once, or behind the macro of a modal call.
+/// Call after the block's words are executed: at once, or after the macro of a modal call.
 bool call_or_wait(Run& run, std::uint32_t aux, Target& target, bool passes) {
   if (modal_after(run) < 0) return call_now(run, aux, target);
   WaitingBlock waiting = waiting_block(run, Op::Call, aux);
@@ -97,7 +97,7 @@ bool call_or_wait(Run& run, std::uint32_t aux, Target& target, bool passes) {
   return do_behind_modal(run, std::move(waiting));
 }
 
-/// What a frame keeps of codes that call: a code in it may not call then.
+/// Return what a frame keeps of codes that call: a code in it may not call then.
 char code_letter(CallKind kind, char of_caller) {
   switch (kind) {
     case CallKind::GCode:
@@ -113,7 +113,7 @@ char code_letter(CallKind kind, char of_caller) {
   }
 }
 
-/// A level of locals with the arguments in it.
+/// Open a level of locals with the arguments in it.
 void open_level(Run& run) {
   State& s = run.state;
   ++s.level;
@@ -129,7 +129,7 @@ void open_level(Run& run) {
     std::copy(block.programmed.begin(), block.programmed.end(), s.programmed.data() + first);
 }
 
-/// Writes the call into the trace, with its arguments where it opened a level for them.
+/// Write the call into the trace, with its arguments where it opened a level for them.
 void record_call(Run& run, std::uint32_t index, const Target& target, OpenFrame& open,
                  std::int64_t caller_step) {
   const State& s = run.state;

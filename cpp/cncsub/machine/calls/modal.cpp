@@ -15,7 +15,7 @@ namespace cncsub {
 
 namespace {
 
-/// The words of a block as the arguments of G66.1. G and M are the last of their codes.
+/// Take the words of a block as the arguments of G66.1. G and M are the last of their codes.
 void arguments_of(Run& run, const NcWords& words) {
   static constexpr int kVariables[26] = {1,  2,  3,  7,  8,  9,  10, 11, 4,  5,  6,  12, 13,
                                          14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
@@ -32,7 +32,7 @@ void arguments_of(Run& run, const NcWords& words) {
   if (!words.codes->m().empty()) arguments[13] = words.codes->m().back();
 }
 
-/// The macro of a modal call, behind a block that moved. The block is a step already.
+/// Enter the macro of a modal call after a block that moved. The block is a step already.
 bool enter_modal(Run& run, std::int32_t index) {
   State& s = run.state;
   ModalCall& modal = s.modals[static_cast<std::size_t>(index)];

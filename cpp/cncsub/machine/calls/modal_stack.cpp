@@ -39,7 +39,7 @@ bool carry_out(Run& run, const ReturnToModes& block, const SavedModes& modes) {
   return !fault || alarm_of_motion(run, *fault);
 }
 
-/// Back to modes in two blocks.
+/// Restore modes by two blocks.
 bool restore_modes(Run& run, const SavedModes& modes) {
   const MotionView now = run.motion.view();
   if (!carry_out(run, units_to(now.facts, now.state, modes), modes)) return false;

@@ -5,10 +5,9 @@
 
 namespace cncsub {
 
-/// Carries out codes that save the modes, forget them or take them back in. False where that
-/// alarms.
+/// Execute codes that save the modes, forget them or restore them. Return false where that alarms.
 bool change_saved_modes(Run& run, const NcWords& words);
-/// Behind a return: modes that were to come back do so.
+/// Restore, after a return, the modes that were to come back.
 bool come_back_to_modes(Run& run);
 
 }  // namespace cncsub

@@ -1,7 +1,7 @@
-// OWord statements: subprograms, branches and loops of O-words.
+// O words: subprograms, branches and loops.
 //
-// Nothing is nested here: a statement asks what its label was met with, and a part that is not
-// executed is passed over to the next statement of the label.
+// Nothing is nested here: a statement asks what its label was met with. A part that is not executed
+// is skipped, to the next statement of the label.
 #include "cncsub/machine/calls/o_words.hpp"
 
 #include <algorithm>
@@ -65,7 +65,8 @@ void put(std::string& text, std::string_view mark, std::string_view what) {
   if (at != std::string::npos) text.replace(at, mark.size(), what);
 }
 
-/// The label was met with another statement, or one that does not belong to this.
+/// Return the fault of a label that was met with another statement, or one that does not belong to
+/// this.
 Fault misfit(const Run& run, const OWord& own, Cause cause, const Labels::Met& met) {
   const std::string line = std::to_string(run.code->blocks[met.address].line);
   const char* kind = name_of(met.kind);
@@ -85,7 +86,7 @@ bool own_value(Run& run, const OWord& own, double& value) {
   return own.value == OWord::kNone || evaluate(run, own.value, value);
 }
 
-/// What the label was met with before; an alarm where it was not.
+/// Find what the label was met with before; alarm where it was not met.
 bool met_before(Run& run, const OWord& own, Labels::Met*& met) {
   const auto found = run.state.labels.met.find(key(run.frame().label, own.label));
   if (found == run.state.labels.met.end())
@@ -96,7 +97,7 @@ bool met_before(Run& run, const OWord& own, Labels::Met*& met) {
   return true;
 }
 
-/// The head of a branch or a loop: its label is new, or was met with this very block.
+/// Meet the head of a branch or a loop: its label is new, or was met with this very block.
 bool meet(Run& run, const OWord& own, Labels::Met*& met) {
   met = &run.state.labels.met[key(run.frame().label, own.label)];
   if (met->address == kNowhere) *met = {run.state.pc, own.kind, -1};
@@ -118,8 +119,8 @@ Fault head_again(const Run& run, const OWord& own, Address met) {
   return fault;
 }
 
-/// A head that is met while the main program runs is the beginning of what is passed over; one that
-/// a call leads to is entered.
+/// Execute a head. One that is met while the main program runs begins what is skipped; one that a
+/// call leads to is entered.
 bool head(Run& run, const OWord& own) {
   const bool sub = own.kind == OWordKind::Sub;
   const OpenFrame& open = run.frame();
@@ -168,8 +169,8 @@ bool end_of_subprogram(Run& run, const OWord& own) {
   return leave(run, run.frame().return_to);
 }
 
-/// Where a label leads: to the head that was met last, to the file of its name, or to the next head
-/// behind the call.
+/// Find where a label leads: the head that was met last, the file of its name, or the next head
+/// after the call.
 bool find_label(Run& run, const OWord& own, std::uint32_t label, const std::string& name,
                 Target& target, Address& on_the_way) {
   const auto met = run.state.labels.met.find(key(kEverywhere, label));
@@ -200,7 +201,7 @@ bool find_label(Run& run, const OWord& own, std::uint32_t label, const std::stri
   return true;
 }
 
-/// A block that calls `times` is executed anew for each pass: whether there is one behind this.
+/// Return whether there is a pass after this: a block that calls `times` is executed for each.
 bool another_pass(std::int32_t& left, double times) {
   if (left < 0) left = to_whole<std::int32_t>(std::clamp(std::nearbyint(times), 0.0, 1e9));
   if (--left > 0) return true;
@@ -208,7 +209,7 @@ bool another_pass(std::int32_t& left, double times) {
   return false;
 }
 
-/// The called level begins with the numbered locals of its caller.
+/// Begin the called level with the numbered locals of its caller.
 void hand_on_locals(Run& run) {
   const auto first = [&](int level) {
     return run.state.locals.begin() + static_cast<std::ptrdiff_t>(run.local_at(level, 0));
@@ -324,7 +325,7 @@ bool end_of_loop(Run& run, const OWord& own) {
   return true;
 }
 
-/// break and continue. Where a loop is passed over that they stand in, they are met as well.
+/// Execute break or continue. Where the loop that they stand in is skipped, they are met as well.
 bool leave_loop(Run& run, const OWord& own) {
   Labels::Met* met = nullptr;
   if (!met_before(run, own, met)) return false;

@@ -1,4 +1,4 @@
-// OWord statements: subprograms, branches and loops of O-words.
+// O words: subprograms, branches and loops.
 #pragma once
 
 #include "cncsub/machine/state/context.hpp"

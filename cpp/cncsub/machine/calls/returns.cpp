@@ -28,7 +28,7 @@ bool no_block(Run& run, Cause cause, const Operand& word, double value, const Pr
       run, {cause, word.at, word.width, run.code->no_block(to_whole<std::int64_t>(n), program)});
 }
 
-/// Goes on at the first block N(p) of the running program, which may stand in a loop or not.
+/// Go on at the first block N(p) of the running program, which may stand in a loop or not.
 bool go_to_own_block(Run& run, Cause otherwise, const Operand& word, double p) {
   const Address to = run.code->first_of(run.program(), number_of(p));
   if (to == kNowhere) return no_block(run, otherwise, word, p, run.program());
@@ -38,7 +38,7 @@ bool go_to_own_block(Run& run, Cause otherwise, const Operand& word, double p) {
   return true;
 }
 
-/// Why M99 is refused that stands beside something else, or nothing.
+/// Return why an M99 is refused under a modal macro call or the radius offset, or nothing.
 std::optional<Fault> refused(const Run& run, const Block& block, const CallRecord& back, double p) {
   const Control& control = run.control();
   const bool modal_active = !run.state.modals.empty() && run.frame().modal < 0;
@@ -71,7 +71,7 @@ bool return_from_main(Run& run, const CallRecord& back, double p) {
   return restart_main(run);
 }
 
-/// The next pass of the program that M99 stands in.
+/// Begin the next pass of the program that M99 stands in.
 void repeat(Run& run, std::int32_t repeats) {
   State& s = run.state;
   OpenFrame& open = run.frame();
@@ -123,7 +123,7 @@ bool return_now(Run& run, const CallRecord& back, double p, double l) {
   }
   Address to = open.return_to;
   if (!is_vacant(p)) {
-    // The block is looked up in the caller, the nearest behind the call first.
+    // The block is looked up in the caller.
     const OpenFrame& below = s.frames[s.frames.size() - 2];
     const Program& caller = run.code->programs[static_cast<std::size_t>(below.program)];
     to = run.code->return_target(caller, number_of(p), open.called_at);
@@ -163,7 +163,7 @@ bool jump_now(Run& run, const JumpRecord& jump, double p) {
 bool end_program(Run& run, const Block& block) {
   if (run.observer != nullptr) run.observer->words = &block;
   if (!execute_words(run, block)) return false;
-  // Where the block has no words of its own nothing has ended the moves that wait.
+  // Where the block has no words of its own, the moves in the lookahead queue still wait.
   if (auto fault = run.motion.finish(run.moves())) return alarm_of_motion(run, *fault);
   if (!ends_the_run(run)) return return_now(run, CallRecord(), kVacant, kVacant);
   record_step(run);

@@ -12,26 +12,26 @@ namespace cncsub {
 
 namespace {
 
-/// Passing over has come to a block that cannot be passed.
+/// Raise the alarm of a block that cannot be skipped.
 bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
   fault.block = at;
   fault.name = sought;
   return alarm(run, fault);
 }
 
-/// Nothing that a program comes to lies after this %.
+/// Return the fault of a % that nothing follows.
 Fault nothing_behind(const OWord& met) {
   Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing lies behind the %"};
   fault.text = met.of_another_kind;
   return fault;
 }
 
-/// A return that is passed over in the search for a label gives no value.
+/// Set the result of a return that is skipped in the search for a label: it gives no value.
 void pass_return(Run& run) {
   if (run.state.labels.searching) set_returned(run, 0, false);
 }
 
-/// Whether the main program begins with a %.
+/// Return whether the main program begins with a %.
 bool begins_with_percent(const Run& run) {
   const auto main = static_cast<std::size_t>(run.state.frames.front().program);
   return run.code->programs[main].opening != 0;

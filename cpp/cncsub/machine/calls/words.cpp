@@ -27,19 +27,20 @@ constexpr std::uint32_t role_bit(Role role) { return 1u << static_cast<unsigned>
 constexpr std::uint32_t kSavingRoles = role_bit(Role::SaveModes) | role_bit(Role::ForgetModes) |
                                        role_bit(Role::RestoreModes) | role_bit(Role::KeepModes);
 
-// Moves that are kept for a block to be undone: it takes as long to keep them as to make one.
+// To keep so many moves of the lookahead queue for a rollback takes as long as to make one move.
 constexpr std::int64_t kHeldPieces = 8;
 
-/// What an M code of the control is.
+/// Return the role of an M code on the control.
 Role role_of(const Run& run, int m) { return run.control().calls.roles.value.of_m(m); }
 
-/// Whether the run waits for the operator at an M code.
+/// Return whether the run waits for the operator at an M code.
 bool waits_at(const Run& run, Role role) {
   return role == Role::Stop || (role == Role::OptionalStop && run.options.optional_stop);
 }
 
-/// What a G31 leaves: its position, in the variables of a control that keeps it among the commons
-/// (X Z Y and the fourth and the fifth axis of a lathe [TDi p.94]); or that nothing was met.
+/// Keep the result of a G31: its position, in the variables of a control that keeps it among the
+/// commons (X Z Y and the fourth and the fifth axis of a lathe [TDi p.94]); or that nothing was
+/// met.
 void keep_skip(Run& run, SkipMove skip) {
   if (skip == SkipMove::Missed) {
     run.trace.missed_skips.push({run.state.executed, run.state.pc});
@@ -51,15 +52,14 @@ void keep_skip(Run& run, SkipMove skip) {
     write_variable(run, first + axis, skip_position(run.motion.view(), axis));
 }
 
-/// What a G31 came to.
+/// Keep the result of a G31, and note that it came from outside unless a workpiece gave it.
 void take_skip(Run& run, SkipMove skip) {
   keep_skip(run, skip);
   if (run.options.inputs.workpiece == nullptr)
     run.state.external_reads.asked = ExternalReads::kSkipSignal;
 }
 
-/// What the machine does about a code it was sent: its signals change, and variables that it
-/// writes.
+/// Apply the machine's answer to a code it was sent: the signals and variables that it sets.
 void answer(Run& run, char address, std::int64_t code) {
   if (run.options.inputs.answers.empty()) return;
   const auto found = run.options.inputs.answers.find({address, code});
@@ -68,7 +68,7 @@ void answer(Run& run, char address, std::int64_t code) {
   ++run.state.changes;
 }
 
-/// M, T and S codes go to the machine; M00 and M01 wait for the operator.
+/// Send M, T and S codes to the machine; M00 and M01 wait for the operator.
 bool send_codes(Run& run, const NcWords& words, const Block& block) {
   const auto record = [&](char kind, double value) {
     if (run.trace.depth == Trace::Depth::None) return;
@@ -79,7 +79,7 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
     record('T', static_cast<double>(tool));
     answer(run, 'T', tool);
   }
-  // With G50 or G92 it is no speed, but the highest there may be.
+  // With G50 or G92, S is no speed but the highest speed allowed.
   if (words.has('S') && words.codes->meaning(Group::OneShot) != Meaning::SetCoordinate)
     record('S', words['S']);
   for (const int m : words.codes->m()) {
@@ -95,7 +95,7 @@ bool send_codes(Run& run, const NcWords& words, const Block& block) {
   return true;
 }
 
-/// Tells the words to who listens.
+/// Tell the words to the observer.
 void observe(Run& run, const Block& block, const NcWords& words) {
   const bool has_extra = (block.flags & Block::kHasExtra) != 0;
   const bool computed = words.codes == &run.codes ||
@@ -106,7 +106,7 @@ void observe(Run& run, const Block& block, const NcWords& words) {
     run.observer->words = &block;
 }
 
-/// Moves that were made count, and those that wait.
+/// Count the moves that were made, and those that wait in the lookahead queue.
 void count_moves(Run& run) {
   run.watch.moves += run.block.outcome.moves;
   if (const LookaheadQueue& lookahead = run.motion.state().lookahead;
@@ -115,7 +115,7 @@ void count_moves(Run& run) {
   if (run.watch.moves > run.watch.look_moves) look_soon(run);
 }
 
-/// What there is to do about a motion that was made.
+/// Take over the outcome of a motion that was made.
 void follow_up(Run& run, const MachineInputs& inputs) {
   const Motion::Outcome& outcome = run.block.outcome;
   if (inputs.skips.taken) {
@@ -133,7 +133,7 @@ bool execute(Run& run, const NcWords& words, MachineInputs& inputs) {
   return true;
 }
 
-/// The motion of a block that names a profile.
+/// Execute the motion of a block that names a profile.
 bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
   MachineInputs inputs = machine_inputs(run);
   std::optional<Profile> profile(std::in_place);
@@ -146,7 +146,7 @@ bool move_along(Run& run, const NcWords& words, const ProfileNumbers& wanted) {
   return true;
 }
 
-/// The motion of a block: moves, modes, offsets.
+/// Execute the motion of a block: moves, modes, offsets.
 bool move(Run& run, const Block& block, NcWords& words) {
   words.ends = block.op == Op::EndProgram && ends_the_run(run);
   words.stops = words.ends || words.has(Role::Stop) || words.has(Role::End) ||
@@ -158,8 +158,8 @@ bool move(Run& run, const Block& block, NcWords& words) {
   return true;
 }
 
-/// The words of a block without those that hold no longer when it has taken modes back: F, S and
-/// how the feed counts are read before. [rs274 2.9]
+/// Return the words of a block that still hold after it restored modes. F, S and the feed mode are
+/// read before that, and hold no longer. [rs274 2.9]
 NcWords behind_modes(const NcWords& words, BlockCodes& codes) {
   NcWords left = words;
   codes = *words.codes;
@@ -199,7 +199,7 @@ bool carry_out(Run& run, const Block& block) {
   if (outcome.moved || words.has('T') || !words.codes->only_of_moves()) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);
   if (run.block.next != RunningBlock::kEnd) return true;
-  record_step(run);  // M#1 beside a call, a return or a jump ends the program before it
+  record_step(run);  // M#1 in the block of a call, a return or a jump ends the program first
   return end_run(run, Stop::End);
 }
 

@@ -8,12 +8,12 @@
 
 namespace cncsub {
 
-/// Whether NC words stand in a block, beside what it calls or returns from.
+/// Return whether NC words stand in a block, beside what it calls or returns from.
 inline bool has_words(const Block& block) { return block.mask != 0 || block.has_codes(); }
 
-/// Decodes the words of a block, and does what they say. A block of nothing else is done then.
+/// Decode the words of a block, and do what they say. A block of nothing else is done then.
 bool carry_out(Run& run, const Block& block);
-/// The same for a block that may have none.
+/// Execute the words of a block that may have none.
 inline bool execute_words(Run& run, const Block& block) {
   run.block.outcome = {};
   if (has_words(block)) return carry_out(run, block);
@@ -24,8 +24,8 @@ inline bool execute_words(Run& run, const Block& block) {
   run.state.pc = run.block.next;
   return true;
 }
-/// What is left of a block when its words are executed and it has nothing else: it is a step, and
-/// the run goes on behind it, or with the macro that follows its move.
+/// Finish a block whose words are executed and that has nothing else. It is a step, and the run
+/// goes on after it, or with the macro that follows its move.
 bool after_words(Run& run);
 
 }  // namespace cncsub

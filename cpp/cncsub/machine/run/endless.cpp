@@ -16,12 +16,12 @@ namespace cncsub {
 
 namespace {
 
-constexpr double kMostSeconds = 2;         // of looking
-constexpr std::size_t kMostChanging = 20;  // names of what differs
+constexpr double kMostSeconds = 2;         // that the search may take
+constexpr std::size_t kMostChanging = 20;  // names that are reported
 
-// ---- whether two states are the same for all that the program will do ----
+// ---- comparison: are two states the same for all that the program will do? ----
 
-// Bit by bit: a vacant value is a NaN, and -0 is not 0 to ATAN.
+// Compares bit by bit: a vacant value is a NaN, and -0 is not 0 to ATAN.
 bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
@@ -42,7 +42,7 @@ bool same(const ModalCall& a, const ModalCall& b) {
          a.program == b.program && a.every_block == b.every_block;
 }
 
-// Which step it is counts for the record only.
+// The step is not compared: it counts for the record only.
 bool same(const WaitingBlock& a, const WaitingBlock& b) {
   return a.op == b.op && a.aux == b.aux && a.at == b.at && a.target == b.target && same(a.p, b.p) &&
          same(a.l, b.l) && same(a.arguments, b.arguments) && a.programmed == b.programmed;
@@ -54,8 +54,8 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& one, const T& other) { return same(one, other); });
 }
 
-/// The open calls with the passes that are left. Of the main program's passes only max_cycles
-/// knows, and of the numbers of calls and of passes only the record.
+/// Return whether the open calls and the passes left are the same. Only max_cycles knows of the
+/// main program's passes, and only the record of the numbers of calls and passes.
 bool same_frames(const std::vector<OpenFrame>& a, const std::vector<OpenFrame>& b) {
   if (a.size() != b.size()) return false;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -68,7 +68,7 @@ bool same_frames(const std::vector<OpenFrame>& a, const std::vector<OpenFrame>& 
   return true;
 }
 
-/// What a jump back remembers to know that it waits for the world outside.
+/// Return whether both states know as much of jumps back, which show a wait for the world outside.
 bool same_waits(const State& a, const State& b) {
   return (a.changes == a.changes_at_jump) == (b.changes == b.changes_at_jump) &&
          a.jumped_from == b.jumped_from && a.last_condition == b.last_condition;
@@ -98,8 +98,8 @@ bool same(const State& a, const State& b, std::size_t locals) {
          same(a.modals, b.modals) && same(a.waiting, b.waiting) && a.labels == b.labels;
 }
 
-/// Of the motion without what counts for the record only. The time counts where a program can read
-/// it.
+/// Return the motion state without what counts for the record only. The time counts where a program
+/// can read it.
 MotionState of_no_time(MotionState state, bool with_time) {
   if (!with_time) state.time = 0;
   state.row_state = 0;
@@ -110,15 +110,15 @@ MotionState of_no_time(MotionState state, bool with_time) {
 }
 
 bool same(const MotionState& a, const MotionState& b, bool with_time) {
-  // What differs most often is asked before anything is copied.
+  // Compares what differs most often first, before anything is copied.
   if (a.work != b.work || a.modal != b.modal) return false;
   return of_no_time(a, with_time) == of_no_time(b, with_time);
 }
 
-// ---- looking ----
+// ---- the search ----
 
-/// A copy of a run that records nothing and that only `blocks` more blocks, seconds and memory
-/// stop.
+/// A copy of a run that records nothing. Only the limits stop it: `blocks` more blocks, seconds and
+/// memory.
 class Probe {
  public:
   Probe(const Run& of, std::int64_t blocks) : run_(of) {
@@ -136,7 +136,7 @@ class Probe {
     run_.state.external_reads.asked = 0;
   }
 
-  /// One block on. False where the run stops instead, or `gives_up`.
+  /// Execute one block. Return false where the run stops instead, or `gives_up`.
   bool step(const std::function<bool()>& gives_up) {
     const std::int64_t cycles = run_.state.cycles;
     const Address at = run_.state.pc;
@@ -145,7 +145,7 @@ class Probe {
     return true;
   }
 
-  /// The state as it is, to compare with later.
+  /// The state at one time, to compare with later ones.
   struct Snapshot {
     State state;
     MotionState motion;
@@ -156,7 +156,7 @@ class Probe {
            same(run_.state, then.state, static_cast<std::size_t>(run_.code->locals)) &&
            same(run_.motion.state(), then.motion, run_.state.external_reads.time);
   }
-  /// At the same block in as many calls.
+  /// Return whether the run is at the same block in as many calls.
   bool passes(const State& then) const {
     return run_.state.pc == then.pc && run_.state.frames.size() == then.frames.size() &&
            run_.state.level == then.level;
@@ -171,7 +171,7 @@ class Probe {
   Run run_;
 };
 
-/// The blocks that run next, each once, from the first one of the outermost program on.
+/// Return the blocks that run next, each once, from the first one of the outermost program on.
 std::vector<Address> blocks_of_loop(Probe& probe, std::int64_t period) {
   Run& run = probe.run();
   run.trace.depth = Trace::Depth::Blocks;
@@ -198,14 +198,14 @@ std::vector<Address> blocks_of_loop(Probe& probe, std::int64_t period) {
   return blocks;
 }
 
-/// What was read from the world outside since that was cleared, as it is called.
+/// Return the name of what was read from the world outside since `asked` was cleared.
 std::string asked_outside(const Run& run) {
   const std::int64_t asked = run.state.external_reads.asked;
   if (asked == 0) return "";
   return asked == ExternalReads::kSkipSignal ? "the skip signal" : "#" + std::to_string(asked);
 }
 
-/// What can be named of the state.
+/// Return the values of the state that have a name.
 std::map<std::string, double> named(const Run& run) {
   std::map<std::string, double> values;
   for (const auto& [number, value] : variables(run, run.state.level))
@@ -214,7 +214,7 @@ std::map<std::string, double> named(const Run& run) {
   return values;
 }
 
-/// What differs when the run comes to this block again.
+/// Return the names of what differs when the run comes to this block again.
 std::vector<std::string> changing_in(Probe& probe, std::int64_t blocks,
                                      const std::function<bool()>& gives_up) {
   const State before = probe.run().state;
@@ -241,8 +241,8 @@ std::vector<std::string> changing_in(Probe& probe, std::int64_t blocks,
   return changing;
 }
 
-/// Brent: the state is kept after 1, 2, 4, 8 ... blocks, and every state compared with the one that
-/// is kept. The period, 0 where none was found.
+/// Find the period by Brent's method; return 0 where there is none. The state is kept after 1, 2,
+/// 4, 8 ... blocks, and every state compared with the one that is kept.
 std::int64_t period_of(Probe& probe, const std::function<bool()>& gives_up) {
   Probe::Snapshot kept = probe.snapshot();
   std::int64_t power = 1;
@@ -274,7 +274,7 @@ std::string_view to_string(Endless::Kind kind) {
   return "";
 }
 
-/// What of a state that came back is the loop, and whether it is proven.
+/// Fill in the loop of a state that came back, and whether it is proven.
 static void take_loop(Probe& probe, Endless& found) {
   // A loop that is entered after the last start does not start the program over.
   probe.restarted_at = kNowhere;
@@ -291,7 +291,7 @@ Endless why_endless(const Run& run, std::int64_t blocks, const std::function<boo
   const Stop stop = run.state.stop;
   if (stop != Stop::Limit) {
     found.kind = stop == Stop::Waiting ? Endless::Kind::Waiting : Endless::Kind::Repeats;
-    // Where the operator is waited for the block is done.
+    // A block that waits for the operator is done.
     if (stop != Stop::Waiting || run.state.waiting_for.starts_with('#'))
       found.blocks = {run.state.pc};
     return found;

@@ -18,7 +18,7 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks passed over between two looks around
+constexpr std::int64_t kLookSkipped = 1 << 20;  // blocks skipped between two looks
 constexpr std::size_t kPartRows = 1 << 20;      // of moves or changes: a part with more ends early
 constexpr std::size_t kManySkipped = 1'000'000;
 constexpr Op kFirstStatement = Op::Set, kLastStatement = Op::EndDo;
@@ -29,7 +29,8 @@ void after_plain_move(Run& run, const Block& block) {
   run.state.pc = run.block.next;
 }
 
-/// The G code of a plain move: the first of its two, the second, or -1 where none is written.
+/// Return the G code of a plain move: the first of its two, the second, or -1 where none is
+/// written.
 int written_g(const Block& block, int first) {
   if ((block.flags & Block::kNoG) != 0) return -1;
   return (block.flags & Block::kSecondG) != 0 ? first + 1 : first;
@@ -61,15 +62,15 @@ bool arc(Run& run, const Block& block) {
   return true;
 }
 
-/// Executes macro statements from the present block on, and a block of another kind that stands
+/// Execute macro statements from the present block on, and a block of another kind that stands
 /// after them or after THEN.
 inline bool statements(Run& run, bool one) {
   const Block* instead = nullptr;
   return run_statements(run, one, instead) && (instead == nullptr || dispatch(run, *instead));
 }
 
-/// Executes the block at State::pc and records it. What it decides is where the run goes on. Of
-/// macro statements those behind it are executed too, but where `one` block is asked for.
+/// Execute the block at State::pc and record it. It decides where the run goes on. The macro
+/// statements after a macro statement are executed too, unless `one` block is asked for.
 inline bool execute(Run& run, const Block& block, bool one) {
   run.block.next = run.state.pc + 1;
   run.block.words_done = false;
@@ -82,7 +83,7 @@ inline bool execute(Run& run, const Block& block, bool one) {
   return dispatch(run, block);
 }
 
-/// The same of one block, without the short ways.
+/// Execute one block by the general path.
 bool execute_generally(Run& run, const Block& block) {
   run.block.next = run.state.pc + 1;
   run.block.words_done = false;
@@ -90,8 +91,8 @@ bool execute_generally(Run& run, const Block& block) {
   return dispatch(run, block);
 }
 
-/// Whether a block-skip switch passes over the block at State::pc. A program of nothing but such
-/// blocks that starts over and over is stopped: no limit counts it.
+/// Skip the block at State::pc and return true if a block-skip switch says so. A program of nothing
+/// but such blocks that starts over and over is stopped: no limit counts it.
 bool passes_over(Run& run, const Block& block) {
   State& s = run.state;
   if ((block.skip & run.options.skips) == 0) return false;
@@ -103,7 +104,7 @@ bool passes_over(Run& run, const Block& block) {
   return true;
 }
 
-/// Executes a block that assigns and says something, besides its words if it has any.
+/// Execute a block that assigns and says something, besides its words if it has any.
 bool run_together(Run& run, const Block& block) {
   const ParallelAssign& all = run.code->parallel_assigns[block.aux];
   run.block.parallel_assign = &all;
@@ -126,7 +127,7 @@ bool statement(Run& run, const Block& block) {
   return run_statement(run, block, instead) && (instead == nullptr || dispatch(run, *instead));
 }
 
-/// Which of two blocks this one is, by the skip switches or by who called.
+/// Execute one of two blocks, chosen by the skip switches or by who called.
 bool choose(Run& run, const Block& block) {
   const Select& variant = run.code->selects[block.aux];
   bool second = (variant.skip & run.options.skips) != 0;
@@ -146,7 +147,7 @@ bool choose(Run& run, const Block& block) {
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 
-/// One block by the way of its library, and what it made of the variables that are watched.
+/// Execute one block by the path of its library, and note the changes of watched variables.
 void execute_alone(Run& run, const Block& block) {
   const std::int64_t before = run.state.executed;
   const Address at = run.state.pc;
@@ -158,8 +159,8 @@ void execute_alone(Run& run, const Block& block) {
   if (run.state.executed != before) note_changes(run, run.state.executed - 1, at, reach);
 }
 
-/// Blocks and nothing else, until the run is to look around. False where it is to `pause`. Whether
-/// variables are watched is asked by the caller, not in every pass.
+/// Execute blocks and nothing else until the run is to look for a reason to stop. Return false
+/// where it is to `pause`. The caller asks whether variables are watched, not every pass.
 template <bool watched>
 inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_t& passed) {
   State& s = run.state;
@@ -180,12 +181,12 @@ inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_
   return true;
 }
 
-/// Whether a part of a stream has rows enough.
+/// Return whether a part of a stream has rows enough.
 bool is_full(const Trace& trace) {
   return trace.moves.size() > kPartRows || trace.changes.size() > kPartRows;
 }
 
-/// A run that was interrupted goes on.
+/// Let a run that was interrupted go on; return whether it runs.
 bool goes_on(State& s) {
   if (s.stop == Stop::Interrupted) s.stop = Stop::Running;
   return s.stop == Stop::Running;
@@ -218,7 +219,7 @@ void run_on(Run& run, const std::function<bool()>& interrupted, const std::funct
   const AtWork at_work(run, interrupted);
   if (s.stop == Stop::Running && stops(run) == Stop::Limit) end_run(run, Stop::Limit);
   while (s.stop == Stop::Running) {
-    // Between two looks at the clock, the memory and Ctrl-C nothing but blocks.
+    // Between two looks at the clock, the memory and Ctrl-C, only blocks are executed.
     look_later(run, last);
     const bool quickly = run.watched.empty() && !run.code->general_only;
     const bool on =

@@ -1,4 +1,4 @@
-// Blocks one after the other: a run from where it stands to its end, or to the next block.
+// Executes blocks one after the other: a run from where it stands to its end, or to the next block.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,16 @@ namespace cncsub {
 
 constexpr std::int64_t kAllBlocks = std::numeric_limits<std::int64_t>::max();
 
-/// Executes one block. False where the run has stopped before one was executed, or where
-/// `interrupted`, which a block of very many moves asks now and then, said so: then that block did
-/// nothing.
+/// Execute one block. Return false where the run has stopped before one was executed, or where
+/// `interrupted` stopped the block, which then did nothing. A block of very many moves asks it now
+/// and then.
 bool run_one(Run& run, const std::function<bool()>& interrupted);
-/// Runs until the run stops, or `pause` says so (asked before each block when it is given), or
+/// Run until the run stops, or `pause` says so (asked before each block when it is given), or
 /// `until` blocks are executed, or fewer where they made very many moves.
 void run_on(Run& run, const std::function<bool()>& interrupted, const std::function<bool()>& pause,
             std::int64_t until = kAllBlocks);
-/// One block of any kind, which is not always the one at State::pc but a variant of it, or what
-/// stands behind its THEN. False where the run stopped.
+/// Execute one block of any kind: the one at State::pc, a variant of it, or what stands after its
+/// THEN. Return false where the run stopped.
 bool dispatch(Run& run, const Block& block);
 
 }  // namespace cncsub

@@ -8,7 +8,7 @@ namespace cncsub {
 
 namespace {
 
-/// What the codes mean on the machine that the setup names.
+/// Return what the codes mean on the machine that the setup names.
 std::shared_ptr<const CodeMeanings> meanings_on(const Code& code, const std::string& machine) {
   const MachineType type = machine_of(*code.control, machine);
   if (type == code.meanings->machine) return code.meanings;

@@ -1,5 +1,5 @@
-// A run under way: what it runs, its state, what it leaves behind, and the little that is known of
-// the running block only. The functions of this room work on it.
+// A run under way: what it runs, its state, its record, and what is known of the running block
+// only. The functions of this folder work on it.
 #pragma once
 
 #include <chrono>
@@ -20,8 +20,8 @@
 
 namespace cncsub {
 
-/// What a block assigned and said that does something else besides, as it was before: it may alarm
-/// behind that.
+/// The values and messages before the assignments of a block, for a rollback. A block that does
+/// something else besides may alarm after them.
 struct BeforeTogether {
   struct Variable {
     bool local = false;  // or a common
@@ -35,28 +35,28 @@ struct BeforeTogether {
     Motion motion;
   };
   std::vector<Variable> variables;
-  std::optional<System> system;         // from the first assignment to a variable of the system on
+  std::optional<System> system;         // from the first assignment to a system variable on
   std::optional<std::size_t> messages;  // how many there were
 
   void forget() { *this = {}; }
 };
 
-/// Between two blocks nothing of this counts.
+/// The state of the running block. Between two blocks nothing of it counts.
 struct RunningBlock {
-  Address next = 0;               // where the run goes on behind it; or one of the two below
+  Address next = 0;               // where the run goes on after it; or one of the two below
   bool words_done = false;        // its words are executed: what alarms now leaves a step
   Motion::Outcome outcome;        // of its words
   bool is_step = false;           // it waited for a modal macro, and was recorded before that:
   std::int64_t step = 0;          // as this step
-  bool waiting_is_due = false;    // the frame is left for which the last of State::waiting waited
-  bool failed = false;            // its condition did not hold (labelled statements)
-  bool follows_moves = false;     // it has no words to be the arguments of G66.1, whose macro then
-                                  // follows its move as that of G66 does
+  bool waiting_is_due = false;    // the frame that the last of State::waiting waited for is left
+  bool failed = false;            // its condition did not hold (O words)
+  bool follows_moves = false;     // it has no words to be the arguments of G66.1: the macro follows
+                                  // its move, as with G66
   std::vector<double> arguments;  // the locals of the level that it is about to open,
   std::vector<std::uint8_t> programmed;  // and how they were programmed
   const ParallelAssign* parallel_assign =
       nullptr;             // what it does besides its words, and has not done yet
-  std::int64_t took = -1;  // `before` is what had been taken when that many blocks were executed
+  std::int64_t took = -1;  // `before` holds the reads of when that many blocks were executed
   ExternalReads before;
   BeforeTogether before_together;
 
@@ -64,22 +64,22 @@ struct RunningBlock {
   static constexpr Address kRestart = kNowhere, kEnd = kNowhere - 1;
 };
 
-/// Who may stop the run, and when it looks around for a reason to stop.
+/// The means to stop a run, and when it next looks for a reason to stop.
 struct Watch {
   using Clock = std::chrono::steady_clock;
 
   const std::function<bool()>* interrupted = nullptr;  // while it runs: whether to stop
-  Stop broken_off = Stop::Running;                     // why the running block was, in the middle
-  Clock::time_point begun;                             // while it runs: when it began to
+  Stop broken_off = Stop::Running;                     // why the running block was stopped
+  Clock::time_point begun;                             // while it runs: when it began
   double spent = 0, asked = 0;  // seconds at work before, and until it asked `interrupted`
   std::uint64_t in_block = 0;   // bytes that the running block takes besides what it records
-  std::int64_t look_at = 0;     // when that many blocks are executed the run looks around,
+  std::int64_t look_at = 0;     // when that many blocks are executed the run looks for a reason,
   std::int64_t look_moves = 0;  // or when it has made so many moves since the last time
   std::int64_t moves = 0;       // which are these
 };
 
-/// What is watched, laid out so that a step pays for what it changes, however much that is. The
-/// numbers are places in Trace::watched.
+/// The watched variables, laid out so that a step pays for what it changes, however much is
+/// watched. The numbers are places in Trace::watched.
 struct Watched {
   /// Locals of the present level, or commons, that lie side by side.
   struct Range {
@@ -90,17 +90,17 @@ struct Watched {
 
   std::vector<VariablePlace> places;  // of Trace::watched, one by one
   std::vector<Range> ranges;
-  std::vector<double> seen;                   // what stood in the ranges behind the step before
+  std::vector<double> seen;                   // what stood in the ranges after the step before
   std::vector<std::uint32_t> seen_at;         // of each place: into `seen`
   std::vector<std::int32_t> locals, commons;  // by their index: what is watched of them, or -1
   std::vector<std::uint32_t> system;          // neither local nor common,
-  std::vector<std::uint32_t> moving;          // of those what follows from moves, time or locals
+  std::vector<std::uint32_t> moving;          // those that follow moves, time or locals
 
   bool empty() const { return places.empty(); }
 };
 
 struct Run {
-  /// In no program yet.
+  /// Make a run that is in no program yet.
   Run(std::shared_ptr<const Code> of, Options how);
 
   std::shared_ptr<const Code> code;
@@ -109,36 +109,36 @@ struct Run {
   std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
   bool jumps_refused = false;        // in the main program, which was typed in MDI
   State state;
-  std::shared_ptr<const CodeMeanings> meanings;  // of the codes, on this kind of machine
-  BlockCodes codes;                              // of a block that computes them
+  std::shared_ptr<const CodeMeanings> meanings;  // the meanings of codes on this kind of machine
+  BlockCodes codes;                              // the codes of a block that computes them
   Motion motion;
   Trace trace;
   RunningBlock block;
   Watch watch;
   Watched watched;
-  Observer* observer = nullptr;  // who listens, or nobody
+  Observer* observer = nullptr;  // null where nobody listens
 
   const Control& control() const { return *code->control; }
-  /// Whether this is something that the control refuses.
+  /// Return whether the control refuses this.
   bool refuses(Cause cause) const { return control().common.refuses.value.has(cause); }
   const OpenFrame& frame() const { return state.frames.back(); }
   OpenFrame& frame() { return state.frames.back(); }
-  /// The program that is running.
+  /// Return the program that is running.
   const Program& program() const {
     return code->programs[static_cast<std::size_t>(frame().program)];
   }
-  /// Where the moves go; nowhere when they are not recorded.
+  /// Return where the moves go; null when they are not recorded.
   Moves* moves() { return trace.depth == Trace::Depth::Moves ? &trace.moves : nullptr; }
-  /// Of the block, for the rows of its moves.
+  /// Return the step of the block, for the rows of its moves.
   std::uint32_t step() const { return static_cast<std::uint32_t>(state.executed); }
-  /// The place of a local variable of a level.
+  /// Return the place of a local variable of a level.
   std::size_t local_at(int level, std::int32_t index) const {
     return static_cast<std::size_t>(level) * static_cast<std::size_t>(code->locals) +
            static_cast<std::size_t>(index);
   }
 };
 
-/// `failed`: the block has a condition, and it did not hold.
+/// Record the running block. `failed`: it has a condition, and that did not hold.
 CNCSUB_ALWAYS_INLINE inline void record_step(Run& run, bool failed = false) {
   if (run.trace.depth >= Trace::Depth::Blocks)
     run.trace.steps.push(
@@ -146,12 +146,12 @@ CNCSUB_ALWAYS_INLINE inline void record_step(Run& run, bool failed = false) {
   ++run.state.executed;
 }
 
-/// Of a block that may be a step already.
+/// Record a block that may be a step already.
 inline void record_block(Run& run, bool failed = false) {
   if (!run.block.is_step) record_step(run, failed);
 }
 
-/// To be called before the clock, a random number or a skip signal is taken.
+/// Keep the external reads as they are before the clock, a random number or a skip signal is read.
 inline void log_read(Run& run) {
   if (run.block.took == run.state.executed) return;
   run.block.took = run.state.executed;

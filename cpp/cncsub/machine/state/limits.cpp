@@ -8,7 +8,7 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int64_t kLookBlocks = 1 << 14;   // blocks between two looks around, at most
+constexpr std::int64_t kLookBlocks = 1 << 14;   // blocks between two looks, at most
 constexpr std::int64_t kLookMoves = 1 << 16;    // or moves
 constexpr std::int64_t kFewest = 1 << 6;        // where memory is nearly used up
 constexpr std::uint64_t kBlockBytes = 1 << 10;  // that a block hardly records more than
@@ -53,7 +53,7 @@ bool breaks_off(Run& run) {
   return true;
 }
 
-// The sooner, the less memory is left.
+// The run looks the sooner, the less memory is left.
 void look_later(Run& run, std::int64_t last) {
   const std::uint64_t left = run.options.max_memory - std::min(memory(run), run.options.max_memory);
   const auto many = [left](std::uint64_t bytes, std::int64_t most) {

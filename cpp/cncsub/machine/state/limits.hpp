@@ -8,7 +8,8 @@
 
 namespace cncsub {
 
-/// The run is at work for as long as this lives: its time counts, and it asks `interrupted`.
+/// The time that a run is at work. As long as this lives, time counts, and the run asks
+/// `interrupted`.
 class AtWork {
  public:
   AtWork(Run& run, const std::function<bool()>& interrupted);
@@ -20,18 +21,19 @@ class AtWork {
   Watch& watch_;
 };
 
-/// Why the run is to stop now, if it is: asked between blocks, and inside those that take long.
+/// Return why the run is to stop now, if it is. Asked between blocks, and inside those that take
+/// long.
 Stop stops(Run& run);
-/// Whether to break off the running block, which then has done nothing.
+/// Return whether to break off the running block, which then has done nothing.
 bool breaks_off(Run& run);
 
 constexpr std::uint32_t kLongText = 1000;  // of a block or an expression that takes long
-/// A block that did the work of many: time, memory and Ctrl-C are asked about soon.
+/// Make the run look soon at time, memory and Ctrl-C, after a block that did the work of many.
 inline void look_soon(Run& run) { run.watch.look_at = 0; }
-/// When the run looks around again, at the latest when `last` blocks are executed.
+/// Set when the run looks again, at the latest when `last` blocks are executed.
 void look_later(Run& run, std::int64_t last);
 
-/// Bytes of what was recorded, and of the state that grows with what a program does.
+/// Return the bytes of what was recorded, and of the state that grows with what a program does.
 std::uint64_t memory(const Run& run);
 
 }  // namespace cncsub

@@ -1,6 +1,6 @@
-// What the running block did, told to somebody who writes it down: the words as they were executed,
-// with their values, and what was assigned and said. A run that nobody listens to pays a look at a
-// pointer for it, and plain moves not even that.
+// The record of the running block for an observer that writes it down: the words as they were
+// executed, with their values, and what was assigned and said. A run without an observer only looks
+// at a pointer for it, and plain moves not even at that.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 namespace cncsub {
 
 struct Observer {
-  /// To a variable that is neither a local nor a common: an offset, an output, #3000, #3006.
+  /// An assignment to what is neither a local nor a common: an offset, an output, #3000, #3006.
   struct Assigned {
     std::int64_t number = 0;
     double value = 0;
@@ -23,7 +23,7 @@ struct Observer {
   };
 
   // The block, or the variant of it, whose words were executed. Plain moves of programs without
-  // modal calls are not told: they are the words of their block.
+  // modal calls are not observed: they are the words of their block.
   const Block* words = nullptr;
   bool computed = false;  // some of its words are computed: these are their values
   NcWords values;
@@ -51,7 +51,7 @@ struct Observer {
     printed.clear();
     profile.reset();
   }
-  /// Keeps the words of a block; `of_run` are codes that do not outlive it.
+  /// Keep the words of a block; `of_run` are codes that do not outlive it.
   void keep(const Block& block, const NcWords& decoded, const BlockCodes& of_run) {
     words = &block;
     computed = true;

@@ -1,4 +1,4 @@
-// How a program is run, and what the world outside answers while it runs.
+// The options of a run, and the answers of the world outside while it runs.
 #pragma once
 
 #include <array>
@@ -15,22 +15,22 @@
 
 namespace cncsub {
 
-/// What the world outside answers, scripted.
+/// The answers of the world outside, scripted.
 struct Inputs {
   std::map<std::int32_t, double> signals;  // #1000 and the like, as they are at the start
   double clock_ms = 0;                     // #3001 when the run starts
   double date = 20000101;                  // #3011, YYYYMMDD
   double time = 0;                         // #3012, HHMMSS
-  // At M00, M01, #3006: cycle start, or not; all start when none is given.
+  // The answers at M00, M01, #3006: cycle start, or not; all start when none is given.
   std::vector<bool> operator_starts;
   bool operator_given = false;
-  // Variables that another program writes, each time the run waits.
+  // The variables that another program writes, each time the run waits.
   std::vector<std::map<std::int32_t, double>> writes;
-  // Of each block that watches a signal, in order, whichever it watches (the first list), or those
-  // of one signal; behind them the workpiece decides.
+  // The signals that blocks find which watch a skip signal, in order: whichever they watch (the
+  // first list), or those of one signal. After the last one the workpiece decides.
   std::array<std::vector<SkipSignal>, kSkipSignals> skips;
   std::shared_ptr<const Workpiece> workpiece;
-  // What the machine's signals become when it is sent a code: 'M' 117.
+  // The values that the machine's signals take when it is sent a code: 'M' 117.
   std::map<std::pair<char, std::int64_t>, std::map<std::int32_t, double>> answers;
 };
 

@@ -36,10 +36,10 @@ struct OpenFrame {
   std::int32_t modal = -1;        // the modal call that it is the macro of
   std::int32_t modal_limit = 0;   // only modal calls below this one follow its moves
   std::uint32_t loops = 0;        // how many of the open loops belong to frames below
-  std::uint32_t label = 0;        // by which it was called, 0 = by none
+  std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
-  bool shares_locals = false;     // of its level, those with a number are the caller's
-  bool interrupts = false;        // behind it the caller's block does what it waits with
+  bool shares_locals = false;     // the numbered locals of its level are the caller's
+  bool interrupts = false;        // after it the caller's block does what it waits with
 
   bool operator==(const OpenFrame&) const = default;
 };
@@ -53,20 +53,20 @@ struct ModalCall {
   bool every_block = false;    // G66.1: it follows blocks, not moves
 };
 
-/// What a block has left to do - its call, return or jump - when a modal macro follows its move.
+/// The call, return or jump that a block has left to do when a modal macro follows its move.
 struct WaitingBlock {
   Op op = Op::Call;                 // Op::Call for every kind of call, Op::Return or Op::Jump
-  std::uint32_t aux = 0;            // of the block
-  Address at = 0;                   // the block
-  std::int64_t step = 0;            // it is a step already: which
+  std::uint32_t aux = 0;            // the aux of the block
+  Address at = 0;                   // the address of the block
+  std::int64_t step = 0;            // the step that it is already
   Target target;                    // of a call
   double p = kVacant, l = kVacant;  // of a return or a jump
   std::vector<double> arguments;    // of a call
   std::vector<std::uint8_t> programmed;
 };
 
-/// What blocks take from the world outside, which goes on with every look: a block that alarms
-/// gives it back.
+/// The reads of blocks from the world outside. Every read moves it on; a block that alarms is
+/// rolled back.
 struct ExternalReads {
   double clock_ms = 0;                            // #3001, besides the time of the moves
   std::array<std::size_t, kSkipSignals> skips{};  // how many of Inputs::skips, list by list
@@ -79,33 +79,33 @@ struct ExternalReads {
   bool operator==(const ExternalReads&) const = default;
 };
 
-/// What is known of labels: subprograms by their own, all else by the subprogram it was met in.
+/// The labels met: a subprogram by its own label, all else by the subprogram it was met in.
 struct Labels {
   struct Met {
     Address address = kNowhere;
     OWordKind kind = OWordKind::Sub;
-    std::int32_t repeats = -1;  // that are left, -1: to be counted anew
+    std::int32_t repeats = -1;  // passes left, -1: to be counted anew
 
     bool operator==(const Met&) const = default;
   };
   std::unordered_map<std::uint64_t, Met> met;
-  bool defining = false;   // the head of a subprogram was met: it is passed over
+  bool defining = false;   // the head of a subprogram was met: it is skipped
   bool searching = false;  // a call goes to a head that nobody has met
-  bool skipping = false;   // the block was reached by passing over others
-  bool entered = false;    // a branch of the innermost IF
+  bool skipping = false;   // the block was reached by skipping others
+  bool entered = false;    // a branch of the innermost IF was entered
   bool back = false;       // the main program was returned to, and defined nothing since
-  // What the last break and continue leave, until the end of a loop asks. [rs274 2.9: a break of a
-  // WHILE is still there when the next DO ends]
+  // Set by a break and a continue, until the end of a loop asks. [rs274 2.9: a break of a WHILE is
+  // still there when the next DO ends]
   bool breaks = false, continues = false;
 
   bool operator==(const Labels&) const = default;
 };
 
 struct State {
-  // Where the run is.
+  // The place of the run.
   Address pc = 0;                   // the block to be executed next
   std::vector<OpenFrame> frames;    // the main program first
-  int subprograms = 0, macros = 0;  // how many of the open calls are which
+  int subprograms = 0, macros = 0;  // how many of the open calls are subprograms, and macros
   Labels labels;
   std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
   std::vector<ModalCall> modals;      // in the order they were declared
@@ -117,7 +117,7 @@ struct State {
     SavedModes modes;
   };
   std::vector<ModalStackEntry> modal_stack;  // modes, the innermost program's last
-  Address moved_at = 0;  // the block behind whose move a modal call comes, or that called last
+  Address moved_at = 0;  // the block whose move a modal call follows, or that called last
 
   // Variables.
   int level = 0;                          // the present level of locals
@@ -131,12 +131,12 @@ struct State {
   std::map<std::int32_t, double> signals;     // of the machine, as they are now
   std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
 
-  // What was done so far.
+  // The counts of what was done so far.
   std::int64_t executed = 0;              // blocks
   std::int64_t cycles = 0;                // of the main program
   std::int64_t last_m = -1, last_n = -1;  // the last M code and sequence number; -1: none yet
-  std::int64_t skipped = 0;               // blocks passed over by block skip in a row
-  std::int64_t skipped_behind = -1;       // since that many blocks were executed
+  std::int64_t skipped = 0;               // blocks skipped by block skip in a row
+  std::int64_t skipped_behind = -1;       // they were skipped when that many blocks were executed
   ExternalReads external_reads;
   std::size_t next_write = 0;   // of Inputs::writes
   std::size_t next_answer = 0;  // of Inputs::operator_starts
@@ -147,7 +147,7 @@ struct State {
   Address jumped_from = kNowhere;           // that jump
   std::uint32_t last_condition = kNowhere;  // the expression that was asked since; or none
 
-  // Why the run has stopped.
+  // The reason why the run has stopped.
   Stop stop = Stop::Running;
   std::optional<Alarm> alarm;
   std::string waiting_for;  // "#1000", or "cycle start after M00"

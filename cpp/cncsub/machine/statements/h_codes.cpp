@@ -18,7 +18,7 @@ bool wrong(Run& run, const Statement& h, Cause cause, const Operand& word, const
   return alarm(run, {cause, word.present() ? word.at : h.at, word.width, detail});
 }
 
-/// How many operands, Q and R, an H code that calculates takes; 0 where it is none.
+/// Return how many operands, Q and R, an H code that calculates takes; 0 where it is none.
 int operands_of(int code) {
   switch (code) {
     case 1:
@@ -47,7 +47,7 @@ int operands_of(int code) {
   }
 }
 
-/// The variable that P of a G65 H statement names: `P#100` is #100 itself.
+/// Find the variable that P of a G65 H statement names: `P#100` is #100 itself.
 bool variable_of(Run& run, const Operand& operand, std::int64_t& number) {
   if (operand.kind != Operand::Kind::Expression) return false;
   const Code& code = *run.code;
@@ -174,7 +174,7 @@ std::optional<Cause> calculate(Run& run, int code, double q, double r, std::int6
   }
 }
 
-/// H80 to H86: jumps, always or where Q and R compare so.
+/// Execute H80 to H86: jumps, always or where Q and R compare so.
 bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
   const int code = h.number;
   if (!h.p.present()) return wrong(run, h, Cause::HCodeFormat, h.p, "the jump has no P");
@@ -193,7 +193,7 @@ bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
   return alarm(run, {Cause::JumpTargetNotFound, h.p.at, h.p.width, run.code->no_block(n, program)});
 }
 
-/// H99 P15 (TEXT).
+/// Execute H99 P15 (TEXT).
 bool raise_alarm(Run& run, const HCode& h) {
   double n = 0;
   if (!value_of(run, h.p, n)) return false;

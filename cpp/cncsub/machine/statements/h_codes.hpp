@@ -5,8 +5,8 @@
 
 namespace cncsub {
 
-/// G65 H1 P#100 Q#101 R#102: assigns, calculates, jumps or raises an alarm. Of a jump that
-/// compares it tells whether it `holds`.
+/// Execute G65 H1 P#100 Q#101 R#102: assign, calculate, jump or raise an alarm. `holds`: what the
+/// comparison of a jump gave.
 bool h_code(Run& run, const HCode& h, bool& holds);
 
 }  // namespace cncsub

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kShown = 1e-4;  // a value below is shown as 0 [rs274 2.9, DEBUG]
 
-/// A value as DPRNT writes it: a sign or a blank, the whole digits with blanks for leading zeros,
-/// the decimals. Some controls leave the blanks out.
+/// Return a value as DPRNT writes it: a sign or a blank, the whole digits with blanks for leading
+/// zeros, the decimals. Some controls leave the blanks out.
 std::string written(double value, const PrintField& field, bool without_blanks) {
   const double scale = std::pow(10.0, field.decimals);
   double units = std::round(std::fabs(value) * scale);
@@ -90,7 +90,7 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
 
 namespace {
 
-/// Without blanks; what has no value or no room is crossed out.
+/// Return a value without blanks; one that is vacant or has no room is crossed out.
 std::string plainly(double value, int decimals) {
   constexpr int kRoom = 30;  // with the end of the text [rs274 2.9, DEBUG]
   std::array<char, kRoom> text{};
@@ -99,7 +99,7 @@ std::string plainly(double value, int decimals) {
   return is_vacant(value) || length >= kRoom ? "######" : text.data();
 }
 
-/// A value as a field of the line shows it.
+/// Return a value as a field of the line shows it.
 std::string shown(const Run& run, const Print& print, const PrintField& field, double value) {
   if (field.whole_digits == PrintField::kPlain) return plainly(value, field.decimals);
   if (is_vacant(value)) value = 0;

@@ -19,13 +19,13 @@ void remember(Run& run, bool local, std::size_t index) {
       {local, index, value, reported ? s.programmed[index] : std::uint8_t{0}});
 }
 
-/// A variable of the system may be an offset, the clock, an image of locals.
+/// Keep what a system variable may be: an offset, the clock, an image of locals.
 void remember_system(Run& run) {
   std::optional<BeforeTogether::System>& system = run.block.before_together.system;
   if (!system) system = {run.state.locals, run.state.system, run.motion};
 }
 
-/// What the assignment is about to change; `number` is that of its variable where it is computed.
+/// Keep what the assignment is about to change; `number`: its variable where that is computed.
 void remember(Run& run, const Statement& statement, double number) {
   const auto index = static_cast<std::size_t>(statement.index);
   if (statement.target == Statement::Target::Local)

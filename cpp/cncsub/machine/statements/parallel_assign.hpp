@@ -5,8 +5,8 @@
 
 namespace cncsub {
 
-/// Its assignments, all with the values from before, and its message. The words have their values
-/// already, and are executed behind it.
+/// Execute the block's assignments, all with the values from before, and its message. The words
+/// have their values already, and are executed after it.
 bool assign_in_parallel(Run& run);
 
 }  // namespace cncsub

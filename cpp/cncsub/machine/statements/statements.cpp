@@ -18,12 +18,12 @@ namespace {
 
 // ---- assignments ----
 
-/// The number that an expression gives to a variable.
+/// Return the number of the variable that an expression gives.
 std::int64_t to_number(double value) {
   return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
 }
 
-/// A variable that is neither written as a local nor as a common takes a value.
+/// Give a value to a variable that is neither written as a local nor as a common.
 bool set_other(Run& run, const Block& block, const Assigned& assigned, const Places& places,
                double value) {
   if (assigned.target != Statement::Target::Indirect || std::fabs(value) > kLargest)
@@ -58,7 +58,7 @@ bool assign(Run& run, const Statement& statement) {
   return evaluate(run, statement.expression, value) && store(run, statement, value);
 }
 
-/// #3000 = n (TEXT). The block is a step: the alarm is what it does.
+/// Raise the alarm of #3000 = n (TEXT). It is what the block does, so that the block is a step.
 bool user_alarm(Run& run, double n, const Statement& statement) {
   const Control& control = run.control();
   const double number = std::round(n);
@@ -77,8 +77,8 @@ bool user_alarm(Run& run, double n, const Statement& statement) {
 
 // ---- jumps and loops ----
 
-/// Where a loop only waits for something outside: for what its condition reads, if another program
-/// does not write it now.
+/// Return whether a loop only waits for something outside: for what its condition reads, if another
+/// program does not write it now.
 bool waits_for(Run& run, std::uint32_t condition) {
   State& s = run.state;
   const Expression of = run.code->expression(condition);
@@ -101,8 +101,8 @@ bool waits_for(Run& run, std::uint32_t condition) {
   return true;
 }
 
-/// A jump back that is reached twice with nothing changed in between can only wait for the world
-/// outside. Asked in every pass of a loop, it is part of it.
+/// Return whether a jump back waits for the world outside: it is reached twice with nothing changed
+/// in between. It is inlined, as every pass of a loop asks it.
 CNCSUB_ALWAYS_INLINE inline bool waits_here(Run& run) {
   State& s = run.state;
   const bool idle =
@@ -114,7 +114,7 @@ CNCSUB_ALWAYS_INLINE inline bool waits_here(Run& run) {
   return idle && waits_for(run, condition);
 }
 
-/// GOTO 10, GOTO #1.
+/// Execute GOTO 10 or GOTO #1.
 bool jump_by_goto(Run& run, const Statement& statement) {
   if (!may_jump(run, statement)) return false;
   if (compensating(run.motion.state()) && run.refuses(Cause::JumpInCompensation))
@@ -149,7 +149,7 @@ bool open_loop(Run& run, const Statement& statement) {
   return true;
 }
 
-/// A WHILE whose condition is known, or a DO, whose condition always holds.
+/// Execute a WHILE whose condition is known, or a DO, whose condition always holds.
 inline bool loop(Run& run, const Statement& statement, bool holds) {
   std::vector<Address>& loops = run.state.loops;
   const bool inside = loops.size() > run.frame().loops && loops.back() == run.state.pc;
@@ -172,7 +172,7 @@ bool end_loop(Run& run, const Statement& statement) {
   return true;
 }
 
-/// SETVN.
+/// Execute SETVN.
 bool name_variables(Run& run, const Statement& statement) {
   for (std::uint32_t i = 0; i < statement.variable_width; ++i) {
     if (i % kLongText == kLongText - 1 && breaks_off(run)) return false;
@@ -182,7 +182,7 @@ bool name_variables(Run& run, const Statement& statement) {
   return true;
 }
 
-/// The condition of IF or WHILE.
+/// Evaluate the condition of IF or WHILE.
 inline bool condition(Run& run, std::uint32_t expression, const Places& places, bool& holds) {
   double value = 0;
   run.state.last_condition = expression;
@@ -191,7 +191,7 @@ inline bool condition(Run& run, std::uint32_t expression, const Places& places, 
   return true;
 }
 
-/// One of the statements that fill most loops, whether its condition `holds`. Others are left.
+/// Execute one of the statements that fill most loops; `holds`: its condition. Others are left.
 enum class Ran : std::uint8_t { Yes, Stopped, Other };
 CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Places& places,
                                         bool& holds) {
@@ -242,7 +242,7 @@ bool run_statements(Run& run, bool one, const Block*& instead) {
 
 namespace {
 
-/// A statement that has done what it says is a step.
+/// Record a statement that has done what it says as a step.
 bool end_statement(Run& run, const Block& block, bool holds) {
   const bool device = block.op == Op::OpenOutput || block.op == Op::CloseOutput;
   if (device && run.observer != nullptr) run.observer->device = block.op;

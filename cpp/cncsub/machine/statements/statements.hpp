@@ -5,25 +5,27 @@
 
 namespace cncsub {
 
-/// Macro statements one after the other, which fill most loops, from the present block on: until
-/// another kind of block comes, or one that a switch skips, or the run is to look around; or `one`.
+/// Execute macro statements, which fill most loops, one after the other from the present block on:
+/// until another kind of block comes, or one that a switch skips, or the run is to look for a
+/// reason to stop; or `one`.
 bool run_statements(Run& run, bool one, const Block*& instead);
-/// One statement, of any kind.
+/// Execute one statement, of any kind.
 bool run_statement(Run& run, const Block& block, const Block*& instead);
 
-/// Gives the variable of an assignment its value.
+/// Give the variable of an assignment its value.
 bool store(Run& run, const Statement& statement, double value);
-/// Gives a variable a value; #3000 and #3006 raise an alarm and show a message instead.
+/// Give a variable a value; #3000 and #3006 raise an alarm and show a message instead.
 bool store_number(Run& run, std::int64_t number, double value, const Statement& statement);
 
-/// A jump alarms in the main program of MDI where the control says so.
+/// Return whether a jump is allowed; it alarms in the main program of MDI where the control says
+/// so.
 bool may_jump(Run& run, const Statement& statement);
-/// A jump back that is reached twice with nothing changed in between can only wait for the world
-/// outside: for what the condition that was asked last reads.
+/// Return whether the run waits here for the world outside. A jump back that is reached twice with
+/// nothing changed in between can only wait, for what the condition that was asked last reads.
 bool waits(Run& run);
-/// Goes on at a block of the running program, or waits there for the world outside.
+/// Go on at a block of the running program, or wait there for the world outside.
 bool jump_to(Run& run, Address to);
-/// Leaves the loops that do not hold the block.
+/// Leave the loops that do not hold the block.
 void leave_loops(Run& run, Address to);
 
 }  // namespace cncsub

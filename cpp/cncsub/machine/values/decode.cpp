@@ -15,14 +15,15 @@ struct Place {
   std::uint32_t at, width;
 };
 
-/// Where a code is written that is an expression; that of other codes is their block.
+/// Return where a code is written that is an expression; for other codes, their block.
 Place place_of(const Run& run, const Block& block, const Cell& cell) {
   if (cell.value >= 0) return {block.text, block.length};
   const auto expression = run.code->expression(to_whole<std::uint32_t>(-1.0 - cell.value));
   return {expression.at(), expression.width()};
 }
 
-/// A G or M code in its cell: a number, or an expression, of which a vacant value (-1) is no code.
+/// Decode a G or M code from its cell: a number, or an expression, whose vacant value (-1) is no
+/// code.
 bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, double factor,
                  int& code) {
   double value = cell.value;
@@ -41,7 +42,7 @@ bool decode_code(Run& run, const Block& block, Address of, const Cell& cell, dou
   return true;
 }
 
-/// Codes of which one is an expression, or of which a library has too many lists.
+/// Decode codes of which one is an expression, or of which a library has too many lists.
 bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, NcWords& words) {
   CodeList list;
   for (unsigned i = 0; i < block.g_count; ++i) {
@@ -68,7 +69,7 @@ bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, N
   return true;
 }
 
-/// A word whose value is an expression.
+/// Decode a word whose value is an expression.
 bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t place,
                      NcWords& words) {
   double value = 0;

@@ -11,7 +11,7 @@ namespace cncsub {
 
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
-/// The angle within one turn, 0 to 360 degrees.
+/// Return the angle within one turn, 0 to 360 degrees.
 inline double within_turn(double degrees) {
   if (!std::isfinite(degrees)) return 0;
   constexpr double kExact = 1e12;  // below, whole turns are subtracted without rounding
@@ -24,7 +24,7 @@ inline double within_turn(double degrees) {
   return rest < 0 ? rest + 360.0 : rest;
 }
 
-/// Sines of whole degrees, exact where they are 0, a half or 1, so that TAN[90] is told from a
+/// The sines of whole degrees, exact where they are 0, a half or 1, so that TAN[90] is told from a
 /// large value.
 inline const std::array<double, 360> kSines = [] {
   std::array<double, 360> sines{};
@@ -36,7 +36,7 @@ inline const std::array<double, 360> kSines = [] {
   return sines;
 }();
 
-/// Whether the angle is a whole number of degrees, and which of one turn.
+/// Return whether the angle is a whole number of degrees, and which of one turn.
 inline bool whole_degrees(double degrees, std::size_t& of_turn) {
   if (!(std::fabs(degrees) < 1e9)) return false;
   const auto whole = to_whole<std::int32_t>(degrees);

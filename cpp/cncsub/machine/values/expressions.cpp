@@ -45,8 +45,8 @@ inline bool take(const Fallible& from, double& value) {
   return true;
 }
 
-/// False where the expression has no value; the trap says why. The last value lies in `a`, a
-/// register, those before it on the stack, `below` the place of the next.
+/// Compute an expression; return false where it has no value, for which the trap says why. The last
+/// value lies in `a`, a register; those before it on the stack, `below` the place of the next.
 bool compute(const ExpressionCell* at, const Evaluation& e, double* below, double& result) {
   double a = 0;
   for (;;) {
@@ -83,7 +83,7 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double* below, doubl
   }
 }
 
-/// One operation on two values, with the End that it is kept without.
+/// One operation on two values, with the End that is left out where it is kept.
 class Ended {
  public:
   explicit Ended(Expression e) {
@@ -95,8 +95,8 @@ class Ended {
   std::array<ExpressionCell, 5> cells_;
 };
 
-/// The same with a stack that is large enough: each value that waits is written somewhere, one
-/// character at least.
+/// Compute an expression with a stack that is large enough: each value that waits is written
+/// somewhere, one character at least.
 bool compute(Expression of, const Evaluation& e, double& result) {
   constexpr std::size_t kOrdinary = 250, kSpare = 10;
   std::array<double, kOrdinary + kSpare> stack;  // NOLINT: written before it is read

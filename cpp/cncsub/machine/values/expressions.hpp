@@ -1,5 +1,5 @@
-// Expressions and operands, evaluated. Each function is false where the run stopped: the alarm has
-// been raised then.
+// Evaluates expressions and operands. Each function returns false where the run stopped: the alarm
+// has been raised then.
 #pragma once
 
 #include <array>
@@ -12,12 +12,13 @@
 
 namespace cncsub {
 
-/// Where the locals of the present level and the commons lie. It holds until a level is opened.
+/// The places of the locals of the present level and of the commons. They hold until a level is
+/// opened.
 struct Places {
   std::array<double*, 2> of;
   double& local(std::uint32_t index) const { return of[0][index]; }
   double& common(std::uint32_t index) const { return of[1][index]; }
-  /// Where a variable lies that is near, perhaps to be written; null where it is another one.
+  /// Return the place of a direct variable, perhaps to be written; null where it is another one.
   double* near(const Code& code, std::int64_t number, bool written) const {
     if (number < 0 || number > std::numeric_limits<std::int32_t>::max()) return nullptr;
     const auto of_number = static_cast<std::uint32_t>(number);
@@ -25,7 +26,7 @@ struct Places {
     if (found == nullptr || (written && !found->writable)) return nullptr;
     return of[found->raw == Ins::CommonRaw ? 1 : 0] + found->base + (of_number - found->first);
   }
-  /// What an instruction for a local or a common pushes.
+  /// Return what an instruction for a local or a common pushes.
   double load(const ExpressionCell& cell) const {
     const auto op = static_cast<std::uint32_t>(cell.op()) - static_cast<std::uint32_t>(Ins::Local);
     const double value = of[op >> 1][cell.index()];
@@ -41,11 +42,11 @@ inline Places places(Run& run) {
   return {{state.locals.data() + run.local_at(state.level, 0), state.commons.data()}};
 }
 
-/// `of`: the block that the expression stands in, where it is not the one that is being executed.
+/// Evaluate an expression of any form. `of`: its block, where that is not the one being executed.
 bool evaluate_long(Run& run, Expression expression, const Places& places, double& value,
                    Address of = kNowhere);
 
-/// One operation on two values; what has no finite result goes the long way.
+/// Compute one operation on two values; one without a finite result takes the long path.
 CNCSUB_ALWAYS_INLINE inline bool join(Run& run, Expression e, const Places& places, double a,
                                       double b, double& value, Address of) {
   const auto same = [&] { return a == b || (is_vacant(a) && is_vacant(b)); };
@@ -80,8 +81,8 @@ CNCSUB_ALWAYS_INLINE inline bool join(Run& run, Expression e, const Places& plac
   }
 }
 
-/// One value, or one operation on two, at once; what is longer or has no finite result goes the
-/// long way.
+/// Evaluate one value, or one operation on two, at once; what is longer or has no finite result
+/// takes the long path.
 CNCSUB_ALWAYS_INLINE inline bool evaluate(Run& run, Expression e, const Places& places,
                                           double& value, Address of = kNowhere) {
   const ExpressionCell* const cells = e.cells();
@@ -117,15 +118,15 @@ inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address 
 }
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value);
-/// The value of a word of a call, a return or a jump; vacant where it is absent.
+/// Read the value of a word of a call, a return or a jump; vacant where it is absent.
 inline bool value_of(Run& run, const Operand& operand, double& value) {
   if (operand.kind == Operand::Kind::Expression) return evaluate_operand(run, operand, value);
   value = operand.kind == Operand::Kind::Absent ? kVacant : operand.value;
   return true;
 }
 
-/// The number whose digits to the base `to` are those of a whole value to the base `from`: BIN,
-/// BCD, H24, H25. False where these are not one to eight decimal digits.
+/// Convert a whole value: take its digits to the base `from` as digits to the base `to`: BIN, BCD,
+/// H24, H25. Return false where these are not one to eight decimal digits.
 bool read_digits(double value, int from, int to, double& result);
 
 }  // namespace cncsub

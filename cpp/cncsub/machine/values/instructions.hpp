@@ -1,6 +1,7 @@
-// What the instructions of ins.def compute: of their operand in the code, of `a`, the last value,
-// and of `b`, where the last value is b and the one before it a. Those that can fail give an
-// optional value. Whoever evaluates expressions includes it, once.
+// The computations of the instructions of ins.def, from their operand in the code and the values on
+// the stack. `a` is the last value; where there is `b`, that is the last and `a` the one before it.
+// Those that can fail return an optional value. Whoever evaluates expressions includes this file,
+// once.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +21,7 @@
 
 namespace cncsub::instruction {
 
-/// What an instruction says where it is kept, of one that is known to hold it.
+/// An instruction as it is kept, which is known to hold what is asked of it.
 struct InstructionView {
   const ExpressionCell* cell;
 
@@ -30,15 +31,15 @@ struct InstructionView {
   std::uint8_t address() const { return static_cast<std::uint8_t>(cell->low >> 8); }
 };
 
-/// Why an expression has no value.
+/// The reason why an expression has no value.
 struct Trap {
   Cause cause{};
   std::uint32_t at = 0;
   const char* detail = "";
-  std::int64_t variable = kNoVariable;  // the one that cannot be read
+  std::int64_t variable = kNoVariable;  // the variable that cannot be read
   static constexpr std::int64_t kNoVariable = std::numeric_limits<std::int64_t>::min();
   std::string_view name = {};      // or its name
-  std::string_view function = {};  // whose value cannot be
+  std::string_view function = {};  // the function whose value cannot be
 };
 
 /// The expression that is being evaluated.
@@ -47,7 +48,7 @@ struct Evaluation {
   const Places& places;
   const Control& control;
   bool degrees;   // angles are degrees, not radians
-  Address block;  // it stands in
+  Address block;  // the block that the expression stands in
   Trap& trap;
 };
 
@@ -141,7 +142,7 @@ inline bool as_bits(double value, std::int64_t& bits) {
   bits = to_whole<std::int64_t>(whole);
   return true;
 }
-/// Both values as the bits that AND, OR and XOR take.
+/// Convert both values to the bits that AND, OR and XOR take.
 inline bool both_bits(E e, I at, double a, double b, std::int64_t& left, std::int64_t& right) {
   if (!as_bits(a, left) || !as_bits(b, right))
     fails(e, at, Cause::Overflow, "AND, OR and XOR take 32 bits");
@@ -253,7 +254,7 @@ inline Fallible to_bcd(E e, I at, double a) {
   return fails(e, at, Cause::ArgumentOutOfRange, "the value has no BCD number");
 }
 
-/// PRM[1320], PRM[1320,5]: a parameter, or the bit of one.
+/// Return the value of PRM[1320], PRM[1320,5]: a parameter, or the bit of one.
 inline Fallible parameter_of(E e, I at, double a, const std::string& bit) {
   const double which = std::round(a);
   if (!(std::fabs(which) < 1e9))

@@ -15,11 +15,11 @@ namespace {
 
 constexpr int kSystems = 20;  // numbers from one work coordinate system to the next
 
-/// The axis of #2500 to #2506, #2600 to #2606 and so on, from 0.
+/// Return the axis of #2500 to #2506, #2600 to #2606 and so on, from 0.
 int axis_of(const VariableRange& range) { return range.first / 100 % 10 - 5; }
 
-/// The parameter whose number was written to the first variable that chooses one; 0 where the
-/// control has none of this number, as of PRM.
+/// Return the parameter whose number was written to the first variable that chooses one; 0 where
+/// the control has none of this number, as for PRM.
 double chosen_parameter(const Run& run) {
   for (const auto& [range, base] : run.code->variables)
     if (range.kind == VariableKind::ParameterChoice) {
@@ -31,7 +31,8 @@ double chosen_parameter(const Run& run) {
   return 0;
 }
 
-/// The last M code, sequence number or program number, or what the motion knows of an address.
+/// Return the last M code, sequence number or program number, or what the motion knows of an
+/// address.
 double active_word(const Run& run, char address) {
   const auto known = [](std::int64_t number) {
     return number < 0 ? 0.0 : static_cast<double>(number);
@@ -43,12 +44,13 @@ double active_word(const Run& run, char address) {
   return is_vacant(value) ? 0 : value;
 }
 
-/// Tables that hold numbers from 1 begin at a number that ends in 01 or 00.
+/// Return the number in an offset table. The tables hold numbers from 1, and begin at a variable
+/// whose number ends in 01 or 00.
 int offset_number(const VariablePlace& place) {
   return place.index + (place.range->first % 100 == 0 ? 0 : 1);
 }
 
-/// Positions and offsets; nothing where it is something else.
+/// Return a position or an offset; nothing where the variable is something else.
 std::optional<double> of_motion(const MotionView& motion, const VariablePlace& place) {
   const int index = place.index;
   switch (place.kind) {
@@ -91,15 +93,15 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
   }
 }
 
-/// What a length of the program counts in a variable that holds millimetres.
+/// Return what a length of the program counts in a variable that holds millimetres.
 double unit_of(const Run& run, const VariablePlace& place) {
   const int axis = place.kind == VariableKind::Shift ? place.index - 1 : place.index % kSystems;
   const bool length = axis >= 0 && axis < kAxes && !is_rotary(axis);
   return place.range->metric && length && g20(run.motion.state()) ? kInch : 1;
 }
 
-/// The place in MotionState::set_anew of a variable that the control sets and a program may write
-/// over; nothing where it is none of these.
+/// Return the place in MotionState::set_anew of a variable that the control sets and a program may
+/// write over; nothing where it is none of these.
 std::optional<std::size_t> set_by_control(const VariablePlace& place) {
   switch (place.kind) {
     case VariableKind::SkipPosition:
@@ -114,7 +116,8 @@ std::optional<std::size_t> set_by_control(const VariablePlace& place) {
   }
 }
 
-/// What a program wrote over what the control had set; nothing where the control set it anew.
+/// Return what a program wrote over what the control had set; nothing where the control set it
+/// anew.
 std::optional<double> written_over(const Run& run, std::int64_t number) {
   const auto& written = run.state.written_over;
   const auto found = written.find(number);
@@ -123,7 +126,7 @@ std::optional<double> written_over(const Run& run, std::int64_t number) {
   return value == run.state.system.end() ? std::nullopt : std::optional(value->second);
 }
 
-/// Writes over what the control has set. What was written before it did so is forgotten.
+/// Write over what the control has set. What was written before the control set it is forgotten.
 void write_over(Run& run, std::size_t kind, std::int64_t number, double value) {
   auto& written = run.state.written_over;
   if (run.motion.state().set_anew[kind])
@@ -133,7 +136,7 @@ void write_over(Run& run, std::size_t kind, std::int64_t number, double value) {
   written[number] = kind;
 }
 
-/// What the control answers itself, and what was written to its variables.
+/// Return what the control answers itself, or what was written to its variables.
 double system_read(const Run& run, const VariablePlace& place, std::int64_t number) {
   const State& s = run.state;
   const auto in = [number](const auto& values, double otherwise) {
@@ -171,7 +174,7 @@ double system_read(const Run& run, const VariablePlace& place, std::int64_t numb
   }
 }
 
-/// Write a number of the offset tables; false where the variable is none of theirs.
+/// Write a number of the offset tables; return false where the variable is none of theirs.
 bool write_offset(Motion& motion, const VariablePlace& place, double value) {
   const int index = place.index;
   switch (place.kind) {
@@ -339,8 +342,8 @@ void clear_variables(Run& run) {
 
 namespace {
 
-/// Variables that have another number as well are listed by that, as programs call them: #100 where
-/// the control counts #10100.
+/// List variables that have another number as well by that, as programs call them: #100 where the
+/// control counts #10100.
 void call_by_aliases(const Run& run, std::map<std::int32_t, double>& values) {
   for (const auto& [range, base] : run.code->variables) {
     if (!is_alias(range)) continue;

@@ -21,7 +21,7 @@ double value_now(const Run& run, const VariablePlace& place, std::int32_t number
   return value;
 }
 
-/// Whether a variable of the system stays as it is while blocks only move and assign locals and
+/// Return whether a system variable stays as it is while blocks only move and assign locals and
 /// commons.
 bool is_still(VariableKind kind) {
   switch (kind) {
@@ -64,7 +64,7 @@ void list_place(Watched& watched, std::uint32_t number) {
   list[index] = list[index] == kNotWatched ? static_cast<std::int32_t>(number) : kSeveral;
 }
 
-/// Locals and commons, side by side where they lie so.
+/// Lay out locals and commons, side by side where they lie so.
 void lay_out(Watched& watched, std::vector<std::uint32_t> numbers) {
   const auto order = [&](std::uint32_t number) {
     const VariablePlace& place = watched.places[number];
@@ -117,7 +117,7 @@ void note_all(Run& run, std::int64_t step, Address at) {
   see_ranges(run);
 }
 
-/// The one variable that a step wrote.
+/// Note the one variable that a step wrote.
 void note_one(Run& run, std::int64_t step, Address at, const Reach& reach) {
   Watched& watched = run.watched;
   const std::vector<std::int32_t>& list = reach.local ? watched.locals : watched.commons;
