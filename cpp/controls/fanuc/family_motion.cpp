@@ -112,7 +112,7 @@ const Parameter kParameters[] = {
      kKnown,
      Inferred,
      {number(rule::power_on_feed)}},
-    // Programs of lathes write chamfers without a comma, which CCR allows.
+    // Cases of lathes write chamfers without a comma, which CCR allows.
     {"3405#4",
      1,
      "CCR: 1 = C and R make corners without a comma (lathes)",
