@@ -7,7 +7,7 @@ namespace {
 
 using Row = ListedAlarm::Row;
 
-/// The number as the list prints it: PS0078 is 0078.
+/// Return the number as the list prints it: PS0078 is 0078.
 std::string bare(const std::string& number) {
   return number.substr(std::min(number.find_first_of("0123456789"), number.size()));
 }
@@ -18,7 +18,8 @@ std::string text_of(const AlarmList& list, const char* number) {
   return "";
 }
 
-/// The source of numbers by direction: those of the list from the first to the last, or memory.
+/// Return the source of numbers by direction: those of the list from the first to the last, or
+/// memory.
 std::string directed_source(const AlarmList& list) {
   if (!list.memory.empty()) return list.memory;
   std::string first, last;

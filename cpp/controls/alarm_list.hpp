@@ -1,4 +1,4 @@
-// Alarm lists as data: for each list that is printed a file alarms_<list>.def beside its control.
+// Alarm lists as data. Each printed list has a file alarms_<list>.def beside its control.
 #pragma once
 
 #include <initializer_list>
@@ -33,7 +33,7 @@ struct AlarmList {
 //   a number, its text, the causes that the list's words cover;
 //   a number of the list, causes that show it too, as far as is known;
 //   a number whose text the list has wrong: it repeats a neighbour's; the text is from memory;
-//   one number a direction of an axis ("X+", or "-" of any), or a kind of two moves ("LA"), behind
+//   one number a direction of an axis ("X+", or "-" of any), or a kind of two moves ("LA"), after
 //   the row of the others; a number with a source of its own.
 #define LISTED(number, text, ...) {ListedAlarm::Row::Listed, number, text, {__VA_ARGS__}},
 #define ASSUMED(number, ...) {ListedAlarm::Row::Assumed, number, "", {__VA_ARGS__}},
@@ -43,7 +43,7 @@ struct AlarmList {
 #define FROM(number, text, source, evidence, ...) \
   {ListedAlarm::Row::From, number, text, {__VA_ARGS__}, "", source, Evidence::evidence},
 
-/// Gives a control the alarms of a list, or only those of some numbers.
+/// Give a control the alarms of a list, or only those of some numbers.
 void take_list(Control& control, const AlarmList& list,
                std::initializer_list<std::string_view> only = {});
 

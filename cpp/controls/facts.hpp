@@ -1,6 +1,6 @@
-// What the files of the controls share. A control is one function in a file of its own,
-// cpp/controls/<maker>/<control>.cpp, and the file names both: 30i.cpp of fanuc holds
-// fanuc_30i(), the control fanuc-30i. What relatives share stands in the maker's family*.cpp.
+// The parts that the files of the controls share. A control is one function in a file of its own,
+// cpp/controls/<maker>/<control>.cpp, and the file names both: 30i.cpp of fanuc holds fanuc_30i(),
+// the control fanuc-30i. The parts that relatives share stand in the maker's family*.cpp.
 #pragma once
 
 #include <initializer_list>
@@ -18,14 +18,14 @@ namespace cncsub {
 
 inline constexpr const char* kKnown = "general knowledge";
 
-/// Several sources of one fact.
+/// Return several sources of one fact as one text.
 std::string cite(std::initializer_list<const char*> sources);
 
-/// A relative's codes, and more.
+/// Return the codes of a relative with more codes.
 Codes with(Codes codes, const Codes& more);
 
-/// The number of a modal word among #4101 to #4120: B, M, N, O, S and T by the alphabet, D, E, F
-/// and H as the locals of a macro's arguments. All makers of the family share it. [M7 printed
+/// Return the number of a modal word among #4101 to #4120: B, M, N, O, S and T by the alphabet, D,
+/// E, F and H as the locals of a macro's arguments. All makers of the family share it. [M7 printed
 /// p.331; TDi28 3.28.1.3, F to T; REG]
 std::int32_t modal_word_number(char address);
 

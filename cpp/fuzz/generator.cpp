@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMostLines = 60;
 
-/// Makes the texts of one program.
+/// A writer of the texts of one program.
 class Writer {
  public:
   Writer(std::uint64_t seed, const std::vector<std::string>& lines)
@@ -37,7 +37,7 @@ class Writer {
     return edge();
   }
 
-  /// Numbers at the edges of types, of the controls' digits and of sense.
+  /// Return a number at the edge of a type, of the controls' digits or of sense.
   std::string edge() {
     static constexpr std::array<const char*, 36> kEdges = {
         "0",          "-0",         "0.",          "-0.0",        "0.001",
@@ -68,7 +68,7 @@ class Writer {
 
   std::string word(char letter) { return letter + number(); }
 
-  /// Some of these letters, each with a number.
+  /// Return some of these letters, each with a number.
   std::string some(std::string_view letters, int percent) {
     std::string text;
     for (const char letter : letters)
@@ -119,7 +119,7 @@ class Writer {
     return text + some("KLIJDUWACEHBS", 15);
   }
 
-  /// G71 to G73 with their profile, and G70.
+  /// Write G71 to G73 with their profile, and G70.
   void rough() {
     const std::string code = "G" + std::to_string(71 + below(3));
     const std::size_t first = 100 + 10 * below(4), last = first + 90;
@@ -141,7 +141,7 @@ class Writer {
     return one_of(kCorners) + number();
   }
 
-  /// A contour beside which the tool goes.
+  /// Write a contour with radius compensation.
   void contour() {
     line(std::string(chance(50) ? "G41" : "G42") + (chance(70) ? " D1" : "") +
          (chance(80) ? " G1" : "") + some("XYZ", 55) + " F100");
@@ -275,7 +275,7 @@ class Writer {
     return text;
   }
 
-  /// Changes words, blocks and numbers of a text.
+  /// Return a text with words, blocks and numbers changed.
   std::string mutated(const std::string& text) {
     lines_out_.clear();
     for (std::size_t at = 0; at < text.size() && lines_out_.size() < kMostLines;) {
@@ -338,7 +338,7 @@ class Writer {
   std::size_t next_n_ = 0;
 };
 
-/// Zero points, tools and offsets as people have them.
+/// Return zero points, tools and offsets as people have them.
 Setup usual_setup(Writer& writer) {
   static constexpr std::array<const char*, 5> kMachines = {"", "", "mill", "lathe-a", "lathe-b"};
   const auto length = [&] { return (static_cast<double>(writer.below(40'000)) - 20'000) / 1000; };
@@ -384,7 +384,7 @@ Job Generator::make(std::uint64_t seed, std::uint64_t number) const {
   if (!from_seed || writer.chance(25)) {  // another control, other options
     std::vector<std::uint8_t> around(400);
     for (std::uint8_t& byte : around) byte = writer.byte();
-    if (writer.chance(70)) around.back() &= 0x1f;  // the control alone
+    if (writer.chance(70)) around.back() &= 0x1f;  // only the control
     Job other = job_around(around.data(), around.size());
     other.texts = std::move(job.texts);
     job = std::move(other);

@@ -1,6 +1,6 @@
-// Whole programs, made of words: rows and examples with their words changed, and blocks of every
-// kind - cycles with any of their words, profiles, corners, compensation, macros, data - with
-// numbers at the edges of every type and of sense.
+// Whole programs, made of words: rows and examples with changed words, and blocks of every kind
+// (cycles with any of their words, profiles, corners, compensation, macros, data), with numbers at
+// the edges of every type and of sense.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace cncsub::fuzz {
 
 class Generator {
  public:
-  /// The seeds are inputs of `run_job`.
+  /// Take seeds, which are inputs of `run_job`.
   explicit Generator(std::vector<std::vector<std::uint8_t>> seeds);
 
-  /// The program of this number, the same every time; with its control, setup and options.
+  /// Return the program of a number, with its control, setup and options; the same every time.
   Job make(std::uint64_t seed, std::uint64_t number) const;
 
  private:

@@ -15,9 +15,9 @@ namespace cncsub::fuzz {
 
 namespace {
 
-constexpr double kSetupLimit = 999'999'999;  // the package takes nothing larger
+constexpr double kSetupLimit = 999'999'999;  // the package accepts no larger number
 
-/// Reads from the end backwards.
+/// A reader of bytes from the end backwards.
 class Reader {
  public:
   Reader(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
@@ -31,7 +31,7 @@ class Reader {
     return static_cast<T>(value);
   }
 
-  /// A number as programs and people write it, a special one, or any bits at all.
+  /// Return a number as programs and people write it, a special one, or one of any bits.
   double number() {
     static constexpr std::array kSpecial = {0.0,   1.0,  -1.0,  0.5,   0.001, 1e-9,  90.0,
                                             360.0, 25.4, 9999., 1e6,   1e8,   -1e15, 1e47,
@@ -60,7 +60,7 @@ class Reader {
     }
   }
 
-  // The same, as far as the package lets them through.
+  // Return the same, as far as the package lets it through.
   double finite() {
     const double value = number();
     return std::isfinite(value) ? value : 0;
@@ -296,7 +296,7 @@ Job read_job(const std::uint8_t* data, std::size_t size) {
 
 namespace {
 
-/// All but the texts: from the end of the bytes.
+/// Read a job without its texts, from the end of the bytes.
 Job job_without_texts(Reader& in) {
   Job job;
   const std::uint8_t first = in.byte();

@@ -17,8 +17,8 @@
 
 namespace cncsub::fuzz {
 
-/// Separate the texts of an input: a file of the memory, one of the external device, a text typed
-/// in MDI. `kNameEnd` stands behind the name of a file that has one.
+/// The characters that separate the texts of an input: a file of the memory, one of the external
+/// device, a text typed in MDI. `kNameEnd` stands after the name of a file that has one.
 constexpr char kFile = '\x1c', kExternalFile = '\x1d', kMdi = '\x1e', kNameEnd = '\x1f';
 
 struct Texts {
@@ -31,28 +31,29 @@ struct Job {
   Texts texts;
   std::shared_ptr<const Control> control;
   Options options;
-  std::size_t main = 0;                                  // of the programs, modulo their count
+  std::size_t main = 0;                                  // the program to run, modulo the count
   std::size_t copied_after = 0;                          // steps before the machine is copied
   std::vector<std::pair<std::int64_t, double>> by_hand;  // variables written at that point
 };
 
-/// The memory alone: the last byte names the control.
+/// Read the memory alone; the last byte names the control.
 Job read_job(const std::uint8_t* data, std::size_t size);
-/// Everything.
+/// Read a whole job.
 Job run_job(const std::uint8_t* data, std::size_t size);
 
-/// Everything but the texts; what the bytes do not need is left.
+/// Read everything except the texts. Bytes that are not needed are left.
 Job job_around(const std::uint8_t* data, std::size_t size);
 
-/// The library of a job, and the program to run: never empty. `general_only` as for `compile`.
+/// Return the library of a job, which is never empty, and the program to run. `general_only` is as
+/// for `compile`.
 std::shared_ptr<const Code> library_of(const Job& job, std::int32_t& main,
                                        bool general_only = false);
 
-/// Where a broken claim is noted for another process, unless it is null.
+/// Memory in which a broken claim is recorded for another process, unless it is null.
 constexpr std::size_t kLongestClaim = 200;
 extern char* broken_claim;
 
-/// Stops the fuzzer where a claim about the engine is false.
+/// Stop the fuzzer where a claim about the engine is false.
 void claim(bool holds, const char* what);
 
 }  // namespace cncsub::fuzz

@@ -1,4 +1,4 @@
-// The laws that every run keeps to: all ways to make it come out alike, and what it tells is
+// The laws that every run obeys: all ways to run it give the same result, and what it reports is
 // finite, in order and clean.
 #include "laws.hpp"
 
@@ -11,9 +11,9 @@ namespace cncsub::fuzz {
 namespace {
 
 constexpr std::size_t kMostCompared = 20'000;  // rows of moves
-constexpr std::uint64_t kPlenty = 1 << 30;     // bytes that no run of a fuzzer needs
+constexpr std::uint64_t kPlenty = 1 << 30;     // more bytes than a fuzzer's run needs
 
-/// How far apart values may be that are the same, and parts of them.
+/// The tolerance for values that count as the same: absolute, and as a share of the value.
 double rounding = 0;
 
 bool same(double a, double b) {
@@ -97,8 +97,8 @@ void same_run(const Machine& a, const Machine& b) {
   same_moves(a.trace().moves, b.trace().moves);
 }
 
-/// What the moves say: each is finite, they come in the order of their steps, none is shorter than
-/// its chord or leaves the travel, and their times are the time of the run.
+/// Check the moves: each is finite, they come in the order of their steps, none is shorter than its
+/// chord or leaves the travel, and their times add up to the time of the run.
 void check_moves(const Machine& machine, const Options& options) {
   const Moves& moves = machine.trace().moves;
   if (moves.size() == 0 || moves.size() > kMostCompared) return;
@@ -142,8 +142,8 @@ void check_moves(const Machine& machine, const Options& options) {
           "the bounds hold the moves");
 }
 
-/// A text of ours: but for what it quotes in brackets no number in it is none, or less than
-/// nothing.
+/// Return whether a text of ours is clean: no number in it is nan, inf or a negative zero, except
+/// where it quotes in brackets.
 bool clean(const std::string& whole) {
   std::string text;
   int depth = 0;
@@ -173,7 +173,7 @@ void check_alarm(const Alarm& alarm) {
         "the word stands in its line");
 }
 
-/// What every run that has stopped keeps to.
+/// Check what holds for every run that has stopped.
 void check(const Machine& machine, const Options& options) {
   claim(machine.stop() != Stop::Running, "a run stops");
   claim(machine.alarm().has_value() == (machine.stop() == Stop::Alarm), "an alarm stops");
@@ -201,7 +201,7 @@ void step_to_the_end(Machine& machine) {
   }
 }
 
-/// Runs on, held before every other block and interrupted now and then.
+/// Run on, paused before every other block and interrupted now and then.
 void run_with_pauses(Machine& machine) {
   while (machine.stop() == Stop::Running) {
     const std::int64_t from = machine.blocks();
@@ -213,7 +213,7 @@ void run_with_pauses(Machine& machine) {
   }
 }
 
-/// Runs in parts of so many blocks; the parts together are what one run recorded.
+/// Run in parts of `blocks` blocks; the parts together are what one run recorded.
 void run_in_parts(Machine machine, std::int64_t blocks, const Machine& whole) {
   std::int64_t steps = 0, moves = 0;
   std::size_t calls = 0, messages = 0;
@@ -244,7 +244,8 @@ void run_in_parts(Machine machine, std::int64_t blocks, const Machine& whole) {
   claim(messages == whole.trace().messages.size(), "all messages in parts");
 }
 
-/// After an alarm all is as it was before the block, or as behind its words where these are a step.
+/// Check that after an alarm the state is that before the block, or that after its words where
+/// these are a step.
 void alarm_changes_nothing(Machine machine, const Machine& alarmed) {
   while (machine.blocks() < alarmed.blocks() && machine.step()) {
   }
@@ -254,7 +255,7 @@ void alarm_changes_nothing(Machine machine, const Machine& alarmed) {
   same_state(machine, alarmed);
 }
 
-/// What is recorded changes nothing of what is done.
+/// Check that the depth of the trace changes nothing of what is done.
 void other_depths(const std::shared_ptr<const Code>& code, std::int32_t main, Options options,
                   const Machine& whole) {
   for (const auto depth : {Trace::Depth::None, Trace::Depth::Calls, Trace::Depth::Moves}) {
@@ -266,7 +267,8 @@ void other_depths(const std::shared_ptr<const Code>& code, std::int32_t main, Op
   }
 }
 
-/// The short ways do what the general way does, but for the order in which numbers are added.
+/// Check that the fast paths do what the general path does, except for the order in which numbers
+/// are added.
 void by_the_general_way(const Job& job, const Machine& whole) {
   std::int32_t main = 0;
   const auto code = library_of(job, main, true);
@@ -297,7 +299,7 @@ void try_all_ways(const Job& job) {
   Machine whole = fresh;
   whole.run({});
   check(whole, job.options);
-  // Where the memory ends a run depends on when it is looked at.
+  // Where memory ends a run depends on when its use is checked.
   if (job.options.max_memory < kPlenty) return;
   if (whole.stop() == Stop::Alarm) alarm_changes_nothing(fresh, whole);
   other_depths(code, main, job.options, whole);

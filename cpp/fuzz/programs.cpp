@@ -72,7 +72,7 @@ std::vector<std::vector<std::uint8_t>> read_seeds(const std::string& folder) {
   return seeds;
 }
 
-/// What the parent sees of its child: the number of the program that it is at, the broken claim.
+/// Memory shared with the child: the number of the program that it runs, and the broken claim.
 struct Shared {
   std::uint64_t number;
   char claim[kLongestClaim];
@@ -89,7 +89,7 @@ Shared* shared() {
   return memory;
 }
 
-/// Does the work in a child; whether that came to its end.
+/// Do the work in a child; return whether it reached its end.
 template <class Work>
 bool survives(bool quiet, Work&& work) {
   std::fflush(stdout);
@@ -107,7 +107,7 @@ bool survives(bool quiet, Work&& work) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-/// Whether a job breaks no law, or another one than this.
+/// Return whether a job breaks no law, or another one than this.
 bool holds(const Job& job, const std::string& claim) {
   shared()->claim[0] = 0;
   const bool well = survives(true, [&] {
@@ -159,7 +159,7 @@ void print(const Job& job) {
   }
 }
 
-/// Leaves out what is not needed to break the law: blocks, many at a time first, then words.
+/// Leave out what is not needed to break the law: blocks, many at a time first, then words.
 template <class Put>
 void shorten(Job& job, std::string_view of, const std::string& claim, const Put& put) {
   std::string text(of);

@@ -1,5 +1,5 @@
 // Fuzzes reading: any bytes, as files of the memory and of the external device or as a text typed
-// in MDI, become a library on any control, and everything that can be asked of a library is asked.
+// in MDI, become a library on any control, and every question that a library answers is asked.
 #include "laws.hpp"
 
 namespace cncsub::fuzz {

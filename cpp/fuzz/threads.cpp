@@ -1,7 +1,7 @@
-// Many threads on one library: each runs it with options of its own, types in MDI, copies one
-// machine and reads one finished run, all at once, and gets what one thread alone gets. And many
-// threads read one text. Built with the thread sanitizer, it also says that no two of them touch
-// the same thing.
+// Many threads on one library at once. Each runs it with its own options, types in MDI, copies one
+// machine and reads one finished run, and gets what one thread alone gets. Many threads also read
+// one text. Built with the thread sanitizer, this also shows that no two of them touch the same
+// data.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -63,7 +63,7 @@ Options options_of(int number) {
   return options;
 }
 
-/// What came out, as one text.
+/// Return the outcome of a run as one text.
 std::string outcome(const Machine& machine) {
   std::string text(to_string(machine.stop()));
   text +=
@@ -120,7 +120,7 @@ std::string read(const Machine& finished) {
   return text;
 }
 
-/// One library with what the threads share of it.
+/// A library and the machines that the threads share.
 struct Shared {
   std::shared_ptr<const Code> code;
   Machine half_way, finished;
@@ -139,7 +139,7 @@ struct Shared {
   }
 };
 
-/// The programs as several threads read them, in pieces of so many bytes.
+/// Return the programs as several threads read them, in pieces of `piece` bytes, as one text.
 std::string read_by(const Control& control, std::size_t threads, std::size_t piece) {
   std::string large;
   for (int i = 0; i < 20; ++i) large += kProgram;
@@ -160,7 +160,7 @@ std::string read_by(const Control& control, std::size_t threads, std::size_t pie
   return text;
 }
 
-/// How many ways of sharing the reading make other programs than one thread does.
+/// Return how many ways of sharing the reading give other programs than one thread does.
 int reads_wrong(const Control& control) {
   const std::string alone = read_by(control, 1, 1);
   int wrong = 0;

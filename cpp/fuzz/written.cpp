@@ -1,4 +1,5 @@
-// The law of written words: what people and tools see of a block is what the engine reads.
+// The law of written words: the words that people and tools see in a block are those that the
+// engine reads.
 #include <bit>
 #include <cmath>
 #include <string_view>
@@ -10,7 +11,7 @@
 namespace cncsub::fuzz {
 namespace {
 
-/// Words stand one behind the other, and nothing but blanks and comments stands between them.
+/// Check that the words follow each other with nothing but blanks and comments between them.
 void check_places(std::string_view text, const std::vector<WrittenWord>& words) {
   const bool comments = text.find_first_of("(;)\"") != std::string_view::npos;
   std::size_t end = 0;
@@ -25,14 +26,15 @@ void check_places(std::string_view text, const std::vector<WrittenWord>& words) 
   blank_to(text.size());
 }
 
-/// Whether a word is one of an address: X, CR of SINUMERIK, which is a radius, and X1 of an axis.
+/// Return whether a word is one of an address: X, CR of SINUMERIK, which is a radius, and X1 of an
+/// axis.
 bool is_of(const WrittenWord& word, char address) {
   const std::string& name = word.address;
   if (name.empty() || name.front() == ',') return false;
   return name.back() == address || (name.front() == address && is_digit(name.back()));
 }
 
-/// The word that stands last for an address, null where none does.
+/// Return the last word of an address, null where there is none.
 const WrittenWord* last_word(const std::vector<WrittenWord>& words, char address) {
   const WrittenWord* last = nullptr;
   for (const WrittenWord& word : words)
@@ -40,7 +42,7 @@ const WrittenWord* last_word(const std::vector<WrittenWord>& words, char address
   return last;
 }
 
-/// A number that the block holds is the one that is written.
+/// Check that each number of the block is the one that is written.
 void check_values(const Code& code, const Block& block, const std::vector<WrittenWord>& words) {
   if (block.mask == 0) return;
   const Cell* cell = code.cells.data() + block.data;

@@ -92,7 +92,7 @@ void take_operator(Row& row, const Fields& f) {
     row.options.inputs.operator_starts.push_back(f[i] == "start");
 }
 
-/// What is run, and how.
+/// Return the keys for what is run, and how.
 const std::map<std::string_view, Take>& run_keys() {
   static const std::map<std::string_view, Take> keys = {
       {"row", [](Row& r, const Fields& f) { r.name = f.at(1); }},
@@ -131,7 +131,7 @@ const std::map<std::string_view, Take>& run_keys() {
   return keys;
 }
 
-/// What was set at the machine, and what the world outside answers.
+/// Return the keys for the settings of the machine and for the answers from outside.
 const std::map<std::string_view, Take>& world_keys() {
   static const std::map<std::string_view, Take> keys = {
       {"machine", [](Row& r, const Fields& f) { r.options.setup.machine = f.at(1); }},

@@ -1,5 +1,4 @@
-// The rows of the self-test: programs, how they run, and what came out of the run that was written
-// down.
+// The rows of the self-test: programs, how they run, and the recorded outcome of the run.
 //
 // A file of rows is lines of fields with tabs between; in a field a backslash stands before a
 // backslash, and for a tab, a line feed and a return (\t \n \r). The first line names the format, a
@@ -21,7 +20,7 @@ namespace cncsub::selftest {
 
 constexpr int kFormat = 1;
 
-/// A line: its key first.
+/// The fields of a line, its key first.
 using Fields = std::vector<std::string>;
 
 struct Row {
@@ -32,16 +31,16 @@ struct Row {
   std::optional<std::string> typed;  // in MDI
   std::size_t main = 0;
   Options options;
-  std::vector<Fields> outcome;  // what has to come out, in the order in which `run` tells it
-  std::string wrong;            // what is wrong with the row itself
+  std::vector<Fields> outcome;  // the outcome to compare, in the order in which `run` gives it
+  std::string wrong;            // the error in the row itself
 };
 
-/// Takes the rows of a text one after the other.
+/// Reads the rows of a text in turn.
 class Reader {
  public:
-  /// Throws std::runtime_error for what is no file of rows.
+  /// Throws std::runtime_error if the text is no file of rows.
   explicit Reader(std::string_view text);
-  /// The next row; nothing behind the last one.
+  /// Return the next row; nothing after the last one.
   std::optional<Row> next();
 
  private:

@@ -13,8 +13,8 @@ namespace cncsub::selftest {
 
 namespace {
 
-constexpr std::size_t kMost = 300;  // steps and moves that are written out, as in the rows
-constexpr double kApart = 1e-7;     // of numbers of the size of 1, and of the largest by a share
+constexpr std::size_t kMost = 300;  // steps and moves that are compared, as in the rows
+constexpr double kApart = 1e-7;     // allowed difference: absolute, or as a share of larger numbers
 
 using Field = std::variant<std::string, double>;
 using Line = std::vector<Field>;

@@ -1,4 +1,4 @@
-// Runs a row and says what came out, and where that is something else than the row says.
+// Runs a row and compares its outcome with the row.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace cncsub::selftest {
 
-/// Where the outcome of the run and the row part; empty where they agree. Numbers agree to a
-/// ten-millionth: sines differ in their last digit from one system to the next.
+/// Return the first difference between the outcome of the run and the row; empty where they agree.
+/// Numbers agree to a ten-millionth: sines differ in their last digit from one system to the next.
 std::string difference(Row row);
 
 }  // namespace cncsub::selftest

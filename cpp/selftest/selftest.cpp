@@ -18,7 +18,7 @@ using namespace cncsub::selftest;
 
 constexpr int kMostShown = 20;
 
-/// The bytes of a file; nothing, and a word why, where there is none.
+/// Return the bytes of a file; print why and return nothing where there is none.
 std::optional<std::string> bytes_of(const char* path) {
   cncsub::system::File file(path);
   const auto facts = file.is_open() ? file.facts() : cncsub::system::File::Facts{};

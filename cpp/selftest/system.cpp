@@ -60,7 +60,7 @@ constexpr Shortest kTexts[] = {
     {0, "0"},           {21234, "21234"},   {1.0 / 3, "0.3333333333333333"},
     {123456, "123456"}, {5e-324, "5e-324"}, {0.001, "0.001"}};
 
-/// Numbers of all sizes: what is written reads as the number again, and both ways alike.
+/// Check numbers of all sizes: a written number reads as itself, and both ways write it alike.
 void check_writing(Differences& wrong) {
   for (const Shortest& row : kTexts)
     for (const auto& write : {system::shortest, system::shortest_by_stream})
@@ -80,8 +80,8 @@ void check_writing(Differences& wrong) {
   }
 }
 
-/// Angles as numbers of more bits have them: the same double but for one in thousands, which is the
-/// next one.
+/// Check angles against more exact numbers: each is the same double, except for one in thousands,
+/// which is the next one.
 void check_angles(Differences& wrong) {
   const auto check = [&](const char* what, const auto& by_pairs, const auto& known) {
     std::mt19937_64 random(2026);

@@ -1,4 +1,4 @@
-// What stands in for what a system or a library lacks, held to what the standard says.
+// The replacements for what a system or a library lacks, checked against the standard.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace cncsub::selftest {
 
-/// What is wrong, a line each.
+/// Return the differences, one line each.
 std::vector<std::string> system_differences();
 
 }  // namespace cncsub::selftest

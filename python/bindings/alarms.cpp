@@ -54,7 +54,7 @@ Alarm alarm_from(const py::tuple& state) {
   return alarm;
 }
 
-/// What pickling and copying need.
+/// Return the value that pickling and copying need.
 template <class Value>
 py::tuple reduced(const py::object& again, const Value& value) {
   return py::make_tuple(again, py::make_tuple(state_of(value)));

@@ -13,7 +13,7 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// What an array lies in; it is given back with the last array that looks at it.
+/// The memory of an array. The last array that views it releases it.
 class ArrayMemory {
  public:
   explicit ArrayMemory(std::size_t bytes) : at_(system::take_memory(bytes)), bytes_(bytes) {}

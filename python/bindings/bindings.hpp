@@ -1,4 +1,4 @@
-// The parts of the module. Each file names what it shows; none of them decides anything.
+// The parts of the module. Each file names what it exports; none of them decides anything.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,16 +20,16 @@ void add_flat(pybind11::module_& m);
 void add_machine(pybind11::module_& m);
 void add_trace(pybind11::module_& m);
 
-/// None for -1 where a block has no sequence number.
+/// Return a sequence number; None for -1, where a block has none.
 inline pybind11::object sequence_number(std::int64_t n) {
   return n < 0 ? pybind11::object(pybind11::none()) : pybind11::object(pybind11::int_(n));
 }
-/// None for the vacant value.
+/// Return a value; None for the vacant value.
 inline pybind11::object value_or_none(double value) {
   return is_vacant(value) ? pybind11::object(pybind11::none())
                           : pybind11::object(pybind11::float_(value));
 }
-/// None for an empty text.
+/// Return a text; None for an empty one.
 inline pybind11::object text_or_none(const std::string& text) {
   return text.empty() ? pybind11::object(pybind11::none()) : pybind11::object(pybind11::str(text));
 }

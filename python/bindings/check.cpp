@@ -36,7 +36,7 @@ Frame frame_of(const Code& code, Address at) {
   return frame;
 }
 
-/// What was found, ready for Python: texts are made without the GIL.
+/// A finding, ready for Python. Its texts are made without the GIL.
 struct Told {
   Check check{};
   Alarm place;
@@ -48,7 +48,7 @@ struct Told {
   std::size_t count = 1;     // of all its places
 };
 
-constexpr std::size_t kMostPlaces = 1000;  // that are told of one finding
+constexpr std::size_t kMostPlaces = 1000;  // shown of one finding
 
 Told reported(const Code& code, const Finding& finding, InterruptCheck& interrupt) {
   Told row{.check = finding.check,
@@ -63,7 +63,7 @@ Told reported(const Code& code, const Finding& finding, InterruptCheck& interrup
            .count = finding.again.size() + 1};
   if (finding.alarm) row.alarm = alarm_of(code, finding.alarm_block, *finding.alarm);
   for (const Address at : finding.path) row.path.push_back(frame_of(code, at));
-  constexpr std::size_t kLine = 1024;  // that is gone over for its column, as a rule
+  constexpr std::size_t kLine = 1024;  // usual bytes scanned to find its column
   for (const CertainEdit& edit : finding.edits) {
     if (interrupt.requested(kLine)) break;
     const Program& program = code.programs[static_cast<std::size_t>(code.program_at(edit.block))];
@@ -120,8 +120,8 @@ py::list check_all(const Code& code, std::int32_t main, const std::string& machi
   return rows;
 }
 
-/// What the rules and the causes say in the words of a control: meaning and hint of each rule,
-/// meaning and cure of each cause.
+/// Return the texts of the rules and the causes in the words of a control: meaning and hint of each
+/// rule, meaning and cure of each cause.
 py::tuple told_for(const Control& control) {
   const auto text = [&control](std::string_view of) { return py::str(spelled(of, control)); };
   py::list rules;
@@ -142,7 +142,7 @@ py::list all_rules() {
   return rows;
 }
 
-/// The ways through all programs of a memory, which those of each one depend on.
+/// The paths through all programs of a memory: those of one program depend on the others.
 struct Flows {
   std::shared_ptr<const Code> code;
   std::vector<ProgramFlow> all;
@@ -154,8 +154,8 @@ Flows flows(const std::shared_ptr<Code>& code) {
   return found;
 }
 
-/// The ways of a program: (block, where it goes on, why). The end stands behind the last block,
-/// and None for any block with a number.
+/// Return the paths of a program: (block, where it goes on, why). The end is the place after the
+/// last block; None stands for any block with a number.
 py::tuple flow(const Flows& flows, const ProgramData& program) {
   const ProgramFlow& own = flows.all[program.index];
   const std::vector<bool> reached = own.reached();

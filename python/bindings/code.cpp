@@ -21,7 +21,8 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// The programs that a name leads to, in their order: of the memory, or of the external device.
+/// Return the programs that a name leads to, in their order: those of the memory or of the external
+/// device.
 template <class Row>
 py::list listed(const Code& code, bool external, const Row& row) {
   py::list rows;
@@ -39,7 +40,8 @@ py::list places(const Code& code, bool external) {
   return listed(code, external, [](std::size_t i) { return i; });
 }
 
-/// Parts of files are not among them: each file may have its own of one name.
+/// Return the duplicates. Parts of files are not among them: each file may have its own of one
+/// name.
 std::vector<std::size_t> duplicates(const Code& code) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < code.programs.size(); ++i)
@@ -56,7 +58,7 @@ std::optional<std::size_t> first_of_memory(const Code& code) {
 
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
 
-/// What stands in a piece: a text, or bytes that are UTF-8.
+/// Return the contents of a piece: a text, or bytes that are UTF-8.
 std::string_view view_of(const py::object& piece) {
   if (PyByteArray_Check(piece.ptr()) != 0)
     return {PyByteArray_AsString(piece.ptr()),
@@ -64,7 +66,8 @@ std::string_view view_of(const py::object& piece) {
   return piece.cast<std::string_view>();
 }
 
-/// The pieces as one text. Ctrl-C is let in between. A `Text` is taken over, and is empty then.
+/// Return the pieces as one text, with Ctrl-C let in between. A `Text` is moved out of and left
+/// empty.
 FileText joined(const std::vector<py::object>& pieces) {
   if (pieces.size() == 1 && py::isinstance<Text>(pieces[0]))
     return std::move(pieces[0].cast<Text&>().text);
@@ -84,8 +87,8 @@ FileText joined(const std::vector<py::object>& pieces) {
   return text;
 }
 
-/// A file and whether it is on the external device, or several. `Texts` are taken over, and are
-/// empty then.
+/// Add a file and whether it is on the external device, or several files. `Texts` are moved out of
+/// and left empty.
 void add_row(std::vector<SourceFile>& files, const py::handle& row) {
   if (py::len(row) != 2) {
     const auto [name, stem, pieces, external] = row.cast<FileRow>();
@@ -99,7 +102,7 @@ void add_row(std::vector<SourceFile>& files, const py::handle& row) {
   }
 }
 
-/// Ctrl-C is an exception here: half a library is no library.
+/// Compile files to a library. Ctrl-C raises an exception: half a library is no library.
 std::shared_ptr<Code> compile_files(const std::shared_ptr<Control>& control,
                                     const py::sequence& rows, bool external_device,
                                     std::size_t threads, std::optional<std::size_t> piece,

@@ -1,4 +1,4 @@
-// What becomes of the G codes of a control: computed, passed over, not computed, not known.
+// The treatment of the G codes of a control: computed, passed over, not computed, not known.
 
 #include <pybind11/stl.h>
 
@@ -27,7 +27,7 @@ std::string name_of(Meaning meaning) {
   return std::string(kMeanings.at(static_cast<std::size_t>(meaning)));
 }
 
-/// Each G code that the control's list or the tables of its kind of machine have, by number.
+/// Return each G code that the control's list or the tables of its kind of machine have, by number.
 std::vector<std::tuple<std::string, std::string>> codes_of(const Control& control,
                                                            const std::string& machine) {
   const GCodes known(control, machine_of(control, machine));

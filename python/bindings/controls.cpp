@@ -110,7 +110,7 @@ struct VariableOptionRow {
   bool fitted = false;
 };
 
-/// What a control of one's own says of an alarm; nothing: as the base says it.
+/// The alarm of a user's own control; an empty field is as in the base.
 struct OwnAlarm {
   std::string slug;
   std::optional<std::string> number, text;
@@ -138,7 +138,7 @@ std::string type_of(const py::handle& value) {
   return py::type::of(value).attr("__name__").cast<std::string>();
 }
 
-/// A number of Python or NumPy; nothing for a text and for what has no value as a number.
+/// Return a number of Python or NumPy; nothing for a text or a value that is no number.
 std::optional<double> number_of(const py::handle& value) {
   if (!PyNumber_Check(value.ptr())) return std::nullopt;
   const double number = PyFloat_AsDouble(value.ptr());
@@ -155,7 +155,7 @@ std::shared_ptr<Control> with_parameters(const Control& control, const py::objec
   auto changed = std::make_shared<Control>(control);
   for (const auto& [key, value] : py::dict(parameters)) {
     if (!py::isinstance<py::str>(key) || PyUnicode_AsUTF8(key.ptr()) == nullptr) {
-      PyErr_Clear();  // of a text that holds no characters
+      PyErr_Clear();  // error of a text with a lone surrogate
       throw py::type_error("a parameter is named by a text, such as '6050' or '6001#5', not " +
                            shown(key));
     }
@@ -174,7 +174,7 @@ RuleValue rule_value(const py::handle& value) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
     if (py::isinstance<py::int_>(value)) return value.cast<std::int64_t>();
     if (py::isinstance<py::str>(value)) return value.cast<std::string>();
-  } catch (const py::cast_error&) {  // beyond 64 bits, or no characters
+  } catch (const py::cast_error&) {  // more than 64 bits, or a lone surrogate
     throw py::value_error("a rule does not take " + shown(value));
   }
   throw py::type_error("a rule is True or False, a whole number or a text, not " + shown(value));
@@ -197,13 +197,14 @@ std::shared_ptr<Control> replace(const Control& control, const py::kwargs& chang
   return changed;
 }
 
-/// The value by which a rule is set: a list is not added to the one that is there.
+/// Return the value that sets a rule: a list with = in front replaces the list that is there.
 py::object whole_of(const RuleView& rule) {
   const auto* text = std::get_if<std::string>(&rule.value);
   return text == nullptr || !rule.options.empty() ? value_of(rule) : py::str("=" + *text);
 }
 
-/// The entries of a list or a set that have a source of their own: entry -> (source, evidence).
+/// Return the entries of a list or a set that have a source of their own: entry -> (source,
+/// evidence).
 py::dict entries_of(const RuleView& rule) {
   py::dict rows;
   for (const EntrySource& reported : rule.entries)
@@ -218,7 +219,7 @@ Evidence evidence_of(const std::string& text) {
   return Evidence::Inferred;
 }
 
-/// What somebody says of their own machine is no document that we have seen.
+/// The evidence of what users say of their own machine, which is no document that we have seen.
 constexpr Evidence kBySomebody = Evidence::Secondary;
 
 void set_alarm(Control& control, const OwnAlarm& own) {
@@ -236,7 +237,7 @@ void set_alarm(Control& control, const OwnAlarm& own) {
   throw py::value_error("no cause is called " + own.slug);
 }
 
-/// A control made from a base: what differs, each with who says so.
+/// Make a control from a base with what differs, each difference with its source.
 std::shared_ptr<Control> own_control(const Control& base, const std::string& name,
                                      const std::string& title,
                                      const std::vector<OwnRuleRow>& rules_of,
@@ -265,7 +266,7 @@ std::shared_ptr<Control> own_control(const Control& base, const std::string& nam
   return control;
 }
 
-/// The alarms of a control of one's own that are not those of its base, as own_control takes them.
+/// Return the alarms of a user's own control that differ from its base, as own_control takes them.
 std::vector<OwnAlarmRow> own_alarms(const Control& control, const Control& base) {
   std::vector<OwnAlarmRow> rows;
   for (const auto& [cause, entry] : control.alarms) {
@@ -279,7 +280,8 @@ std::vector<OwnAlarmRow> own_alarms(const Control& control, const Control& base)
   return rows;
 }
 
-// A changed control is sent as its name and what was changed: the effects of parameters are code.
+// A changed control is pickled as its name and its changes, because the effects of parameters are
+// code.
 py::tuple state_of(const Control& control) {
   const Control& base = base_of(control.base.empty() ? control.name : control.base);
   Control again = base;
@@ -449,7 +451,7 @@ void add_controls(py::module_& m) {
         return "<VariableOption " + v.option.name + ": " + numbers_of(v.option) +
                (v.fitted ? ", fitted>" : ">");
       });
-  // Python writes no signature above these docstrings, which begin with their own.
+  // Python writes no signature above these docstrings, because they begin with their own.
   py::options plain;
   plain.disable_function_signatures();
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())

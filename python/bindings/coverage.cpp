@@ -16,7 +16,7 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// By address: executions whose condition held and failed, times passed over, loops, calls,
+/// Return by address: executions whose condition held and failed, times passed over, loops, calls,
 /// arguments.
 py::tuple coverage(const Record& record) {
   const Record::Reading reading(record);
@@ -40,8 +40,8 @@ py::tuple coverage(const Record& record) {
   return py::make_tuple(held.object, failed.object, skipped.object, loops, calls, arguments);
 }
 
-/// Of every program its blocks, as columns: addresses, n, line, text, branch, whether it has a skip
-/// mark. A block that programs share is one of the innermost.
+/// Return the blocks of every program as columns: addresses, n, line, text, branch, whether it has
+/// a skip mark. A block that programs share belongs to the innermost one.
 py::list blocks(const Code& code) {
   const Branches branches(code);
   std::vector<py::str> names;  // made once, not for every block
@@ -68,8 +68,8 @@ py::list blocks(const Code& code) {
   return programs;
 }
 
-/// Which addresses are blocks that can be executed, by address; those that decide: address, branch,
-/// whether it has a skip mark.
+/// Return which addresses are blocks that can be executed, and the blocks that decide: address,
+/// branch, whether it has a skip mark.
 py::tuple deciding(const Code& code) {
   const Branches branches(code);
   const Array<std::int64_t> known(code.blocks.size());
@@ -80,7 +80,7 @@ py::tuple deciding(const Code& code) {
       known.data[a] = 1;
       if (branches.of[a] == Branch::None && code.blocks[a].skip == 0) continue;
       if (code.program_at(a) != static_cast<std::int32_t>(&program - code.programs.data()))
-        continue;  // a part's own, counted there
+        continue;  // a part's own block, which is counted there
       decide.append(
           py::make_tuple(a, std::string(to_string(branches.of[a])), code.blocks[a].skip != 0));
     }

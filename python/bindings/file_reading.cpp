@@ -24,13 +24,13 @@ namespace cncsub::bindings {
 
 namespace {
 
-constexpr std::size_t kPiece = std::size_t{1} << 18;  // little enough to stay near the processor
+constexpr std::size_t kPiece = std::size_t{1} << 18;  // small enough for a processor cache
 constexpr std::size_t kAlone = 16;         // pieces for which a further thread is worth its start
 constexpr std::size_t kAtOnce = 64;        // files for which a further thread is worth its start
 constexpr std::size_t kTogether = 16;      // files that a thread takes: they lie side by side
-constexpr std::size_t kFileBytes = 4096;   // that opening a file is worth, between two questions
-constexpr std::size_t kLittle = 16 << 10;  // bytes that are read before anything else is asked
-using Stopped = std::function<bool(std::size_t)>;  // asked behind so many bytes
+constexpr std::size_t kFileBytes = 4096;   // the work of opening a file, in bytes for the interrupt
+constexpr std::size_t kLittle = 16 << 10;  // bytes of the first read
+using Stopped = std::function<bool(std::size_t)>;  // called after so many bytes
 
 ReadFile failed(FileFault fault, int error = 0) {
   ReadFile file;
@@ -39,19 +39,19 @@ ReadFile failed(FileFault fault, int error = 0) {
   return file;
 }
 
-/// Reads an open file into a text that has room for it, piece by piece; a large one by several
-/// threads.
+/// Reads an open file, piece by piece, into a text that has room for it. Several threads read a
+/// large file.
 class Filling {
  public:
   Filling(const system::File& open, FileText& text) : open_(open), text_(text), end_(text.size()) {}
 
-  /// The next piece. False where none is left.
+  /// Read the next piece; return false where none is left.
   bool one() {
     const std::size_t from = next_.fetch_add(kPiece);
     if (from >= text_.size()) return false;
     const std::size_t to = std::min(from + kPiece, text_.size());
     std::size_t at = from;
-    // The last byte is for a file that grows: all but this one is all that the system said.
+    // The last byte is spare: only a file that has grown fills it, so it is never asked for alone.
     while (at < to && (at == from || at + 1 != text_.size())) {
       const std::ptrdiff_t count = open_.read(text_.data() + at, to - at, at);
       if (count < 0) error_ = static_cast<int>(-count);
@@ -92,7 +92,7 @@ class Filling {
   std::atomic<int> error_ = 0;
 };
 
-/// The bytes of an open file. One that grew is read once more.
+/// Read the bytes of an open file. A file that has grown is read once more.
 ReadFile read_open(const system::File& open, std::size_t size, const ReadingBounds& bounds,
                    const Stopped& stopped) {
   for (std::size_t room = size + 1;; room = 2 * room + kPiece) {
@@ -112,8 +112,8 @@ ReadFile read_open(const system::File& open, std::size_t size, const ReadingBoun
   }
 }
 
-/// A small file: with a part of it in hand that is no more than that, nobody has to ask how large
-/// it is, nor, as it is not empty and its folder told so, whether it is a regular one.
+/// Read a small file at once; nothing where it fills the buffer. The read itself shows its size. It
+/// is not empty and its folder lists it as a regular file, so that no other question is needed.
 std::optional<ReadFile> read_small(const system::File& open, std::size_t largest) {
   std::array<char, kLittle> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init): written next
   const std::ptrdiff_t count = open.read(bytes.data(), bytes.size(), 0);
@@ -140,7 +140,7 @@ ReadFile read_file(const std::string& path, const ReadingBounds& bounds, const S
   return read_open(open, static_cast<std::size_t>(facts.size), bounds, stopped);
 }
 
-/// The files of one call, taken one after the other by several threads.
+/// The files of one call, which several threads take in turn.
 class Pool {
  public:
   Pool(const std::vector<std::string>& paths, const ReadingBounds& bounds)
@@ -194,9 +194,10 @@ class Pool {
     }
   }
 
-  /// The others may still read a large file: the interrupt is asked meanwhile.
+  /// Wait for the other threads, which may still read a large file, and check for an interrupt
+  /// meanwhile.
   void await(InterruptCheck& interrupt) {
-    constexpr std::size_t kLook = std::size_t{1} << 16;  // bytes behind which a look is due
+    constexpr std::size_t kLook = std::size_t{1} << 16;  // bytes between interrupt checks
     std::unique_lock lock(mutex_);
     while (!ended_.wait_for(lock, std::chrono::milliseconds(20), [this] { return busy_ == 0; })) {
       lock.unlock();

@@ -31,14 +31,14 @@ PyObject* python_name(void* name) {
   return PyUnicode_DecodeFSDefault(static_cast<const char*>(name));
 }
 
-/// Who listens to what Python opens is told of a path, and may refuse. Where nobody listens no
-/// object is made.
+/// Report a path to the audit hooks for `open`, which may refuse. Without hooks no object is made.
 void tell_of_opening(std::string& path) {
   if (PySys_Audit("open", "O&Oi", &python_name, path.data(), Py_None, system::kReadOnly) != 0)
     throw py::error_already_set();
 }
 
-/// A `Text`, the number of the system's error where the file was not opened, or else why not.
+/// Return a `Text`, the number of the system's error where the file was not opened, or the reason
+/// of another failure.
 py::object text_or_fault(ReadFile& file, std::size_t largest) {
   switch (file.fault) {
     case FileFault::None:
@@ -71,7 +71,7 @@ py::object read_text(const py::str& path, std::size_t largest) {
   return text_or_fault(read_all(paths, {largest, false}).front(), largest);
 }
 
-/// The name without its ending; a dot at its end begins none.
+/// Return the name without its ending; a dot at its end begins none.
 std::string stem_of(std::string_view name) {
   const std::size_t dot = name.rfind('.');
   const bool ends = dot != std::string_view::npos && dot > 0 && dot + 1 < name.size();
@@ -82,8 +82,8 @@ bool is_text(std::string_view name) {
   return is_utf8(name, [](std::size_t) { return false; });
 }
 
-/// Those that can be compiled as they are, together as they follow each other; of the others the
-/// place and a `Text` or a fault.
+/// Read files of a folder. Consecutive files that compile as they are form one `Texts`. Each other
+/// one gives its place with a `Text` or a fault.
 py::list read_found(const py::str& before, const py::list& names, std::size_t largest,
                     bool as_utf8) {
   const std::string folder = system_name(before);
@@ -120,7 +120,8 @@ py::list python_names(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Files, folders, others, whether they are in order; or the number of the system's error.
+/// Return files, folders, others, and whether they are in order; or the number of the system's
+/// error.
 py::object names_in(const py::str& folder, const py::iterable& no_programs) {
   if (PySys_Audit("os.scandir", "O", folder.ptr()) != 0) throw py::error_already_set();
   const std::string path = system_name(folder);

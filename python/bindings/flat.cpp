@@ -1,4 +1,4 @@
-// What a run executes as a flat program, piece by piece.
+// The flat program of a run, piece by piece.
 #include "cncsub/flat/flat.hpp"
 
 #include <pybind11/stl.h>
@@ -20,12 +20,12 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// One caller works on it at a time.
+/// The state of a flat program. One caller works on it at a time.
 struct Flattening {
   Flattening(const Machine& machine, bool comments, std::optional<Machine> of_other)
       : other(std::move(of_other)), run(machine, comments, other ? &*other : nullptr) {}
 
-  std::optional<Machine> other;  // of the control that the program is for
+  std::optional<Machine> other;  // of the control that the program is written for
   FlatRun run;
   std::mutex at_work;
 };
@@ -36,7 +36,7 @@ py::object column(const std::vector<std::int32_t>& values) {
   return array.object;
 }
 
-/// The run as it rests.
+/// Exclusive access to the run; it throws where another thread has it.
 class Resting {
  public:
   explicit Resting(Flattening& self) : only_(self.at_work, std::try_to_lock), run_(self.run) {
@@ -49,7 +49,7 @@ class Resting {
   FlatRun& run_;
 };
 
-/// The next piece: its text and the columns of its origins. None where nothing more comes.
+/// Return the next piece: its text and the columns of its origins; None at the end.
 py::object next(Flattening& self) {
   const Resting run(self);
   std::string text;
@@ -71,8 +71,8 @@ py::object next(Flattening& self) {
   return py::make_tuple(py::bytes(text), columns);
 }
 
-/// Why the text ends before the run does: the reason, and program, n and line (None where it is no
-/// single block); None where it is whole.
+/// Return why the text ends before the run does: the reason, and program, n and line (None where it
+/// is no single block); None where the text is complete.
 py::object refusal(Flattening& self) {
   const Resting run(self);
   const auto& refused = run->refusal();

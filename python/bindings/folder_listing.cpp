@@ -15,12 +15,12 @@ namespace {
 
 using Kind = system::EntryKind;
 
-constexpr std::size_t kEntryBytes = 64;  // that an entry is worth between two questions
+constexpr std::size_t kEntryBytes = 64;  // the work of an entry, in bytes for the interrupt
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// A name with control characters, or one that is no text.
+/// Return whether a name has control characters or is no text.
 bool is_strange(std::string_view name) {
   for (std::size_t i = 0; i < name.size(); ++i) {
     const auto c = static_cast<unsigned char>(name[i]);
@@ -36,12 +36,12 @@ bool has_ending_of(std::string_view name, const std::unordered_set<std::string>&
   if (dot == std::string_view::npos) return false;
   std::string ending(name.substr(dot));
   std::transform(ending.begin(), ending.end(), ending.begin(), lower);
-  // What small letters are beyond ASCII is for others to say.
+  // Python decides what small letters are beyond ASCII.
   return !is_ascii(ending) || endings.contains(ending);
 }
 
-/// The place of a name as bytes: texts in small letters, each with a NUL behind it, and numbers by
-/// how many digits they have and by these.
+/// Return the sort key of a name as bytes: its texts in small letters, each with a NUL after it,
+/// and its numbers by their count of digits and then by these.
 std::string key_of(std::string_view name) {
   std::string key;
   key.reserve(name.size() + 8);
@@ -60,7 +60,7 @@ std::string key_of(std::string_view name) {
   return key;
 }
 
-/// The first bytes of a name's place, in which most differ.
+/// Return the first bytes of a sort key, in which most keys differ.
 std::uint64_t head_of(std::string_view key) {
   std::uint64_t head = 0;
   for (std::size_t i = 0; i < sizeof head; ++i)

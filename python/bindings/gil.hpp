@@ -11,11 +11,11 @@
 
 namespace cncsub::bindings {
 
-/// The GIL is given away for as long as this lives.
+/// A scope in which this thread does not hold the GIL.
 ///
-/// When Python ends, a thread of a daemon that wants the GIL back is ended on the spot: with glibc
-/// the stack is unwound as by an exception, through functions that throw none and with objects of
-/// Python in them. Such a thread sleeps here instead until the process is gone.
+/// When Python ends, it ends a daemon thread at once that wants the GIL back: glibc unwinds the
+/// stack as an exception does, through functions that throw none and with objects of Python in
+/// them. Such a thread sleeps here instead until the process is gone.
 class GilRelease {
  public:
   GilRelease() : state_(PyEval_SaveThread()) {}
@@ -23,7 +23,7 @@ class GilRelease {
   GilRelease& operator=(const GilRelease&) = delete;
   ~GilRelease() { come_back(); }
 
-  /// Takes the GIL for a question to Python.
+  /// Take the GIL back for one question to Python.
   template <class Question>
   auto ask(Question&& question) {
     come_back();
@@ -46,8 +46,8 @@ class GilRelease {
   PyThreadState* state_;
 };
 
-/// Does what may take long without the GIL; it asks the interrupt it is given. Ctrl-C is let in,
-/// and is an exception behind it.
+/// Do long work without the GIL. The job checks the interrupt that it gets. Ctrl-C stops it, and is
+/// an exception after it.
 template <class Job>
 void work_away(Job&& job) {
   {

@@ -1,5 +1,5 @@
-// A machine as Python holds it, and what it recorded. It works without the GIL, and whoever looks
-// at it meanwhile gets an error instead of half a row; many may look at one that rests.
+// A machine that Python holds, and what it recorded. It runs without the GIL. A caller that reads
+// it meanwhile gets an error instead of half a row; many may read one that is at rest.
 #pragma once
 
 #include <atomic>
@@ -18,11 +18,11 @@ struct Live {
   explicit Live(Values&&... values) : machine(std::forward<Values>(values)...) {}
 
   Machine machine;
-  std::atomic<int> lookers = 0;  // how many look at the machine; kAtWork: it changes
+  std::atomic<int> lookers = 0;  // how many read the machine; kAtWork: it changes
   static constexpr int kAtWork = -1;
 };
 
-/// The machine to be changed, by nobody else for as long as this lives.
+/// Exclusive access to the machine, to change it.
 class Work {
  public:
   explicit Work(Live& live) : live_(live) {
@@ -41,7 +41,7 @@ class Work {
   Live& live_;
 };
 
-/// The machine as it rests: nobody changes it while this lives.
+/// Access to the machine at rest: nobody changes it meanwhile.
 class Look {
  public:
   explicit Look(Live& live) : live_(live) {
@@ -63,7 +63,7 @@ class Look {
   Live& live_;
 };
 
-/// What was recorded: by a machine, which may go on, or in one part of a stream.
+/// The record of a machine, which may go on, or of one part of a stream.
 class Record {
  public:
   explicit Record(std::shared_ptr<Live> live)
@@ -76,7 +76,7 @@ class Record {
   const Code& code() const { return *code_; }
   const std::shared_ptr<const Code>& shared_code() const { return code_; }
   const Trace& trace() const { return *trace_; }
-  /// Seconds of all moves.
+  /// Return the seconds of all moves.
   double time() const {
     const Reading reading(*this);
     if (live_) return live_->machine.motion().time();
@@ -85,7 +85,7 @@ class Record {
     return time;
   }
 
-  /// Nothing is recorded while this lives.
+  /// A scope in which nothing is recorded.
   class Reading {
    public:
     explicit Reading(const Record& record) {

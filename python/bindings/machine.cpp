@@ -17,9 +17,9 @@ namespace cncsub::bindings {
 
 namespace {
 
-constexpr std::size_t kLookBytes = 1 << 8;  // what a block of looking on is worth
+constexpr std::size_t kLookBytes = 1 << 8;  // the work of checking a block, in bytes
 
-/// What can be watched can be read.
+/// Refuse a watched variable that cannot be read.
 void check_watch(const Machine& machine, const std::vector<std::int32_t>& watch) {
   for (const std::int32_t number : watch) {
     double value = 0;
@@ -51,8 +51,8 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   return live;
 }
 
-/// Runs without the GIL; takes it now and then to let Ctrl-C in, which stops the run. What another
-/// signal's handler raises goes on.
+/// Run without the GIL. Takes it now and then to let Ctrl-C in, which stops the run. An exception
+/// that another signal's handler raises is passed on.
 template <class... Extent>
 void run_released(Machine& machine, const Extent&... extent) {
   std::optional<py::error_already_set> other;
@@ -86,7 +86,7 @@ void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>&
   run_released(*machine, pause);
 }
 
-/// The step that was executed, None where the run has stopped.
+/// Execute a step and return it; None where the run has stopped.
 py::object step(Live& live, const py::type& row) {
   const Work machine(live);
   const bool done = machine->step([] { return PyErr_CheckSignals() != 0; });
@@ -129,7 +129,7 @@ py::tuple position_in_program(Live& live) {
                         block.line);
 }
 
-/// Why the program had not ended.
+/// Return why the program had not ended.
 py::dict endless(Live& live) {
   const Look machine(live);
   Endless found;
@@ -207,7 +207,7 @@ void set_signal(Live& live, std::int32_t number, double value) {
 
 using Class = py::class_<Live, std::shared_ptr<Live>>;
 
-/// What a machine does, and where it stands.
+/// Add the functions that run a machine and return its position.
 void add_run(Class& machine) {
   machine.def("run", &run, py::arg("until") = py::none())
       .def("run_blocks", &run_blocks, py::arg("blocks"))
@@ -248,7 +248,7 @@ void add_run(Class& machine) {
           "modal", [](Live& live) { return dict_of(modal(Look(live)->motion().view())); });
 }
 
-/// Its variables and signals.
+/// Add its variables and signals.
 void add_variables(Class& machine) {
   machine
       .def(

@@ -8,8 +8,8 @@
 
 namespace {
 
-/// Where the objects of a class come from: none is made by calling its class. An object that was
-/// never filled, as `__new__` alone would make it, therefore does not exist.
+/// Texts for classes that must not be called to make objects. No object exists that `__new__` alone
+/// made and nothing filled.
 constexpr std::array<std::pair<std::string_view, const char*>, 3> kSources{{
     {"Alarm", "alarms come from runs"},
     {"Frame", "frames come from runs"},
@@ -28,7 +28,7 @@ PyObject* refuse(PyTypeObject* type, PyObject*, PyObject*) {
 
 PYBIND11_MODULE_PYINIT(engine, pybind11::mod_gil_not_used())
 PYBIND11_MODULE_EXEC(engine, m) {
-  // The base class of ours is ours alone: CMakeLists.txt.
+  // The base class is used by this module alone: CMakeLists.txt.
   auto* const base =
       reinterpret_cast<PyTypeObject*>(pybind11::detail::get_internals().instance_base);
   base->tp_new = &refuse;
@@ -47,8 +47,8 @@ PYBIND11_MODULE_EXEC(engine, m) {
   cncsub::bindings::add_coverage(m);
 }
 
-/// Exceptions need memory of this thread, which is taken when one is thrown for the first time;
-/// where there is none then, the C library ends the process. It is taken while there is some.
+/// Make this thread allocate its memory for exceptions now, while there is some. It does so at its
+/// first throw otherwise, and the C library ends the process where there is none then.
 static bool prepare_exceptions() {
   constexpr std::size_t kEnough = 1 << 16;
   void* const some = std::malloc(kEnough);
@@ -56,7 +56,7 @@ static bool prepare_exceptions() {
   return some != nullptr && std::uncaught_exceptions() == 0;
 }
 
-/// A second interpreter of the process is refused before anything waits for the first one.
+/// Refuse a second interpreter of the process before anything waits for the first one.
 extern "C" PYBIND11_EXPORT PyObject* PyInit__core() {
   if (!prepare_exceptions()) return PyErr_NoMemory();
   if (PyInterpreterState_Get() == PyInterpreterState_Main()) return PyInit_engine();

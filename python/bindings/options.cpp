@@ -18,7 +18,8 @@ T get(const py::dict& from, const char* key, T otherwise) {
   return from.contains(key) ? from[key].cast<T>() : otherwise;
 }
 
-/// ("fraction", 0.5), ("never",) or an axis with its coordinate, ("X", 40.0).
+/// Return a skip signal from ("fraction", 0.5), ("never",) or an axis with its coordinate, ("X",
+/// 40.0).
 SkipSignal skip_of(const py::tuple& from) {
   const auto kind = from[0].cast<std::string>();
   if (kind == "never") return {SkipSignal::Comes::Never};
@@ -171,7 +172,7 @@ std::uint16_t switches_of(const py::handle& from) {
 
 using Take = void (*)(Options& options, const py::handle& value);
 
-/// An option is a row: its name in Python, and where the engine keeps it.
+/// Return the options by their names in Python, each with the function that stores it.
 const std::map<std::string, Take>& takes() {
   static const std::map<std::string, Take> rows = {
       {"mode", [](Options& o, const py::handle& v) { o.mdi = v.cast<std::string>() == "mdi"; }},

@@ -1,4 +1,4 @@
-// What a run is given, as Python writes it.
+// The arguments of a run, as Python writes them.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,7 +9,7 @@
 
 namespace cncsub::bindings {
 
-/// The options of a run by their names in Python; what is None or missing stays as it is.
+/// Return the options of a run by their names in Python. What is None or missing keeps its value.
 Options options_of(const pybind11::dict& from);
 /// Raise ValueError with the name of the option as its attribute `option`.
 [[noreturn]] void refuse(const char* option, const std::string& why);
@@ -17,13 +17,13 @@ Options options_of(const pybind11::dict& from);
 Inputs inputs_of(const pybind11::dict& from);
 Setup setup_of(const pybind11::dict& from);
 Trace::Depth depth_of(const std::string& name);
-/// None is the vacant value.
+/// Return a number; None is the vacant value.
 double number_or_vacant(const pybind11::handle& value);
 
-/// The work coordinate systems that are named must be those of the control: G54.1 P49 is one of
-/// some controls only.
+/// Refuse work coordinate systems that the control does not have: only some controls have G54.1
+/// P49.
 void check_systems(const Control& control, const Options& options);
-/// The numbers in the inputs must be those of signals, and of variables that can be written.
+/// Refuse inputs whose numbers are not those of signals or of variables that can be written.
 void check_inputs(const Code& code, const Inputs& inputs);
 
 }  // namespace cncsub::bindings

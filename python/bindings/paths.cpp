@@ -21,7 +21,7 @@ PathFrame frame_of(const std::string& name) {
   throw py::value_error("the coordinates are work, tool or machine");
 }
 
-/// x, y, z, move, begins of the moves [first, last); how many points there are where that is more
+/// Return x, y, z, move, begins of the moves [first, last); the number of points where that is more
 /// than `most`.
 py::object polyline(const Record& record, const std::string& frame, double tolerance,
                     std::size_t first, std::size_t last, std::size_t most) {
@@ -49,7 +49,7 @@ py::object as_array(const std::vector<From>& from) {
   return array.object;
 }
 
-/// The numbers of a contiguous array of one dimension.
+/// Return the numbers of a contiguous array of one dimension.
 template <class T>
 const T* numbers(const py::buffer_info& info, std::size_t count) {
   if (info.ndim != 1 || !info.item_type_is_equivalent_to<T>() ||
@@ -59,8 +59,8 @@ const T* numbers(const py::buffer_info& info, std::size_t count) {
   return static_cast<const T*>(info.ptr);
 }
 
-/// x, y, z, move, key, time of the points that a picture needs, how many there were before,
-/// and at how many of those the way begins anew.
+/// Return x, y, z, move, key, time of the points that a picture needs, the number of points before,
+/// and the number of those at which the path begins anew.
 py::tuple outline(const Record& record, const std::string& frame, double tolerance, double thinner,
                   std::size_t first, std::size_t last, const py::buffer& key) {
   const Record::Reading reading(record);

@@ -12,7 +12,7 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// Rows for Python: what is computed is its text.
+/// Makes rows for Python. A computed value is given as its text.
 class Rows {
  public:
   Rows(const Code& code, std::int32_t program)
@@ -52,7 +52,7 @@ class Rows {
   py::object text(const std::optional<TextPlace>& place) const {
     return place ? py::object(text(*place)) : py::none();
   }
-  /// Characters of the line before the place, and one.
+  /// Return the column of a place, counted in characters from 1.
   std::size_t column(const TextPlace& place) const {
     const std::size_t at = std::min<std::size_t>(place.at, text_.size());
     const std::size_t line = at == 0 ? 0 : text_.rfind('\n', at - 1) + 1;
@@ -66,7 +66,7 @@ class Rows {
   const std::string_view text_;
 };
 
-/// Those of one block: calls, jumps, reads, writes.
+/// Return the references of one block: calls, jumps, reads, writes.
 py::tuple references(const Code& code, std::int32_t program, const Block& block) {
   const References of = references_of(code, block, program);
   const Rows rows(code, program);
@@ -82,7 +82,8 @@ py::tuple references(const Code& code, std::int32_t program, const Block& block)
       listed(of.reads, variable), listed(of.writes, variable));
 }
 
-/// The calls of every block of every program: its place, the block, the call as a row.
+/// Call `take` with each call of every program: the place of the program, the block, the call as a
+/// row.
 template <class Take>
 void take_calls(const Code& code, const Take& take) {
   std::size_t looked_at = 0;
@@ -99,7 +100,7 @@ void take_calls(const Code& code, const Take& take) {
   }
 }
 
-/// As a list: (program, block, call).
+/// Return all calls as a list: (program, block, call).
 py::list all_calls(const Code& code) {
   py::list list;
   take_calls(code, [&](std::size_t program, Address at, const py::tuple& call) {
@@ -108,7 +109,7 @@ py::list all_calls(const Code& code) {
   return list;
 }
 
-/// One after the other, so that nothing holds them all: (program, n, line, call).
+/// Call `take` with each call in turn: (program, n, line, call). No list of all calls is made.
 void each_call(const Code& code, const py::function& take) {
   take_calls(code, [&](std::size_t program, Address at, const py::tuple& call) {
     take(program, sequence_number(code.blocks[at].n), code.blocks[at].line, call);

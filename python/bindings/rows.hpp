@@ -13,9 +13,9 @@
 
 namespace cncsub::bindings {
 
-/// An array of NumPy for so many items of a type that is not written yet. NumPy makes it: Python
-/// has imported it where it asks for one. A large one lies in memory that may have been used
-/// before.
+/// Return an array of NumPy with so many items of a type, not written yet. NumPy makes it: Python
+/// has imported NumPy where it asks for an array. A large array lies in memory that may have been
+/// used before.
 pybind11::object empty_array(std::size_t items, std::size_t item_bytes, const std::string& type);
 
 /// An array to be filled.
@@ -31,7 +31,7 @@ struct Array {
   T* data;
 };
 
-/// What `value` says of each row of a column, as an array; made without the GIL.
+/// Return an array with what `value` returns for each row of a column; it is made without the GIL.
 template <class T, class Rows, class Value>
 pybind11::object array_of(const Rows& rows, Value&& value) {
   const Array<T> array(rows.size());
@@ -45,23 +45,22 @@ pybind11::object array_of(const Rows& rows, Value&& value) {
   return array.object;
 }
 
-/// A step as an object of `row`, the class `Step`: whoever asks for one block after another pays
-/// for no more than that.
+/// Return a step as an object of `row`, the class `Step`. A caller that asks for single blocks pays
+/// for no more than these.
 pybind11::object step_object(const Trace& trace, const std::shared_ptr<const Code>& code,
                              std::size_t index, const pybind11::type& row);
 
-/// The tables of steps, of what was watched and of the codes that were sent, and the path as
-/// points.
+/// Add the tables of steps, of watched variables and of sent codes, and the path as points.
 void add_steps(pybind11::class_<Record>& trace);
 void add_watch(pybind11::class_<Record>& trace);
 void add_sent_codes(pybind11::class_<Record>& trace);
 void add_paths(pybind11::class_<Record>& trace);
 
-/// The block of a row of the moves, by what it holds of its step.
+/// Add the block of a row of the moves, by the bits of the step that the row holds.
 void add_block(pybind11::dict& fields, const Record& record, std::uint32_t step_of_move);
 
-/// What a row of the moves has besides: where it begins, the centre of the tool's arc, whether a
-/// cycle makes it and whether a radius offset holds.
+/// Add the other fields of a row of the moves: where it begins, the centre of the tool's arc,
+/// whether a cycle makes it and whether a radius offset is active.
 void add_begin(pybind11::dict& fields, const Moves& moves, std::size_t index);
 
 }  // namespace cncsub::bindings

@@ -1,5 +1,5 @@
-// The M, T and S codes that were sent to the machine, as a table and as lists, and the skips that
-// met nothing.
+// The M, T and S codes that were sent to the machine, as a table and as lists, and the skips
+// without a signal.
 #include <cmath>
 
 #include "bindings.hpp"
@@ -38,7 +38,7 @@ py::object code_column(const Record& record, const std::string& name) {
   throw py::key_error(name);
 }
 
-/// A whole number where it is one.
+/// Return a whole number as an int.
 py::object plain_number(double value) {
   constexpr double kExact = 9007199254740992.0;
   if (std::fabs(value) <= kExact && value == std::floor(value))
@@ -68,7 +68,7 @@ py::list values_of(const Record& record, char kind) {
   return list;
 }
 
-/// Step, program, sequence number and line of the blocks of G31 that met nothing.
+/// Return step, program, sequence number and line of the blocks of G31 that met no signal.
 py::list missed_skips(const Record& record) {
   const Record::Reading reading(record);
   const Code& code = record.code();

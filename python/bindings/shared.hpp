@@ -1,4 +1,4 @@
-// How Python is given what it holds by a shared pointer: a control, code, a machine.
+// How Python gets objects that a shared pointer holds: a control, code, a machine.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,9 +8,9 @@
 
 namespace pybind11::detail {
 
-/// As pybind11's own, but the new object of Python never owns the bare pointer, only the shared
-/// one. With pybind11's own it owns the bare pointer until it is registered, and where there is no
-/// memory to register it that pointer, which was never allocated by itself, is freed.
+/// A caster like pybind11's own, except that the new Python object never owns the bare pointer.
+/// With pybind11's own it does until it is registered. Where there is no memory to register it, it
+/// frees that pointer, which was never allocated by itself.
 template <typename T>
   requires std::is_class_v<T>
 class type_caster<std::shared_ptr<T>> : public copyable_holder_caster<T, std::shared_ptr<T>> {

@@ -1,4 +1,4 @@
-// What follows from a step: a column of the steps, and of what steps made.
+// Columns that follow from a step: of the steps, and of what steps made.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ inline std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
   return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
 }
 
-/// The program of a step, which is mostly that of the step before.
+/// Returns the program of a step, which is mostly that of the step before.
 class ProgramOfStep {
  public:
   explicit ProgramOfStep(const Code& code) : code_(&code) {}
@@ -23,8 +23,8 @@ class ProgramOfStep {
   }
 
  private:
-  /// Whether a block lies in that program, and not in one that is a part of it; false where that is
-  /// not seen at once.
+  /// Return whether a block certainly lies in the last program, and not in one that is a part of
+  /// it.
   bool surely_there(Address address) const {
     const auto place = static_cast<std::size_t>(last_);
     const Program& guess = code_->programs[place];
@@ -37,8 +37,8 @@ class ProgramOfStep {
   std::int32_t last_ = 0;
 };
 
-/// Calls `use` with what makes the column of a name out of a step; false where there is no such
-/// column. It is copied for each part of the rows: it may remember the step before.
+/// Call `use` with the function that makes the column of a name out of a step; return false where
+/// there is no such column. Each part of the rows gets a copy, which may remember the step before.
 template <class Use>
 bool with_step_value(const Record& record, const std::string& name, const Use& use) {
   const Code& code = record.code();

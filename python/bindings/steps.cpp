@@ -49,7 +49,7 @@ std::string_view text_at(const Code& code, Address address) {
   return code.text_of(code.blocks[address], program);
 }
 
-/// The texts of the blocks of all steps: a number for each step, and the texts that they count.
+/// Return the texts of the blocks of all steps: a number for each step, and the texts by number.
 py::tuple step_text_column(const Record& record) {
   const Record::Reading reading(record);
   const Code& code = record.code();
@@ -79,7 +79,7 @@ py::tuple step_text_column(const Record& record) {
   return py::make_tuple(array.object, written);
 }
 
-/// The blocks of some steps as they are written, from row `first` on.
+/// Return the blocks of some steps as they are written, from row `first` on.
 py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
   const Record::Reading reading(record);
   const auto& steps = record.trace().steps;
@@ -95,7 +95,8 @@ py::object step_row(const Record& record, std::size_t index, const py::type& row
   return step_object(record.trace(), record.shared_code(), index, row);
 }
 
-/// A row of a frozen class: what the engine sets, in its order, is set as the class itself sets it.
+/// Make a row of a frozen class. The engine sets its fields in order, as the class itself sets
+/// them.
 template <class... Values>
 py::object row_object(const py::type& row, const Values&... values) {
   const py::tuple names = row.attr("_of_engine");

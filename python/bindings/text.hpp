@@ -11,10 +11,10 @@
 
 namespace cncsub::bindings {
 
-/// The bytes of a file, put together while it is read: memory that is touched once.
+/// The bytes of a file, joined while it is read, so that its memory is touched once.
 struct Text {
   FileText text;
-  bool utf8 = false;  // without a mark of the order of bytes: it is compiled as it is
+  bool utf8 = false;  // no byte order mark: it compiles as it is
 };
 
 inline pybind11::bytes bytes_of(const FileText& text, std::size_t at = 0,
@@ -23,7 +23,7 @@ inline pybind11::bytes bytes_of(const FileText& text, std::size_t at = 0,
   return {part.data(), part.size()};
 }
 
-/// Files of a folder that are UTF-8, one behind the other.
+/// Files of a folder that are UTF-8, in one sequence.
 struct Texts {
   std::vector<SourceFile> files;
 };

@@ -91,7 +91,7 @@ py::tuple call_row(const Record& record, std::size_t index) {
                         call.last_step, call.caller_step);
 }
 
-/// The arguments of a call, as given.
+/// Return the arguments of a call, as given.
 py::dict call_arguments(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   const CallRow& call = record.trace().calls[row_of_call(record, index)];
@@ -112,8 +112,8 @@ bool is_whole(const std::string& name) {
          name == "d" || is_small(name);
 }
 
-/// A column of the moves that follows from their steps: each row holds the last bits of its step,
-/// and then what follows from it; -1 where nobody knows the step any longer.
+/// Return a column of the moves that follows from their steps. Each row holds the last bits of its
+/// step first, then what follows from the step; -1 where the step is no longer known.
 py::object column_by_step(const Record& record, const std::string& name) {
   const Trace& trace = record.trace();
   const Array<std::int32_t> array(trace.moves.size());
@@ -146,7 +146,7 @@ bool is_of_step(const std::string& name) {
   return name == "program" || name == "n" || name == "line" || name == "frame" || name == "depth";
 }
 
-/// Steps and moves of this part by their numbers in the run.
+/// Change the steps or moves of this part to their numbers in the run.
 void number_through(const Trace& trace, bool steps, std::int64_t* first, const std::int64_t* last) {
   for (; first != last; ++first)
     *first =
@@ -169,7 +169,7 @@ py::object whole_move_column(const Record& record, const std::string& name) {
   return array.object;
 }
 
-/// Columns of the moves; those that follow from the rows are worked out together.
+/// Return columns of the moves. The columns that are computed from the rows are computed together.
 py::dict move_columns(const Record& record, const std::vector<std::string>& names) {
   const Record::Reading reading(record);
   const Moves& moves = record.trace().moves;

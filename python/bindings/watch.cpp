@@ -12,7 +12,7 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// A change that somebody made from outside belongs to no step and to no block.
+/// Return the block of a change; null for a change from outside, which belongs to no step.
 const Block* block_of(const Code& code, const Trace::Change& change) {
   return change.step < 0 ? nullptr : &code.blocks[change.address];
 }
@@ -58,7 +58,7 @@ py::tuple change_row(const Record& record, std::size_t index) {
                         block->line);
 }
 
-/// What is watched, and what it was before the first row.
+/// Return the watched variables, with their values before the first row.
 py::dict watched(const Record& record) {
   const Record::Reading reading(record);
   py::dict values;

@@ -10,7 +10,7 @@ namespace cncsub {
 
 namespace {
 
-/// A part of an expression, and the operator that joins it; none of a value.
+/// A part of an expression and the operator that joins it; the operator is null for a plain value.
 struct Part {
   std::size_t from = 0, to = 0;
   const OperatorRow* of = nullptr;
@@ -18,7 +18,7 @@ struct Part {
   explicit operator bool() const { return to > from; }
 };
 
-/// Reads an expression as it is written, and finds where brackets are missing.
+/// A parser of an expression as it is written, which finds where brackets are missing.
 class Bracketing {
  public:
   using Value = Part;
@@ -32,7 +32,8 @@ class Bracketing {
         close_(spelling.brackets.behind[0]),
         apart_(apart) {}
 
-  /// The expression with its brackets; nothing where it is none of operators and plain values.
+  /// Return the expression with its brackets; nothing where it has more than operators and plain
+  /// values.
   std::optional<std::string> whole() {
     if (!read_operators(*this) || at_ != text_.size()) return std::nullopt;
     std::string made;
@@ -95,7 +96,7 @@ const OperatorRow* Bracketing::next_operator() {
   return nullptr;
 }
 
-/// What stands in brackets, which is looked at too.
+/// Read an expression in brackets and look for missing brackets in it too.
 bool Bracketing::bracket() {
   ++at_;
   if (!read_operators(*this) || here() != close_) return false;
@@ -103,7 +104,7 @@ bool Bracketing::bracket() {
   return true;
 }
 
-/// A value as it is written: a number, a variable, a function, brackets.
+/// Read a value as it is written: a number, a variable, a function, brackets.
 Part Bracketing::operand() {
   blanks();
   const std::size_t from = at_;
@@ -112,7 +113,7 @@ Part Bracketing::operand() {
   const bool slash =
       std::equal(name.begin(), name.end(), spelling_.slash_function.begin(),
                  spelling_.slash_function.end(), [](char a, char b) { return upper(a) == b; });
-  if (slash) return {};  // the slash behind its brackets may be its own
+  if (slash) return {};  // the slash after its brackets may be its own
   at_ += name.size();
   const std::size_t digits = at_;
   while (is_digit(here()) || here() == '.') ++at_;

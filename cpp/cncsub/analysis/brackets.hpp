@@ -1,4 +1,5 @@
-// Brackets around what an expression joins first, so that it reads as it is done.
+// Brackets around the operations that an expression joins first, which show the order of
+// evaluation.
 #pragma once
 
 #include <optional>
@@ -9,9 +10,9 @@
 
 namespace cncsub {
 
-/// The expression with brackets wherever logic stands beside another operation, or beside other
-/// logic where `apart` says so. `order`: how operators bind. Nothing where it is no plain
-/// expression, or where brackets would stand more than `most` deep.
+/// Return the expression with brackets wherever logic stands beside another operation, or, where
+/// `apart` is set, beside other logic. `order` says how operators bind. Returns nothing where the
+/// text is no plain expression, or where brackets would stand more than `most` deep.
 std::optional<std::string> with_brackets(std::string_view written, const Spelling& spelling,
                                          LogicOrder order, bool apart, int most);
 

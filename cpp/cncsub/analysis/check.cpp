@@ -25,7 +25,7 @@ const std::vector<CheckInfo>& all_checks() {
 
 namespace {
 
-/// The programs that call each other, as far as calls are known.
+/// Return the calls between programs, as far as they are known.
 Arrows calls_of(const std::vector<ProgramFlow>& flows) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
   for (const ProgramFlow& flow : flows)
@@ -35,7 +35,8 @@ Arrows calls_of(const std::vector<ProgramFlow>& flows) {
   return {flows.size(), all};
 }
 
-/// Whether the cause of a finding lies in the control or in what was read, not in one program.
+/// Return whether the cause of a finding lies in the control or in the whole memory, not in one
+/// program.
 bool is_of_memory(Check check) {
   switch (check) {
     case Check::Refused:
@@ -115,7 +116,7 @@ Finding& Checker::add(Check check, const std::string& cause, Address block, Text
   return finding;
 }
 
-/// Where a finding is looked for again: in its program, or in the memory.
+/// Return where a finding counts as found again: in its program, or in the memory.
 std::string Checker::scope_of(Check check, Address block) const {
   std::string scope = std::to_string(static_cast<int>(check)) + " ";
   if (!is_of_memory(check)) scope += std::to_string(code.program_at(block));
@@ -137,7 +138,7 @@ Finding& Checker::found(Check check, Address block, TextPlace place, std::string
   next_cause_.clear();
   if (cause.empty()) {
     cause = scope_of(check, block);
-    // Of loops that are not closed, or cross, the first tells what the others follow from.
+    // The first loop that is not closed, or crosses, causes the findings that follow it.
     if (check != Check::LoopUnclosed) cause += detail;
   }
   Finding& finding = add(check, cause, block, place);
@@ -152,7 +153,7 @@ Finding& Checker::refused(Check check, Address block, Fault fault) {
       next_cause_ += std::to_string(static_cast<int>(fault.cause)) + " " + fault.detail;
       next_cause_ += fault.address;
     }
-    if (fault.detail.starts_with("{}")) {  // the word stands there
+    if (fault.detail.starts_with("{}")) {  // add the word to the cause
       const std::string_view text = code.files[program(code.program_at(block)).file].text.view();
       next_cause_ += text.substr(std::min<std::size_t>(fault.at, text.size()), fault.width);
     }
@@ -165,7 +166,7 @@ Finding& Checker::refused(Check check, Address block, Fault fault) {
 
 namespace {
 
-/// The calls that lead from a program that is run to each of the others, on a shortest way.
+/// The calls that lead to each program from one that is run, on a shortest path.
 class Ways {
  public:
   explicit Ways(const Checker& c) : c_(c), by_(c.flows.size()), seen_(c.flows.size(), false) {
@@ -173,7 +174,7 @@ class Ways {
     for (const ProgramFlow& flow : c.flows)
       if (!c.is_called(flow.program())) from(flow.program());
   }
-  /// Before a finding's own path, those that lead to where it begins.
+  /// Put the calls that lead to the start of a finding's path before it.
   void lead(Finding& finding) const {
     const Address first = finding.path.empty() ? finding.block : finding.path.front();
     std::vector<Address> before;
@@ -184,7 +185,7 @@ class Ways {
   }
 
  private:
-  static constexpr std::size_t kMostCalls = 64;  // the innermost of them
+  static constexpr std::size_t kMostCalls = 64;  // the innermost calls
 
   const CallEdge* to(Address block) const {
     return by_[static_cast<std::size_t>(c_.code.program_at(block))];

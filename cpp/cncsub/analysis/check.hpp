@@ -1,4 +1,5 @@
-// What is wrong with the programs of a memory, or will surprise, told without running them.
+// The check of the programs of a memory: what is wrong or will surprise, found without running
+// them.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +27,20 @@ struct CheckInfo {
   std::string_view meaning;   // what it finds
   std::string_view hint;      // what to write instead
   std::string_view example;   // a program in which it is found
-  std::string_view control;   // and its control
+  std::string_view control;   // the control of that program
 };
 
 const std::vector<CheckInfo>& all_checks();
 inline const CheckInfo& info(Check check) { return all_checks()[static_cast<std::size_t>(check)]; }
 
-/// A change of the text that is certain; where it has no width, `text` is put behind the line.
+/// A change of the text that is certain. Without a width, `text` is inserted after the line.
 struct CertainEdit {
   Address block = kNowhere;
   TextPlace place;
   std::string text;
 };
 
-/// Where a finding is found again for the same cause.
+/// Another place of a finding, with the same cause.
 struct FoundAgain {
   Address block = kNowhere;
   TextPlace place;
@@ -50,18 +51,19 @@ struct Finding {
   Address block = kNowhere;
   TextPlace place;
   std::string detail;
-  std::string hint;  // what to write instead; empty: what the rule says
-  // What the control raises, and in which block; nothing where it raises nothing, or nobody knows.
+  std::string hint;  // what to write instead; empty: the hint of the rule
+  // The alarm that the control raises, and its block; nothing where it raises none or that is
+  // unknown.
   std::optional<Fault> alarm;
   Address alarm_block = kNowhere;
   std::vector<Address> path;       // the blocks that call, the outermost first
-  std::vector<CertainEdit> edits;  // of all its places
+  std::vector<CertainEdit> edits;  // at all its places
   std::vector<FoundAgain> again;   // the other places of the same cause, by their blocks
 };
 
-/// All findings, by their blocks: one for each cause. `main`: the program that is run first,
-/// kNoProgram where nobody says so. `machine`: its kind, empty for the control's own. What is
-/// interrupted gives findings that are not complete.
+/// Return all findings, by their blocks, one for each cause. `main` is the program that is run
+/// first, kNoProgram where none is named. `machine` is its kind, empty for the control's own. After
+/// an interrupt the findings are not complete.
 std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
                            InterruptCheck& interrupt);
 

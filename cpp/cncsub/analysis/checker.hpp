@@ -1,4 +1,4 @@
-// The parts of a check: each looks at all programs and adds what it finds.
+// The parts of a check. Each looks at all programs and adds what it finds.
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@
 
 namespace cncsub {
 
-/// The calls of each program, in the order of the blocks that call: as many as there are calls, so
-/// that each is only pointed to.
+/// The calls of each program, in the order of the blocks that call. It holds pointers to the calls,
+/// which are many.
 class Callers {
  public:
   explicit Callers(const std::vector<ProgramFlow>& flows);
@@ -30,7 +30,7 @@ class Callers {
   std::vector<const CallEdge*> edges_;
 };
 
-/// What the parts look at, and where their findings go.
+/// The input of the parts of a check, and the findings that they add.
 class Checker {
  public:
   Checker(const Code& code, std::int32_t main, const std::string& machine,
@@ -42,9 +42,9 @@ class Checker {
   GCodes g_codes;
   std::vector<ProgramFlow> flows;
   Groups groups;            // of programs that call each other
-  std::vector<bool> named;  // programs that a call names which leads nowhere
-  /// A program in which blocks may be meant that nothing reaches, for what a block of it or of
-  /// another one says that is refused or dropped.
+  std::vector<bool> named;  // programs named by a call that leads nowhere
+  /// A program that may have more reachable blocks than are found: a block that is refused or drops
+  /// words may lead into it.
   struct Unsure {
     std::int32_t program;
     Address because;
@@ -57,35 +57,36 @@ class Checker {
   const ProgramFlow& flow(std::int32_t index) const {
     return flows[static_cast<std::size_t>(index)];
   }
-  /// Whether a program is a part of another one, whose blocks are looked at with that.
+  /// Return whether a program is a part of another one. Its blocks are checked with that one.
   bool inside(const ProgramFlow& flow) const {
     return program(flow.program()).inside != kNoProgram;
   }
-  /// The calls that lead to a program.
+  /// Return the calls that lead to a program.
   std::span<const CallEdge* const> callers_of(std::int32_t index) const {
     return callers_.of(static_cast<std::size_t>(index));
   }
   bool is_called(std::int32_t index) const { return !callers_of(index).empty(); }
-  /// Whether a program other than itself calls it.
+  /// Return whether another program calls it.
   bool is_called_by_another(std::int32_t index) const {
     return called_by_another_[static_cast<std::size_t>(index)];
   }
-  /// Whether somebody wants the check to end; `blocks` were looked at since the last question.
+  /// Return whether the check is to stop; `blocks` is how many were visited since the last
+  /// question.
   bool over(std::size_t blocks = 1) const {
     return interrupt_.requested(blocks * InterruptCheck::kBlock);
   }
 
-  /// What is wrong at a place. Where a finding has the same cause, in the program or for what the
-  /// control refuses in the memory, the place becomes one of that finding: what is set in the
-  /// answer then goes nowhere, but for its edits.
+  /// Add a finding at a place. Where an earlier finding has the same cause (in the program, or in
+  /// the memory for what the control refuses), the place is added to that one; then only the edits
+  /// of the result are used.
   Finding& found(Check check, Address block, TextPlace place, std::string detail);
-  /// What the control says is wrong, with its alarm.
+  /// Add a finding of what the control refuses, with its alarm.
   Finding& refused(Check check, Address block, Fault fault);
-  /// Whether a cause is known that only its finder can name. Then the place is one of its finding;
-  /// otherwise the next finding is the first of this cause.
+  /// Return whether a cause that only the caller can name is known. If so, the place is added to
+  /// its finding; if not, the next finding is the first of this cause.
   bool known(Check check, const std::string& cause, Address block, TextPlace place);
 
-  /// The findings, each with the calls that lead to it.
+  /// Return the findings, each with the calls that lead to it.
   std::vector<Finding> take();
 
  private:
@@ -98,42 +99,44 @@ class Checker {
   Callers callers_;
   std::vector<bool> called_by_another_;
   std::vector<Finding> findings_;
-  std::unordered_map<std::string, std::size_t> causes_;  // of the findings, by rule and scope
-  std::string next_cause_;                               // that `known` was asked for
+  std::unordered_map<std::string, std::size_t> causes_;  // the index of its finding, by cause
+  std::string next_cause_;                               // that `known` was given
   std::vector<IgnoredLines> ignored_;                    // by file
-  Finding spare_;                                        // for what is a place of another finding
-  std::size_t spare_of_ = 0;                             // its place behind 1; 0: it goes nowhere
+  Finding spare_;                                        // for a place added to another finding
+  std::size_t spare_of_ = 0;                             // the index of that one plus 1; 0: none
 };
 
-/// Faults, codes, calls and variables that the control refuses.
+/// Check for faults, codes, calls and variables that the control refuses.
 void check_refusals(Checker& c);
-/// Where calls, jumps and returns lead.
+/// Check the targets of calls, jumps and returns.
 void check_targets(Checker& c);
-/// What is reached, and how programs end.
+/// Check what is reached and how programs end.
 void check_reach(Checker& c);
-/// How deep calls go, and circles of calls.
+/// Check how deep calls nest, and circles of calls.
 void check_nesting(Checker& c);
-/// Modes that called programs leave on.
+/// Check modes that called programs leave on.
 void check_modes(Checker& c);
-/// Locals, arguments and commons.
+/// Check locals, arguments and commons.
 void check_variables(Checker& c);
-/// Branches and loops of labels that are not closed.
+/// Check branches and loops of labels that are not closed.
 void check_labels(Checker& c);
-/// Logic that binds otherwise than it looks.
+/// Check logic whose precedence is not what it looks.
 void check_logic(Checker& c);
-/// Values that people trip over.
+/// Check values that people trip over.
 void check_values(Checker& c);
-/// Canned cycles that drill nothing, or not as often as is written.
+/// Check canned cycles that drill nothing, or not as often as is written.
 void check_drilling(Checker& c);
-/// Loops that count in fractions.
+/// Check loops that count in fractions.
 void check_counting(Checker& c);
-/// Inputs that are read before the blocks above have run.
+/// Check inputs that are read before the blocks above have run.
 void check_read_ahead(Checker& c);
-/// What a control reads otherwise than it looks: codes of one group, semicolons, small letters.
+/// Check what a control reads otherwise than it looks: codes of one group, semicolons, small
+/// letters.
 void check_writing(Checker& c);
 
-/// The blocks that one block is, as the switches or a condition choose. What it is in a program
-/// that a code has called, where no code calls, is left out: that it does not call is its purpose.
+/// Call `look` with each block that one block is, as the switches or a condition select. In a
+/// program that a code has called, no code calls: the block that stands for one there is left out,
+/// because its purpose is that it does not call.
 template <class Look>
 void each_variant(const Code& code, const Block& block, const Look& look) {
   look(block);
@@ -148,27 +151,28 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
     each_variant(code, code.variants[code.parallel_assigns[block.aux].words], look);
 }
 
-/// Whether a block, or one that it may be, calls with the locals of its program.
+/// Return whether a block, or one that it may be, calls with the locals of its program.
 inline bool calls_subprogram(const Code& code, const Block& block) {
   bool calls = false;
   each_variant(code, block, [&](const Block& of) { calls |= of.op == Op::Call; });
   return calls;
 }
 
-/// The M code of a block that calls, jumps or returns on other controls only; -1 where it has none.
-/// M97 and M198 without P may be anything.
+/// Return the M code of a block that calls, jumps or returns on other controls only; -1 where it
+/// has none. M97 and M198 without P may be anything.
 int plain_code(const Checker& c, const Block& block);
 
-/// Whether a program that begins at a block is one of a label, which endsub and return end.
+/// Return whether a program that begins at a block has a label, so that endsub and return end it.
 inline bool begins_with_label(const Code& code, Address first) {
   return code.blocks[first].op == Op::OWord &&
          code.o_words[code.blocks[first].aux].kind == OWordKind::Sub;
 }
 
-/// Whether a program that nothing else ends has G99 alone as its last block, which means M99.
+/// Return whether a program that nothing else ends has G99 alone as its last block, which means
+/// M99.
 bool means_m99(const Checker& c, const ProgramFlow& flow);
 
-/// The G codes of a block that are written as numbers, ten times each.
+/// Call `take` with each G code of a block that is written as a number, ten times that number.
 template <class Take>
 void each_g(const Code& code, const Block& block, const Take& take) {
   if (block.g_count == 0) return;
@@ -176,7 +180,7 @@ void each_g(const Code& code, const Block& block, const Take& take) {
   for (const int g : list.g()) take(g);
 }
 
-/// The M codes of a block that are written as numbers and call nothing.
+/// Call `take` with each M code of a block that is written as a number and calls nothing.
 template <class Take>
 void each_m(const Code& code, const Block& block, const Take& take) {
   if (block.m_count == 0) return;

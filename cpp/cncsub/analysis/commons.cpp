@@ -1,4 +1,4 @@
-// Commons that a move takes, and that have no value on some way to it.
+// Finds commons that a move uses and that have no value on some path to it.
 #include <algorithm>
 #include <string>
 #include <unordered_map>
@@ -30,20 +30,20 @@ class CommonCheck {
 
   Checker& c_;
   const VariableUses& uses_;
-  std::unordered_set<std::int32_t> written_;          // in any program
-  std::vector<std::unordered_set<std::int32_t>> by_;  // by group: those that it and its calls write
-  std::unordered_map<std::int32_t, int> places_;      // of those that are asked now
+  std::unordered_set<std::int32_t> written_;          // by any program
+  std::vector<std::unordered_set<std::int32_t>> by_;  // by group: written by it and its calls
+  std::unordered_map<std::int32_t, int> places_;      // of the variables that are checked now
   std::vector<std::vector<const CallEdge*>> calls_at_;
   Numbers asked_;
 };
 
-/// Whether a variable is a common that has no value when the control is switched on.
+/// Return whether a variable is a common that has no value when the control is switched on.
 bool CommonCheck::is_cleared(std::int32_t number) const {
   const VariablePlace place = c_.code.place(number);
   return place.range != nullptr && place.kind == VariableKind::Common;
 }
 
-/// Whether a block names an end point.
+/// Return whether a block names an end point.
 bool CommonCheck::moves(Address at) const {
   const Block& block = c_.code.blocks[at];
   return is_words(block.op) && (block.mask & kEndWords) != 0;
@@ -61,7 +61,7 @@ void CommonCheck::add_written(const ProgramFlow& flow, std::unordered_set<std::i
   }
 }
 
-/// What each group of programs that call each other writes, with what it calls.
+/// Find what each group of programs that call each other writes, with what it calls.
 void CommonCheck::find_written() {
   by_.resize(c_.groups.groups.size());
   for (std::size_t group = 0; group < by_.size() && !c_.over(); ++group)
@@ -77,8 +77,9 @@ void CommonCheck::find_written() {
     }
 }
 
-/// The variables to look for in a program that nothing calls: those that some program writes and a
-/// move of this one takes, and that it does not ask whether they have a value.
+/// Find the variables to check in a program that nothing calls: some program writes them, a move of
+/// this one uses them, and it does not test whether they have a value. Return whether there are
+/// any.
 bool CommonCheck::find_asked(const ProgramFlow& flow) {
   asked_.clear();
   std::unordered_set<std::int32_t> tested;
@@ -97,7 +98,7 @@ bool CommonCheck::find_asked(const ProgramFlow& flow) {
   return !asked_.empty();
 }
 
-/// The variables that a block and what it calls give values to.
+/// Return the variables that a block and the programs that it calls set.
 Bits CommonCheck::set_by(Address at, const ProgramFlow& flow) const {
   Bits set = 0;
   const auto mark = [&](std::int32_t number) {
@@ -114,8 +115,8 @@ Bits CommonCheck::set_by(Address at, const ProgramFlow& flow) const {
   return set;
 }
 
-/// For each block of a program, which of the first `count` variables that are asked for have no
-/// value on some way to it.
+/// Return for each block which of the first `count` checked variables have no value on some path to
+/// it.
 std::vector<Bits> CommonCheck::vacant(const ProgramFlow& flow, std::size_t count) const {
   std::vector<Bits> vacant(flow.size(), 0);
   std::vector<Address> waiting{flow.first()};
@@ -152,7 +153,7 @@ void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_
                name +
                    " is given a value only on other ways: here it may have none, or that of the "
                    "program before");
-      places_.erase(found);  // told once
+      places_.erase(found);  // reported once
     }
   }
 }

@@ -1,4 +1,4 @@
-// Loops that count in fractions: sums of 0.1 are not what they look like.
+// Finds loops that count in fractions: sums of 0.1 are not what they look like.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,7 +12,7 @@ namespace cncsub {
 
 namespace {
 
-/// A variable by its place.
+/// A variable, by its place.
 struct Counter {
   bool local = false;
   std::uint32_t index = 0;
@@ -38,7 +38,7 @@ std::optional<Counter> counter_of(const Code& code, const Instruction& ins) {
   return Counter{local, ins.at};
 }
 
-/// Which way two values are compared, with the counter at the left.
+/// Return the comparison that has the same meaning with its two sides exchanged.
 std::optional<Ins> turned(Ins op) {
   switch (op) {
     case Ins::Less:
@@ -57,7 +57,7 @@ std::optional<Ins> turned(Ins op) {
   }
 }
 
-/// What a loop asks: whether its counter stands so to a limit, which a number or a variable says.
+/// The condition of a loop: how its counter compares with a limit, which is a number or a variable.
 struct Asked {
   Counter counter;
   Ins op{};
@@ -92,9 +92,9 @@ bool holds(Ins op, double a, double b) {
 
 constexpr int kMostPasses = 100'000;
 
-/// How often a counter that grows by a step is asked until the answer is no; none where that takes
-/// very long. `digits`: the sums are rounded to so many after the point, 0: they are as the control
-/// makes them.
+/// Return how often the condition holds for a counter that grows by a step; none where that takes
+/// very long. The sums are rounded to multiples of 1 / `digits`; where that is 0, they are as the
+/// control adds them.
 std::optional<int> passes(Ins op, double limit, double from, double step, double digits) {
   double value = from;
   for (int count = 0; count < kMostPasses; ++count) {
@@ -116,11 +116,11 @@ class CountingCheck {
   };
 
   Body body(Address at) const;
-  /// A loop from one block up to another, which asks in a third whether it goes on.
+  /// Check a loop from one block up to another, which tests its condition in a third.
   void loop(Address at, std::uint32_t expression, Address from, Address to);
-  /// A while of a language of labels, and the end that it has.
+  /// Check a while of a language of labels with its end.
   void o_word(Address at);
-  /// A loop that a jump back closes, and that blocks in it leave where a condition holds.
+  /// Check a loop that a jump back closes, and that blocks in it leave where a condition holds.
   void leaving(Address from, Address to);
   bool assigns(Address at, const Counter& counter) const;
   void ask(Address at, const Asked& asked, const Expression& written, Address from, Address to);
@@ -130,7 +130,7 @@ class CountingCheck {
 
   Checker& c_;
   const ProgramFlow& flow_;
-  std::map<std::uint32_t, Address> open_;  // by its label, the last do or while
+  std::map<std::uint32_t, Address> open_;  // the last do or while of each label
   std::size_t looked_at_ = 0;
 };
 
@@ -144,7 +144,7 @@ bool CountingCheck::assigns(Address at, const Counter& counter) const {
   return counter == Counter{local, static_cast<std::uint32_t>(of.index)};
 }
 
-/// What is added to a counter, or taken from it.
+/// The value that is added to a counter or subtracted from it.
 struct Step {
   Instruction by;
   bool adds = true;
@@ -164,7 +164,7 @@ std::optional<Step> step_of(const Code& code, const Counter& counter, const Expr
   return std::nullopt;
 }
 
-/// The value that a number, or a variable that nothing in a loop changes, has in it.
+/// Return the value of a number, or of a variable that nothing in a loop changes.
 std::optional<double> CountingCheck::value(const Instruction& of, Address from, Address to) const {
   if (of.op == Ins::Constant) return of.value;
   const auto variable = counter_of(c_.code, of);
@@ -177,7 +177,7 @@ std::optional<double> CountingCheck::value(const Instruction& of, Address from, 
   return start(*variable, from);
 }
 
-/// By how much the one assignment of a loop changes its counter.
+/// Return by how much the one assignment of a loop changes its counter.
 std::optional<double> CountingCheck::step(const Counter& counter, Address from, Address to) const {
   std::optional<double> found;
   for (Address at = from; at < to; ++at) {
@@ -193,7 +193,7 @@ std::optional<double> CountingCheck::step(const Counter& counter, Address from, 
   return found;
 }
 
-/// The value that a counter has before a loop, where the blocks before it give it one.
+/// Return the value of a counter before a loop, where the blocks before it set one.
 std::optional<double> CountingCheck::start(const Counter& counter, Address before) const {
   constexpr Address kFar = 32;
   for (Address at = before; at > flow_.first() && before - at < kFar; --at) {
@@ -208,7 +208,8 @@ std::optional<double> CountingCheck::start(const Counter& counter, Address befor
   return std::nullopt;
 }
 
-/// Whether a step is no sum of halves, quarters, eighths ..., which are added without rounding.
+/// Return whether a step is no sum of halves, quarters, eighths ..., which are added without
+/// rounding.
 bool is_rounded(double step) {
   constexpr double kScale = 1 << 20;
   return std::isfinite(step) && step != 0 && std::fabs(step) < kScale &&
@@ -220,7 +221,7 @@ void CountingCheck::loop(Address at, std::uint32_t expression, Address from, Add
   if (const auto asked = asked_by(c_.code, written)) ask(at, *asked, written, from, to);
 }
 
-/// What holds where another comparison does not.
+/// Return the comparison that holds where `op` does not.
 Ins opposite(Ins op) {
   switch (op) {
     case Ins::Less:
@@ -276,8 +277,8 @@ void CountingCheck::ask(Address at, const Asked& asked, const Expression& writte
   c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(reported));
 }
 
-/// The blocks of the loop that the block at `at` begins, or closes with a jump back; empty where it
-/// does neither.
+/// Return the blocks of the loop that the block at `at` begins, or closes with a jump back; empty
+/// where it does neither.
 CountingCheck::Body CountingCheck::body(Address at) const {
   const Block& block = c_.code.blocks[at];
   if (block.op == Op::While) {
@@ -292,7 +293,7 @@ CountingCheck::Body CountingCheck::body(Address at) const {
 void CountingCheck::o_word(Address at) {
   const OWord& own = c_.code.o_words[c_.code.blocks[at].aux];
   if (own.kind == OWordKind::Sub || own.kind == OWordKind::Head || own.kind == OWordKind::EndSub)
-    open_.clear();  // a label means something in its subprogram
+    open_.clear();  // a label has a meaning only in its subprogram
   const auto kind_of = [&](Address of) { return c_.code.o_words[c_.code.blocks[of].aux].kind; };
   const bool ends = own.kind == OWordKind::While || own.kind == OWordKind::EndWhile;
   const auto begun = ends ? open_.find(own.label) : open_.end();
@@ -309,8 +310,8 @@ void CountingCheck::o_word(Address at) {
   if (of_do == (own.kind == OWordKind::While) && value != OWord::kNone) loop(asks, value, from, at);
 }
 
-/// Check the loops of the program. Loops inside loops are gone over again: a bound keeps the work
-/// in proportion to the program.
+/// Check the loops of the program. Inner loops are visited again; a bound keeps the work in
+/// proportion to the program.
 void CountingCheck::run() {
   const std::size_t most = 64 * flow_.size();
   for (Address at = flow_.first(); at < flow_.last() && !c_.over(); ++at) {

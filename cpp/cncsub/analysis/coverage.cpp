@@ -57,7 +57,8 @@ Branch branch_of(const Code& code, const Block& block) {
   }
 }
 
-/// Labels that are open in one program: of loops, and of DO whose WHILE stands at its end.
+/// The labels that are open in one program: those of loops, and those of do whose while stands at
+/// its end.
 struct OpenLabels {
   std::unordered_map<std::uint32_t, Address> loops;
   std::unordered_map<std::uint32_t, Address> dos;
@@ -93,7 +94,7 @@ struct OpenLabels {
   }
 };
 
-/// Counts the passes of loops. A loop that is left by a jump or a return ends with the first step
+/// Counts the passes of loops. A loop that a jump or a return leaves ends with the first step
 /// outside it.
 class Loops {
  public:
@@ -150,8 +151,8 @@ class Loops {
   std::vector<Open> open_;
 };
 
-/// Counts the blocks that a switch passed over: those with a skip mark between the place where the
-/// block before led and the one that was executed.
+/// Counts the blocks that a switch passed over: blocks with a skip mark between the place where the
+/// block before led and the block that was executed.
 class Skips {
  public:
   Skips(const Code& code, const Branches& branches, std::int64_t* skipped)
@@ -171,7 +172,7 @@ class Skips {
   }
 
  private:
-  /// Where the step before led; the step itself where nobody knows.
+  /// Return where the step before led; the step itself where that is unknown.
   Address arrival(const Trace::Step& step) const {
     const Program& program =
         code_.programs[static_cast<std::size_t>(code_.program_at(step.address))];
@@ -208,7 +209,8 @@ class Skips {
   static Address or_itself(Address to, const Trace::Step& step) {
     return to == kNowhere ? step.address : to;
   }
-  /// A return leads behind the block that called, another pass to the head of the program.
+  /// Return where a call or a pass leads when it is over: after the block that called, or at the
+  /// head of the program for another pass.
   Address behind_call(const Trace::Step& step, const Program& program) const {
     if (step.call == last_.call) return program.first;
     Address from = step.address;
@@ -216,7 +218,7 @@ class Skips {
     if (from == program.first) return step.address;
     return may_call(code_.blocks[from - 1].op) ? from : step.address;
   }
-  /// Whether all blocks from there up to the step have a skip mark.
+  /// Return whether all blocks from `from` up to the step have a skip mark.
   bool all_marked(Address from, Address step) const {
     Address a = step;
     while (a > from && code_.blocks[a - 1].skip != 0) --a;
@@ -241,7 +243,7 @@ void count_calls(const Trace& trace, Coverage& to, InterruptCheck& interrupt) {
     const std::int64_t caller = call.caller_step - trace.first_step;
     for (std::uint32_t i = 0; i < call.arguments; ++i)
       ++given[{call.program, trace.arguments[call.first_argument + i].variable}];
-    // The block that alarmed as it called may be no step.
+    // A block that alarmed as it called may be no step.
     if (caller < 0 || caller >= steps) continue;
     const std::tuple key{trace.steps[static_cast<std::size_t>(caller)].address + 0U, call.kind,
                          call.program};
@@ -259,7 +261,7 @@ Branches::Branches(const Code& code) : of(code.blocks.size(), Branch::None) {
   OpenLabels labels;
   for (Address a = 0; a < code.blocks.size(); ++a) {
     const Block* block = &code.blocks[a];
-    // What stands behind a skip mark inside the block makes it no other statement.
+    // Words after a skip mark inside the block make it no other statement.
     if (block->op == Op::Select) block = &code.variants[code.selects[block->aux].first];
     if (block->op == Op::OWord) {
       of[a] = labels.meet(code.o_words[block->aux], a, ends);

@@ -1,4 +1,4 @@
-// What a run went through: counted from its steps and calls, without a trace of its own.
+// The coverage of a run: counted from its steps and calls, without a trace of its own.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@
 
 namespace cncsub {
 
-/// How a block decides where the program goes on.
+/// The way in which a block decides where the program goes on.
 enum class Branch : std::uint8_t {
   None,
   IfGoto,   // IF [..] GOTO, and UNTIL
   IfThen,   // IF [..] THEN
   If,       // IF [..] THEN .. ENDIF
   ElseIf,   // o1 elseif
-  DoWhile,  // o1 while behind o1 do
+  DoWhile,  // o1 while after o1 do
   HJump,    // G65 H81 to H86
   Input,    // M96
-  While,    // from here on loops: passes are counted
+  While,    // loops from here on: their passes are counted
   Repeat    // o1 repeat
 };
 std::string_view to_string(Branch branch);
@@ -49,22 +49,22 @@ struct Coverage {
     std::int64_t count;  // of calls that gave it
   };
 
-  // By the loop's address: entries without a pass, with one, with more.
+  // By the address of the loop: how often it ran no pass, one, more than one.
   std::unordered_map<Address, std::array<std::int64_t, 3>> loops;
   std::vector<Call> calls;
   std::vector<Given> arguments;
 };
 
-/// By address, each with room for all blocks and zeros in it.
+/// Counts by address. Each array has room for all blocks and holds zeros.
 struct BlockCounts {
   std::int64_t* held;     // executions whose condition held, or that have none
-  std::int64_t* failed;   // the others
+  std::int64_t* failed;   // executions whose condition did not hold
   std::int64_t* skipped;  // how often a block-skip switch passed over the block
 };
 
-/// Counts a whole run, which has recorded its blocks. What was passed over is no step: it is told
-/// from the steps around it, and not counted where only a computed jump or a start in the middle of
-/// a program may have led there.
+/// Count a whole run, whose trace holds its blocks. A block that was passed over is no step: the
+/// steps around it show it. It is not counted where only a computed jump or a start in the middle
+/// of a program may have led there.
 Coverage coverage_of(const Code& code, const Trace& trace, const BlockCounts& counts,
                      InterruptCheck& interrupt);
 

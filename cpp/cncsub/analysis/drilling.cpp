@@ -1,4 +1,4 @@
-// Canned cycles that drill nothing, and counts that the control does not take.
+// Finds canned cycles that drill nothing, and counts that the control does not take.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,14 +10,14 @@ namespace cncsub {
 
 namespace {
 
-/// Whether a code begins a cycle that goes down to Z.
+/// Return whether a code begins a cycle that goes down to Z.
 bool drills(const GCode& code) {
   return code.group == Group::Cycle && code.meaning != Meaning::CycleOff &&
          code.meaning != Meaning::None && code.meaning != Meaning::Unknown &&
          code.meaning != Meaning::Uncomputed && !is_neutral(code.meaning);
 }
 
-/// What a block does with the words of a cycle.
+/// The effect of a block on the words of a cycle.
 struct CycleUse {
   bool begins = false, forgets = false, turns = false;
   Meaning meaning = Meaning::None;
@@ -43,7 +43,7 @@ CycleUse use_of(const Checker& c, const Block& block) {
   return use;
 }
 
-/// Whether the repeat count of a block is written as 0: it drills nothing on purpose.
+/// Return whether the repeat count of a block is written as 0: it drills nothing on purpose.
 bool repeats_never(const Checker& c, const Block& block, const Program& program) {
   const Letters& letters = c.code.control->motion.cycle_repeats.value;
   const std::vector<WrittenWord> words = c.code.words_of(block, program);
@@ -62,7 +62,7 @@ class DrillCheck {
   void follow(const Block& block);
 
  private:
-  static constexpr std::uint8_t kNone = 1, kGiven = 2;  // what Z a cycle may have
+  static constexpr std::uint8_t kNone = 1, kGiven = 2;  // whether a cycle has its Z
 
   std::vector<std::uint8_t> states() const;
   std::uint8_t behind(Address at, std::uint8_t state) const;
@@ -76,13 +76,13 @@ class DrillCheck {
 
 std::uint8_t DrillCheck::behind(Address at, std::uint8_t state) const {
   const Block& block = c_.code.blocks[at];
-  if (!is_words(block.op)) return block.op >= Op::Set ? state : kGiven;  // what is called may drill
+  if (!is_words(block.op)) return block.op >= Op::Set ? state : kGiven;  // a call may drill
   const CycleUse use = use_of(c_, block);
   if (use.forgets) state = kNone;
   return (block.mask & bit('Z')) != 0 && !use.forgets ? kGiven : state;
 }
 
-/// Whether a cycle has its Z before each block: on no way, on some, on all.
+/// Return by block whether a cycle has its Z before it: on no path, on some, on all.
 std::vector<std::uint8_t> DrillCheck::states() const {
   std::vector<std::uint8_t> before(flow_.size(), 0);
   std::vector<Address> waiting;
@@ -104,8 +104,8 @@ std::vector<std::uint8_t> DrillCheck::states() const {
   return before;
 }
 
-/// Whether a hole follows a cycle that has no Z, in its own block or in one behind it, before a
-/// block gives it one.
+/// Return whether a hole follows a cycle that has no Z, in its own block or in a later one, before
+/// a block gives it one.
 bool DrillCheck::drills_without_depth(Address at) const {
   constexpr std::uint32_t kPlace = bit('X') | bit('Y');
   constexpr Address kFar = 64;
@@ -139,8 +139,8 @@ void DrillCheck::depths() {
   }
 }
 
-/// Remember the cycle that a block begins, or that goes on in it. Where another program may have
-/// ended it, or a jump leads on, none is known.
+/// Remember the cycle that a block begins, or that goes on in it. No cycle is known after a block
+/// where another program may have ended it, or where a jump leads on.
 void DrillCheck::follow(const Block& block) {
   if (block.op >= Op::Set && block.op != Op::Set && block.op != Op::Assign &&
       block.op != Op::IfGoto && block.op != Op::IfThen)
@@ -151,8 +151,8 @@ void DrillCheck::follow(const Block& block) {
   if (use.begins) series_ = use;
 }
 
-/// L where the control counts by K, and K where it counts by L: in the block of a cycle, and where
-/// one behind it drills.
+/// Report L where the control counts by K, and K where it counts by L: in the block that begins a
+/// cycle, and in later blocks that drill.
 void DrillCheck::counts(Address at, const Block& block) {
   constexpr std::uint32_t kPlace = bit('X') | bit('Y') | bit('Z');
   follow(block);

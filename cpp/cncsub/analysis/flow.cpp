@@ -26,7 +26,7 @@ bool is_computed(const CallRecord& record) {
   return false;
 }
 
-/// Writes down what one block may do behind itself.
+/// Records where the program may go on after a block.
 class FlowReader {
  public:
   explicit FlowReader(ProgramFlow& to)
@@ -67,7 +67,8 @@ void FlowReader::exit(Address to, ExitKind kind) {
   if (!known) found_.push_back({to, kind});
 }
 
-/// A jump to the block of a number; where it is computed, to any that has one.
+/// Add the exit of a jump: to the block of a number, or to any block with a number where the number
+/// is computed.
 void FlowReader::jump(const Operand& number) {
   if (number.kind != Operand::Kind::Expression) {
     exit(code_.jump_target(program_, to_whole<std::int64_t>(number.value), at_), ExitKind::Jump);
@@ -127,8 +128,8 @@ void FlowReader::h_code(const HCode& h) {
   if (h.number != kJumpAlways) next();
 }
 
-/// A call of a subprogram that has a label, or of a file of that name. What stands in a subprogram
-/// is told by its own flow.
+/// Record a call of a subprogram that has a label, or of a file of that name. The blocks of a
+/// subprogram belong to its own flow.
 void FlowReader::call_label(const Block& block, const OWord& own) {
   mark(ProgramFlow::kCallsComputed);
   if (code_.program_at(at_) != to_.program_) return;
@@ -138,13 +139,13 @@ void FlowReader::call_label(const Block& block, const OWord& own) {
                             code_.programs[static_cast<std::size_t>(call.found)].first, true});
 }
 
-/// The head of a subprogram, which the program that it stands in passes over; false where nobody
-/// knows how far.
+/// Pass over a subprogram from its head in the program that contains it; return false where its end
+/// is unknown.
 bool FlowReader::passes_over(const OWord& own) {
   if (code_.program_at(at_) == to_.program_) return false;
   const OWord* at = &own;
   Address end = at_;
-  while (at->kind != OWordKind::EndSub) {  // past each return
+  while (at->kind != OWordKind::EndSub) {  // go past each return
     if (at->next == OWord::kNone || at->next >= to_.last_ || at->next <= end) return false;
     end = at->next;
     if (code_.blocks[end].op != Op::OWord) return false;
@@ -155,7 +156,7 @@ bool FlowReader::passes_over(const OWord& own) {
   return true;
 }
 
-/// What a label leads to is found while it runs: both ways count.
+/// Add both exits of an O word: the block that its label leads to is found at run time.
 void FlowReader::o_word(const Block& block, const OWord& own) {
   mark(ProgramFlow::kLabels);
   switch (own.kind) {
@@ -163,7 +164,7 @@ void FlowReader::o_word(const Block& block, const OWord& own) {
       if (passes_over(own)) return;
       to_.entries_.push_back(at_);
       break;
-    case OWordKind::Head:  // a call may lead there from anywhere
+    case OWordKind::Head:  // any call may lead here
       to_.entries_.push_back(at_);
       break;
     case OWordKind::EndSub:
@@ -180,7 +181,7 @@ void FlowReader::o_word(const Block& block, const OWord& own) {
       break;
   }
   next();
-  // The head of the program that is looked at is entered, not passed over.
+  // The program that begins with this head is entered there and does not pass over it.
   const bool entered =
       own.kind == OWordKind::Sub && at_ == to_.first_ && code_.program_at(at_) == to_.program_;
   const bool known = own.next != OWord::kNone && own.next < to_.last_;
@@ -226,8 +227,8 @@ void FlowReader::variant(const Block& block) {
   }
 }
 
-/// The two blocks that one may be. A code that calls is a fault only where no code calls, and that
-/// might not have been a call of another program.
+/// Read the two blocks that one block may be. A block that calls by a code is a fault only where no
+/// code calls. There it might not have been a call of another program.
 void FlowReader::select(const Select& choice) {
   variant(code_.variants[choice.first]);
   const Block& second = code_.variants[choice.second];
@@ -243,11 +244,11 @@ void FlowReader::words_call_or_assignment(const Block& block) {
       return call(block);
     case Op::OWord:
       return o_word(block, code_.o_words[block.aux]);
-    case Op::Fault:  // what stands behind it is no less meant to run, and it might have called
+    case Op::Fault:  // the blocks after it still count, and it might have called
       mark(ProgramFlow::kCallsComputed);
       return next();
     case Op::Set:
-    case Op::Assign:  // #3000 raises an alarm: nothing comes after it
+    case Op::Assign:  // #3000 raises an alarm: no block follows it
       if (!raises_alarm(assignment_of(code_, block))) next();
       return;
     case Op::Words:
@@ -263,7 +264,7 @@ bool FlowReader::raises_alarm(const Statement& statement) const {
   return place.range != nullptr && place.kind == VariableKind::UserAlarm;
 }
 
-/// Words alone; of them an M code may start the program over.
+/// Read a block of words; an M code in it may start the program over.
 void FlowReader::words(const Block& block) {
   const Roles& roles = code_.control->calls.roles.value;
   const CodeList codes = block.m_count > 0 ? code_.codes_of(block) : CodeList{};
@@ -297,7 +298,7 @@ ProgramFlow::ProgramFlow(const Code& code, std::int32_t program, InterruptCheck&
     reader.read(at);
     if (interrupt.requested(InterruptCheck::kBlock)) last_ = at + 1;
   }
-  places_.push_back(static_cast<std::uint32_t>(exits_.size()));  // of the end: it leads nowhere
+  places_.push_back(static_cast<std::uint32_t>(exits_.size()));  // the end leads nowhere
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));
   for (std::uint32_t i = own.first_entry; i < own.last_entry; ++i)
     if (code.sequence[i].address < last_)

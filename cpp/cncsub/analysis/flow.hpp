@@ -1,4 +1,4 @@
-// Where a program goes on behind each of its blocks, told by its code without running it.
+// The flow of a program: where it goes on after each of its blocks, found without running it.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@
 
 namespace cncsub {
 
-/// Why one block follows another.
+/// The reason why one block follows another.
 enum class ExitKind : std::uint8_t {
-  Next,      // the block behind it
+  Next,      // the block after it
   Jump,      // GOTO, M97, a branch or a loop
-  Computed,  // a jump whose number is computed: every block with a number may be meant
+  Computed,  // a jump whose number is computed: any block with a number may be its target
   Returned   // M99 P of a program that the block calls
 };
 std::string_view to_string(ExitKind kind);
@@ -27,10 +27,10 @@ struct Exit {
   ExitKind kind = ExitKind::Next;
 };
 
-/// Whether a call says something that is known only when it runs.
+/// Return whether some value of a call is known only when it runs.
 bool is_computed(const CallRecord& record);
 
-/// A call whose program is known before anything runs.
+/// A call whose program is known before the run.
 struct CallEdge {
   Address from = kNowhere;
   std::int32_t caller = kNoProgram, called = kNoProgram;
@@ -39,8 +39,9 @@ struct CallEdge {
   bool macro = false;        // it opens a level of locals
 };
 
-/// The ways through one program. The block behind the last one stands for its end, the one behind
-/// that for any block with a number: there computed jumps lead, and from there to each of them.
+/// The paths through one program. The place after its last block stands for its end. The place
+/// after that stands for any block with a number: computed jumps lead there, and it leads to each
+/// of them.
 class ProgramFlow {
  public:
   ProgramFlow(const Code& code, std::int32_t program, InterruptCheck& interrupt);
@@ -50,42 +51,43 @@ class ProgramFlow {
   Address anywhere() const { return last_ + 1; }
   std::size_t size() const { return last_ - first_ + 2; }
   std::int32_t program() const { return program_; }
-  /// What may follow a block.
+  /// The places that may follow a block.
   const Exit* begin(Address at) const { return exits_.data() + places_[at - first_]; }
   const Exit* end(Address at) const { return exits_.data() + places_[at - first_ + 1]; }
-  /// Whether a block may return to the caller (M99), and whether it may end the run.
+  /// Return whether a block may return to the caller (M99), and whether it may end the run.
   bool returns(Address at) const { return (marks_[at - first_] & kReturns) != 0; }
   bool ends(Address at) const { return (marks_[at - first_] & kEnds) != 0; }
   bool ever_returns() const { return (all_marks_ & kReturns) != 0; }
   bool ever_ends() const { return (all_marks_ & kEnds) != 0; }
-  /// Whether it calls a program that nobody knows before it runs, or at a block nobody knows.
+  /// Return whether the program calls a program, or a block of one, that is known only when it
+  /// runs.
   bool calls_computed() const { return (all_marks_ & kCallsComputed) != 0; }
-  /// Whether labels lead the way, which are found while it runs.
+  /// Return whether labels lead on, whose targets are found at run time.
   bool has_labels() const { return (all_marks_ & kLabels) != 0; }
   bool starts_computed() const { return (all_marks_ & kStartsComputed) != 0; }
 
   /// The calls of its blocks whose programs are known.
   const std::vector<CallEdge>& calls() const { return calls_; }
-  /// The numbers of M99 P, with their blocks; -1 where they are computed.
+  /// A number of M99 P with its block; the number is -1 where it is computed.
   struct ReturnTo {
     Address from = kNowhere;
     std::int64_t n = -1;
     TextPlace place;
   };
   const std::vector<ReturnTo>& return_numbers() const { return return_numbers_; }
-  /// Blocks at which the program is entered besides its first.
+  /// The blocks other than the first at which the program is entered.
   std::vector<Address>& entries() { return entries_; }
   const std::vector<Address>& entries() const { return entries_; }
 
-  /// Ways that only the callers or the called programs tell; `close` puts them in order.
+  /// Add an exit that only the callers or the called programs show; `close` puts these in order.
   void add(Address from, Exit exit) { added_.push_back({from, exit}); }
   void close();
 
-  /// What can be reached, one mark for each block, for the end and for anywhere.
+  /// Return what can be reached, one mark for each block, for the end and for `anywhere`.
   std::vector<bool> reached() const;
-  /// The same where only one block is entered.
+  /// Return the same for a program that is entered at one block only.
   std::vector<bool> reached_from(Address start) const;
-  /// The ways the other way round, by places from the first block on.
+  /// Return the exits in reverse, by places from the first block on.
   Arrows backwards() const;
 
  private:
@@ -107,8 +109,8 @@ class ProgramFlow {
   std::vector<std::pair<Address, Exit>> added_;
 };
 
-/// The ways through all programs of a memory, with those that M99 P of called programs opens.
-/// Where it is interrupted, some of them are empty.
+/// Return the paths through all programs of a memory, with those that M99 P of called programs
+/// opens. Where it is interrupted, some of them are empty.
 std::vector<ProgramFlow> flow_of(const Code& code, InterruptCheck& interrupt);
 
 }  // namespace cncsub

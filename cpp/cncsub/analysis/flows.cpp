@@ -1,4 +1,4 @@
-// The ways through all programs of a memory: what calls and returns open in their callers.
+// The paths through all programs of a memory: calls and returns open exits in the calling programs.
 #include <algorithm>
 #include <vector>
 
@@ -8,18 +8,18 @@ namespace cncsub {
 
 namespace {
 
-/// The ways that calls open in their callers.
+/// Adds the exits that calls open in the programs that call.
 class CallWays {
  public:
   CallWays(const Code& code, std::vector<ProgramFlow>& all) : code_(code), all_(all) {
     for (const ProgramFlow& flow : all) numbers_.push_back(numbers_of(flow));
   }
-  /// Where the called program of a call returns to, and where it begins.
+  /// Add where the called program of a call returns to and where it begins.
   void add(const CallEdge& edge);
 
  private:
-  static constexpr std::size_t kManyReturns = 64;      // as many as these may lead anywhere
-  static constexpr std::size_t kMostWays = 4'000'000;  // of a memory: behind them as well
+  static constexpr std::size_t kManyReturns = 64;      // more of them may lead anywhere
+  static constexpr std::size_t kMostWays = 4'000'000;  // of a memory: more lead anywhere too
 
   static std::vector<std::int64_t> numbers_of(const ProgramFlow& flow) {
     std::vector<std::int64_t> numbers;
@@ -31,7 +31,7 @@ class CallWays {
 
   const Code& code_;
   std::vector<ProgramFlow>& all_;
-  std::vector<std::vector<std::int64_t>> numbers_;  // of M99 P by program, -1 where it is computed
+  std::vector<std::vector<std::int64_t>> numbers_;  // the numbers of M99 P by program, -1: computed
   std::size_t added_ = 0;
 };
 
@@ -54,7 +54,7 @@ void CallWays::add(const CallEdge& edge) {
   }
 }
 
-/// M99 of a main program starts it over, M99 P goes on in it.
+/// Add the exits of M99 in a main program: M99 starts it over, M99 P goes on at its block.
 void add_main(const Code& code, ProgramFlow& flow) {
   if (code.control->calls.main_return.value != MainReturn::Restarts) return;
   for (Address at = flow.first(); at < flow.last(); ++at)

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-/// Tarjan's algorithm without recursion: chains may be long.
+/// Tarjan's algorithm without recursion, because chains may be long.
 class Walk {
  public:
   Walk(const Arrows& arrows, Groups& to)

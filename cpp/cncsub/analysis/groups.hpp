@@ -1,4 +1,4 @@
-// What leads to each other in a graph, each group after all that it leads to.
+// Groups of nodes of a graph that lead to each other, each group after those that it leads to.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace cncsub {
 
-/// Nodes from 0 and the arrows between them, those of a node one after the other.
+/// Nodes from 0 and the arrows between them, the arrows of a node in one sequence.
 class Arrows {
  public:
   explicit Arrows(std::size_t nodes) : first_(nodes + 1, 0) {}
-  /// All of them in any order.
+  /// Take the arrows in any order.
   Arrows(std::size_t nodes, const std::vector<std::pair<std::uint32_t, std::uint32_t>>& all);
 
   std::size_t nodes() const { return first_.size() - 1; }
@@ -28,7 +28,7 @@ struct Groups {
   explicit Groups(const Arrows& arrows);
 
   std::vector<std::uint32_t> of;                   // by node
-  std::vector<std::vector<std::uint32_t>> groups;  // each after those that its nodes lead to
+  std::vector<std::vector<std::uint32_t>> groups;  // each after the groups that it leads to
 };
 
 }  // namespace cncsub

@@ -17,7 +17,8 @@ bool is_like(std::string_view text, std::size_t at, std::string_view capitals) {
   return true;
 }
 
-/// Where the names begin behind `cncsub: ignore`, npos where that does not stand around a colon.
+/// Return where the names begin after `cncsub: ignore`; npos where that does not stand around a
+/// colon.
 std::size_t names_behind(std::string_view text, std::size_t colon) {
   constexpr std::string_view kWho = "CNCSUB", kWhat = "IGNORE";
   if (colon < kWho.size() || !is_like(text, colon - kWho.size(), kWho))

@@ -14,7 +14,7 @@ class IgnoredLines {
   IgnoredLines() = default;
   explicit IgnoredLines(std::string_view text);
 
-  /// Whether a rule is switched off in the line of this place.
+  /// Return whether a rule is switched off in the line of a place.
   bool holds(Check check, std::size_t at) const;
 
  private:

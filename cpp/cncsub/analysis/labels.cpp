@@ -1,4 +1,4 @@
-// Branches, loops and subprograms of a language that has labels: what is not closed.
+// Finds branches, loops and subprograms that are not closed, in a language that has labels.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -13,7 +13,7 @@ namespace cncsub {
 
 namespace {
 
-/// What ends a statement, the statement itself where nothing has to.
+/// Return the kind that ends a statement; the kind itself where the statement needs no end.
 OWordKind end_of(OWordKind kind) {
   switch (kind) {
     case OWordKind::If:
@@ -44,7 +44,7 @@ const char* word_of(OWordKind kind) {
   }
 }
 
-/// The statements of a file by subprogram and label: a label means something in its subprogram.
+/// The statements of a file by subprogram and label. A label has a meaning only in its subprogram.
 class LabelCheck {
  public:
   LabelCheck(Checker& c, const ProgramFlow& flow) : c_(c), flow_(flow) {}
@@ -69,7 +69,7 @@ class LabelCheck {
   const ProgramFlow& flow_;
   std::map<std::uint32_t, Address> heads_;
   std::vector<Address> open_;                   // the subprograms that have not ended yet
-  std::map<std::uint32_t, Address> last_ends_;  // of each label, the last endsub
+  std::map<std::uint32_t, Address> last_ends_;  // the last endsub of each label
   std::set<std::string> refused_;               // the labels of blocks that are refused
   Address last_do_ = kNowhere;
   std::map<Key, std::vector<Address>> statements_;
@@ -89,7 +89,7 @@ void LabelCheck::head(Address at, const OWord& own) {
   if (own.kind == OWordKind::Sub) open_.push_back(at);
 }
 
-/// Whether the innermost open subprogram ends behind a block.
+/// Return whether the innermost open subprogram ends after a block.
 bool LabelCheck::ends_later(Address at) const {
   const auto end = last_ends_.find(o_word(open_.back()).label);
   return end != last_ends_.end() && end->second > at;
@@ -107,14 +107,16 @@ void LabelCheck::end_sub(Address at, const OWord& own) {
   open_.pop_back();
 }
 
-/// The innermost subprogram is open where another one begins or ends, or the file ends.
+/// Report that the innermost open subprogram has no end: another one begins or ends, or the file
+/// ends.
 void LabelCheck::never_ended() {
   const Address head = open_.back();
   c_.found(Check::LoopUnclosed, head, place(head), "no endsub behind it has this label");
   open_.pop_back();
 }
 
-/// The label that a refused block begins with, as it is kept; empty where it begins with none.
+/// Return the label that a refused block begins with, as the code stores labels; empty where it
+/// begins with none.
 std::string LabelCheck::refused_label(Address at) const {
   const Block& block = c_.code.blocks[at];
   if (block.op != Op::Fault) return "";
@@ -136,7 +138,8 @@ std::string LabelCheck::refused_label(Address at) const {
   return label;
 }
 
-/// What is asked of all that stands behind a block too: refused labels, and the last of each kind.
+/// Collect what later blocks decide: the labels of refused blocks, the last endsub of each label,
+/// the last do.
 void LabelCheck::look_ahead() {
   for (Address at = flow_.first(); at < flow_.last(); ++at) {
     if (std::string label = refused_label(at); !label.empty()) refused_.insert(std::move(label));
@@ -166,7 +169,7 @@ void LabelCheck::run() {
   while (!open_.empty()) never_ended();
   std::set<std::uint32_t> subs;
   for (const auto& [key, all] : statements_) {
-    // What a refused block would have begun or ended is told there.
+    // The alarm of a refused block already reports the statement that it would have begun or ended.
     if (!refused_.contains(c_.code.labels[key.second])) statements(all);
     breaks(all);
     subs.insert(key.first);
@@ -174,7 +177,7 @@ void LabelCheck::run() {
   for (const std::uint32_t each : subs) crossings(each);
 }
 
-/// A break out of a while loop, of which the next do loop hears.
+/// Report each break out of a while loop that a later do loop takes as its own.
 void LabelCheck::breaks(const std::vector<Address>& all) {
   if (o_word(all.front()).kind != OWordKind::While || last_do_ == kNowhere) return;
   for (const Address at : all)
@@ -184,7 +187,7 @@ void LabelCheck::breaks(const std::vector<Address>& all) {
                    std::to_string(c_.code.blocks[last_do_].line) + ", ends after its first pass");
 }
 
-/// Branches and loops of one subprogram of which one begins inside another and ends behind it.
+/// Report branches and loops of one subprogram that begin inside another one and end after it.
 void LabelCheck::crossings(std::uint32_t sub) {
   std::vector<std::pair<Address, Address>> from_to;
   for (auto at = statements_.lower_bound({sub, 0});
@@ -201,7 +204,7 @@ void LabelCheck::crossings(std::uint32_t sub) {
     }
   }
   std::sort(from_to.begin(), from_to.end());
-  std::vector<Address> ends;  // of those that are open, the innermost last
+  std::vector<Address> ends;  // of the open statements, the innermost last
   for (const auto& [from, to] : from_to) {
     while (!ends.empty() && ends.back() < from) ends.pop_back();
     if (!ends.empty() && ends.back() < to)
@@ -213,7 +216,7 @@ void LabelCheck::crossings(std::uint32_t sub) {
   }
 }
 
-/// Those of one label in one subprogram, in their order.
+/// Check the statements of one label in one subprogram, in the order of their blocks.
 void LabelCheck::statements(const std::vector<Address>& all) {
   OWordKind open = OWordKind::Sub;  // none
   for (const Address at : all) {
@@ -238,7 +241,8 @@ void LabelCheck::statements(const std::vector<Address>& all) {
 
 namespace {
 
-/// Calls from a main program between two % of a file that begins with one, and so is not read.
+/// Report calls of a program whose file begins with %, from a main program between two %: such a
+/// file is not read.
 void check_openings(Checker& c, const ProgramFlow& flow) {
   const Program& main = c.program(c.main >= 0 ? c.main : flow.program());
   if (main.opening == 0) return;

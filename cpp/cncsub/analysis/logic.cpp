@@ -1,4 +1,4 @@
-// AND, OR and XOR that bind otherwise than it looks.
+// Finds AND, OR and XOR whose precedence is not what it looks.
 #include <algorithm>
 #include <span>
 #include <string>
@@ -13,31 +13,32 @@ namespace cncsub {
 
 namespace {
 
-/// What is told of a text: logic beside another operation, or AND beside OR where both bind alike.
+/// The mixtures to report: logic beside another operation, or AND beside OR where both have the
+/// same precedence.
 enum class Asked : std::uint8_t { Nothing, OtherOperations, OtherLogic, Both };
 
 /// The operations of an expression by its brackets.
 class Operations {
  public:
   Operations(std::span<const OperatorRow> rows, Asked asked) : rows_(rows), asked_(asked) {}
-  /// Whether a logic operation stands beside another one in the same brackets.
+  /// Return whether a logic operation stands beside another one in the same brackets.
   bool mixed(std::string_view text);
 
  private:
   struct Level {
     bool logic = false, other = false;
-    bool after_or = false;   // an OR or XOR was met
-    bool and_after = false;  // and an AND behind it, which comes first where it binds closer
+    bool after_or = false;   // an OR or XOR came before
+    bool and_after = false;  // and an AND after it, which is done first where it binds closer
   };
   bool mixed(const Level& level) const;
-  /// Takes one sign; false where brackets end that hold both kinds.
+  /// Read one character; return false where brackets end that hold both kinds.
   bool take(char sign);
   void take_name(std::string_view written);
 
   std::span<const OperatorRow> rows_;
   Asked asked_;
   std::vector<Level> levels_{1};
-  bool value_ = false;  // behind one, where a sign is an operation
+  bool value_ = false;  // after a value, where a sign is an operation
 };
 
 bool Operations::mixed(const Level& level) const {
@@ -87,7 +88,7 @@ bool Operations::mixed(std::string_view text) {
   return mixed(levels_.back());
 }
 
-/// Whether a text holds the name of a logic operation.
+/// Return whether a text contains the name of a logic operation.
 bool has_logic(std::span<const OperatorRow> rows, std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (!is_letter(text[i])) continue;
@@ -99,8 +100,8 @@ bool has_logic(std::span<const OperatorRow> rows, std::string_view text) {
   return false;
 }
 
-/// Whether logic works on numbers, which may stand beside arithmetic, and whether AND is done in
-/// its turn with OR.
+/// Return which mixtures to report. Logic of numbers may stand beside arithmetic, and AND may have
+/// the precedence of OR.
 Asked asked_of(std::span<const OperatorRow> rows) {
   bool numbers = false;
   int conjunction = 0, disjunction = 0;
@@ -170,7 +171,7 @@ bool LogicCheck::is_statement(const Block& block) const {
   }
 }
 
-/// Whether logic of numbers is done, which may be meant as logic of conditions.
+/// Return whether an expression has logic of numbers, which may be meant as logic of conditions.
 bool LogicCheck::of_numbers(const Expression& of) const {
   for (const Instruction ins : of)
     if (ins.op == Ins::And || ins.op == Ins::Or || ins.op == Ins::Xor) return true;
@@ -183,7 +184,7 @@ bool LogicCheck::of_conditions(const Expression& of) const {
   return false;
 }
 
-/// Offers the brackets that keep what is done.
+/// Offer the brackets that show the order in which the control evaluates the text.
 void LogicCheck::mend(Finding& found, Address at, std::string_view written,
                       LogicOrder order) const {
   const Control& control = *c_.code.control;
@@ -198,7 +199,7 @@ void LogicCheck::mend(Finding& found, Address at, std::string_view written,
   found.edits.push_back({at, found.place, *text});
 }
 
-/// What stands in brackets in a block of words, of a call or of a label.
+/// Check the expressions in brackets of a block of words, of a call or of a label.
 void LogicCheck::brackets(Address at, std::string_view text, std::uint32_t first) {
   std::size_t depth = 0, from = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -244,7 +245,7 @@ void LogicCheck::block(Address at, const Block& block, std::string_view text) {
       c_.code.expression(set ? block.aux : c_.code.statements[block.aux].expression);
   const std::uint32_t first = of.at();
   const std::string_view written = std::string_view(text).substr(first, of.width());
-  // Conditions that are compared first and joined then are what they look like, but for AND and OR.
+  // Comparisons are done before logic joins them, as it looks. Only AND beside OR may mislead.
   const bool numbers = asked_ == Asked::OtherLogic || of_numbers(of);
   const Asked asked = numbers ? asked_ : asked_ == Asked::Both ? Asked::OtherLogic : Asked::Nothing;
   if (asked != Asked::Nothing && is_mixed(written, asked))

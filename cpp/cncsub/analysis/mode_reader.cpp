@@ -7,7 +7,7 @@ namespace {
 constexpr std::uint32_t kAxes =
     kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
 
-/// Whether all words of a block that name axes are the number 0: G52 X0 Y0 shifts nothing.
+/// Return whether all words of a block that name axes are the number 0: G52 X0 Y0 shifts nothing.
 bool all_zero(const Code& code, const Block& block) {
   const Cell* cell = code.cells.data() + block.data;
   std::uint32_t expressions = 0;
@@ -22,7 +22,7 @@ bool all_zero(const Code& code, const Block& block) {
 
 }  // namespace
 
-/// The values of the modes, the usual ones of a machine.
+/// Return the values of the modes, with the usual ones of a machine.
 std::vector<Meant> ModeReader::meant(bool lathe) {
   return {{Distance, kUsual, Meaning::Absolute},
           {Distance, kOther, Meaning::Incremental},
@@ -63,7 +63,7 @@ std::vector<Meant> ModeReader::meant(bool lathe) {
           {Surface, kOther, Meaning::SurfaceSpeed}};
 }
 
-/// The modes that a code sets, 0 where it sets none.
+/// Return the modes that a code sets, 0 where it sets none.
 Modes ModeReader::set_by(Meaning meaning, Group group) const {
   for (const Meant& each : meant_)
     if (each.meaning == meaning) return of(each.mode, each.value);
@@ -71,15 +71,15 @@ Modes ModeReader::set_by(Meaning meaning, Group group) const {
   return group == Group::Motion ? of(Cycle, kUsual) : 0;
 }
 
-/// The same of a code of a block, ten times its number.
+/// Return the modes that a code of a block sets; `g` is ten times its number.
 Modes ModeReader::set_by(int g, const Block& block) const {
   const GCode code = c_.g_codes.find(g);
   if (code.meaning == Meaning::Local && all_zero(c_.code, block)) return of(Shift, kUsual);
   return set_by(code.meaning, code.group);
 }
 
-/// A computed code puts back what was found, as it is written to do: `G#3` behind `#3=#4003`; so
-/// does M72.
+/// Restore the modes that were found. A computed code is written to do this, as `G#3` after
+/// `#3=#4003`; M72 does it too.
 void ModeReader::restore(Modes& modes, const Block& block, bool sometimes) const {
   if (block.g_count != 0 && (block.flags & Block::kCodeExpression) != 0)
     put(modes, all(kFound), sometimes);

@@ -1,4 +1,4 @@
-// Modes that programs switch on and off, and what blocks make of them.
+// Modes that programs switch on and off, and the effect of blocks on them.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace cncsub::modes {
 
-// What may be in force, as four bits for each mode: what was found, the usual value, and two
-// others.
+// The values that may be in force, as four bits for each mode: the value that was found, the usual
+// value, and two others.
 using Modes = std::uint64_t;
 constexpr int kBits = 4;
 constexpr Modes kFound = 1, kUsual = 2, kOther = 4, kSecond = 8, kOne = 15;
@@ -33,13 +33,13 @@ enum Mode : std::uint8_t {
   Macro  // a macro that each move calls
 };
 constexpr int kModes = Macro + 1;
-// Modes of which nobody knows what is usual: parameters say it.
+// Return whether the usual value of a mode is unknown: parameters set it.
 constexpr bool has_no_usual(int mode) { return mode == Units || mode == Feed || mode == Surface; }
-// Modes that are never off: a caller that chose another one than the usual loses it by the usual.
+// Return whether a mode is never off: a caller that chose another value loses it to the usual one.
 constexpr bool is_choice(int mode) {
   return has_no_usual(mode) || mode == Distance || mode == Plane;
 }
-/// The values of a mode that count where they are left on.
+/// Return the values of a mode that count where they are left on.
 constexpr Modes counted(int mode) { return kOther | kSecond | (is_choice(mode) ? kUsual : 0); }
 
 constexpr Modes of(int mode, Modes value) { return value << (kBits * mode); }
@@ -48,26 +48,26 @@ constexpr Modes all(Modes value) {
   for (int mode = 0; mode < kModes; ++mode) modes |= value << (kBits * mode);
   return modes;
 }
-// What M70 and M73 keep. [LC m-code]
+// The modes that M70 and M73 keep. [LC m-code]
 constexpr Modes kKept = of(Distance, kFound) | of(Plane, kFound) | of(Units, kFound) |
                         of(Radius, kFound) | of(Length, kFound) | of(Work, kFound) |
                         of(Feed, kFound) | of(Surface, kFound);
 constexpr Modes value(Modes modes, int mode) { return modes >> (kBits * mode) & kOne; }
 
-/// Sets a mode; where it is set sometimes only, what was in force may be so still.
+/// Set a mode. Where it is set only sometimes, the value before it may still be in force.
 inline void put(Modes& modes, Modes own, bool sometimes) {
   for (int mode = 0; mode < kModes; ++mode)
     if (value(own, mode) != 0) modes = (sometimes ? modes : modes & ~of(mode, kOne)) | own;
 }
 
-/// What is in force when a main program begins.
+/// Return what is in force when a main program begins.
 inline Modes at_first() {
   Modes usual = 0;
   for (int mode = 0; mode < kModes; ++mode) usual |= of(mode, has_no_usual(mode) ? kFound : kUsual);
   return usual;
 }
 
-/// What is in force behind a call of a program that leaves this.
+/// Return what is in force after a call of a program that leaves `left`.
 inline Modes through(Modes modes, Modes left) {
   Modes kept = 0;
   for (int mode = 0; mode < kModes; ++mode)
@@ -81,19 +81,19 @@ struct Meant {
   Meaning meaning;
 };
 
-/// What blocks set and switch off.
+/// Reads which modes blocks set and switch off.
 class ModeReader {
  public:
   explicit ModeReader(const Checker& c) : c_(c), meant_(meant(c.machine != MachineType::Mill)) {}
 
-  /// What is in force behind a block, but for what it calls.
+  /// Return what is in force after a block, without the programs that it calls.
   Modes after(Modes before, Address at) const;
-  /// Whether a program keeps its modes by M73: its return takes them back in.
+  /// Return whether a program keeps its modes by M73: its return restores them.
   bool keeps(const ProgramFlow& flow) const;
-  /// The modes that a block sets, as bits.
+  /// Return the modes that a block sets, as bits.
   std::uint32_t set_at(Address at) const;
   bool moves(Address at) const;
-  /// Whether a block that does not move is gone past where a move is looked for.
+  /// Return whether a search for a move goes on past a block, which does not move itself.
   bool leads_on(Address at) const;
   std::string name(int mode, Modes which) const;
 

@@ -1,4 +1,4 @@
-// Modes that a called program switches on and leaves on for its caller.
+// Finds modes that a called program switches on and leaves on for its caller.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -44,13 +44,13 @@ class ModeCheck {
   // By program:
   std::vector<Modes> left_;                          // what it leaves, 0 while it never returns
   std::vector<std::vector<Modes>> before_;           // what is in force before its blocks
-  std::vector<std::vector<const CallEdge*>> calls_;  // of those that are worked on
-  std::vector<bool> keeps_;                          // its return takes its modes back
-  std::vector<std::pair<std::int32_t, Address>> waiting_;  // blocks from which it goes on
-  std::size_t looked_at_ = 0;  // blocks, once more for what is called in a loop
+  std::vector<std::vector<const CallEdge*>> calls_;  // of the programs that are worked on
+  std::vector<bool> keeps_;                          // whether its return restores its modes
+  std::vector<std::pair<std::int32_t, Address>> waiting_;  // program and block to go on from
+  std::size_t looked_at_ = 0;  // blocks; those of a loop again for each call
 };
 
-/// What may be in force before each block, were one of the called programs to leave nothing.
+/// Return what may be in force before each block if one of the called programs left nothing.
 std::vector<Modes> ModeCheck::states_without(const ProgramFlow& flow, std::int32_t but) const {
   std::vector<Modes> before(flow.size(), 0);
   std::vector<Address> waiting;
@@ -75,21 +75,21 @@ std::vector<Modes> ModeCheck::states_without(const ProgramFlow& flow, std::int32
   return before;
 }
 
-/// What is in force where a program may begin.
+/// Call `take` with what is in force at each block where a program may begin.
 template <class Take>
 void ModeCheck::each_entry(const ProgramFlow& flow, const Take& take) const {
   take(flow.first(), c_.is_called(flow.program()) ? all(kFound) : at_first());
   for (const Address entry : flow.entries()) take(entry, all(kFound));
 }
 
-/// The calls of a program by their blocks.
+/// Return the calls of a program by their blocks.
 std::vector<const CallEdge*> ModeCheck::calls_of(const ProgramFlow& flow) const {
   std::vector<const CallEdge*> calls(flow.size(), nullptr);
   for (const CallEdge& edge : flow.calls()) calls[edge.from - flow.first()] = &edge;
   return calls;
 }
 
-/// Takes what may be in force before a block of a program that is worked on.
+/// Add what may be in force before a block of a program that is worked on.
 void ModeCheck::reach(std::int32_t program, Address at, Modes modes) {
   Modes& own = before_[static_cast<std::size_t>(program)][at - c_.flow(program).first()];
   if ((own | modes) == own) return;
@@ -97,8 +97,7 @@ void ModeCheck::reach(std::int32_t program, Address at, Modes modes) {
   waiting_.emplace_back(program, at);
 }
 
-/// Goes on from one block. A call of a program of which nobody knows yet that it returns leads
-/// nowhere until it does.
+/// Go on from one block. A call leads nowhere until its program is known to return.
 void ModeCheck::go_on(std::int32_t program, Address at) {
   const auto place = static_cast<std::size_t>(program);
   const ProgramFlow& flow = c_.flow(program);
@@ -114,7 +113,7 @@ void ModeCheck::go_on(std::int32_t program, Address at) {
     reach(program, exit->to, modes);
 }
 
-/// Takes what a program leaves where it returns; where that is more, its callers go on.
+/// Add what a program leaves where it returns; its callers go on where that is new.
 void ModeCheck::leave(std::int32_t program, Modes modes) {
   if (keeps_[static_cast<std::size_t>(program)]) put(modes, kKept, false);
   if (c_.program(program).keeps_modes) modes = all(kFound);
@@ -127,7 +126,7 @@ void ModeCheck::leave(std::int32_t program, Modes modes) {
       waiting_.emplace_back(edge->caller, edge->from);
 }
 
-/// Works until nothing more may be in force anywhere in the programs of a group.
+/// Work until nothing new may be in force anywhere in the programs of a group.
 void ModeCheck::settle_group(const std::vector<std::uint32_t>& group) {
   for (const std::uint32_t program : group) {
     const ProgramFlow& flow = c_.flows[program];
@@ -151,7 +150,7 @@ void ModeCheck::settle_group(const std::vector<std::uint32_t>& group) {
   for (const std::uint32_t program : group) calls_[program] = {};
 }
 
-/// By block, the modes with which some way from there on moves before it sets them.
+/// Return by block the modes with which some path from there moves before it sets them.
 std::vector<std::uint32_t> ModeCheck::moving(const ProgramFlow& flow) const {
   const Arrows back = flow.backwards();
   std::vector<std::uint32_t> found(flow.size(), 0);
@@ -174,7 +173,7 @@ std::vector<std::uint32_t> ModeCheck::moving(const ProgramFlow& flow) const {
   return found;
 }
 
-/// The first block behind a call that moves in a mode, where there is one.
+/// Return the first block after a call that moves in a mode, where there is one.
 Address ModeCheck::moves_with(const ProgramFlow& flow, Address call, int mode,
                               const std::vector<std::uint32_t>& moving) const {
   std::unordered_set<Address> seen;
@@ -194,20 +193,20 @@ Address ModeCheck::moves_with(const ProgramFlow& flow, Address call, int mode,
   return kNowhere;
 }
 
-/// The rule of a mode: what a program may leave on for good reasons is only noted.
+/// Return the rule of a mode: modes that a program may leave on for good reasons are only noted.
 Check rule_of(int mode) {
   if (mode == Length) return Check::LeavesLength;
   return mode == Work || mode == Origin ? Check::LeavesWork : Check::LeavesOn;
 }
 
-/// The modes that a called program may leave on, were they not those of its caller.
+/// Return whether a called program leaves on modes that its caller may not have set.
 bool may_leak(Modes left) {
   for (int mode = 0; mode < kModes; ++mode)
     if ((value(left, mode) & counted(mode)) != 0) return true;
   return false;
 }
 
-/// Whether some block of a program leads back.
+/// Return whether some block of a program leads back.
 bool leads_back(const ProgramFlow& flow) {
   for (Address at = flow.first(); at < flow.last(); ++at)
     for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
@@ -216,11 +215,11 @@ bool leads_back(const ProgramFlow& flow) {
 }
 
 void ModeCheck::leaks(const ProgramFlow& flow) {
-  constexpr std::size_t kMostCalled = 64;         // for each of them the program is gone through
-  constexpr std::size_t kMostBlocks = 4'000'000;  // of all programs, for that
+  constexpr std::size_t kMostCalled = 64;         // the program is visited once for each
+  constexpr std::size_t kMostBlocks = 4'000'000;  // of all programs, in these visits
   const bool loops = leads_back(flow);
   const std::vector<Modes>& before = before_[static_cast<std::size_t>(flow.program())];
-  std::map<std::int32_t, std::vector<Modes>> without;  // a called program, in a loop
+  std::map<std::int32_t, std::vector<Modes>> without;  // by called program, for loops
   std::vector<std::uint32_t> moving;
   std::set<std::tuple<std::int32_t, int>> reported;
   for (const CallEdge& edge : flow.calls()) {
@@ -242,12 +241,13 @@ void ModeCheck::leaks(const ProgramFlow& flow) {
   }
 }
 
-/// What one call leaves on that its caller had not: told where it is called first.
+/// Report the modes that one call leaves on and that its caller had not set. Each is reported at
+/// the first call that leaves it on.
 void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
                      const std::vector<std::uint32_t>& moving,
                      std::set<std::tuple<std::int32_t, int>>& reported) {
   const Modes left = left_[static_cast<std::size_t>(edge.called)];
-  std::uint32_t with = 0;  // the modes with which what stands behind the call moves
+  std::uint32_t with = 0;  // the modes with which the blocks after the call move
   for (const Exit* exit = flow.begin(edge.from); exit != flow.end(edge.from); ++exit)
     with |= moving[exit->to - flow.first()];
   for (int mode = 0; mode < kModes; ++mode) {

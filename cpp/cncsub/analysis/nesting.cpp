@@ -1,4 +1,4 @@
-// How deep calls go on any way, and circles of calls.
+// Finds calls that nest too deep on some path, and circles of calls.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,12 +11,12 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::size_t kMostNamed = 12;  // programs of a circle
+constexpr std::size_t kMostNamed = 12;  // names shown of a circle
 
-/// How many calls are open: of subprograms, of macros, of both.
+/// The number of open calls: of subprograms, of macros, of both.
 using Depth = std::array<int, 3>;
 
-/// Whether the control refuses a call of a program by itself, wherever it begins.
+/// Return whether the control refuses that a program calls itself, wherever the call begins.
 bool is_refused_again(const Checker& c, const CallEdge& edge) {
   const SelfCall rule = c.code.control->calls.self_call.value;
   const CallRecord& record = c.code.calls[edge.record];
@@ -24,7 +24,7 @@ bool is_refused_again(const Checker& c, const CallEdge& edge) {
          (rule == SelfCall::Refused || (rule == SelfCall::WithStart && record.target.start_n < 0));
 }
 
-/// Programs that call themselves where the control refuses it.
+/// Report programs that call themselves where the control refuses it.
 void check_self_calls(Checker& c) {
   for (const ProgramFlow& flow : c.flows)
     for (const CallEdge& edge : flow.calls()) {
@@ -40,14 +40,14 @@ void check_self_calls(Checker& c) {
     }
 }
 
-/// A program from a block on: what a call enters.
+/// A program from one block on, as a call enters it.
 struct Entered {
   std::int32_t program;
   Address start;
 };
 
-/// What calls enter, and what each of these calls: only calls that some way from its first block
-/// leads to, where a program is entered at several.
+/// The programs that calls enter and the calls that each of them makes. Where a program is entered
+/// at several blocks, only the calls that a path from its start reaches count.
 class CallTree {
  public:
   struct Call {
@@ -59,7 +59,7 @@ class CallTree {
   std::size_t size() const { return entered_.size(); }
   const Entered& entered(std::size_t place) const { return entered_[place]; }
   const std::vector<Call>& calls(std::size_t place) const { return calls_[place]; }
-  /// What is entered, with what calls it and is called by it in turn.
+  /// Return the groups of entered programs that call each other.
   Groups groups() const;
 
  private:
@@ -68,7 +68,7 @@ class CallTree {
 
   const Checker& c_;
   std::size_t looked_at_ = 0;  // blocks, for all starts inside programs
-  std::map<std::pair<std::int32_t, Address>, std::size_t> inside_;  // those that begin inside
+  std::map<std::pair<std::int32_t, Address>, std::size_t> inside_;  // programs entered inside
   std::vector<Entered> entered_;
   std::vector<std::vector<Call>> calls_;
 };
@@ -113,7 +113,7 @@ Groups CallTree::groups() const {
   return Groups(Arrows(size(), all));
 }
 
-/// All that is entered, each before what it calls, but for the calls that close a circle.
+/// All entered programs, each before those that it calls, except for the calls that close a circle.
 class CallOrder {
  public:
   CallOrder(Checker& c, const CallTree& tree)
@@ -129,7 +129,7 @@ class CallOrder {
     std::sort(closing_.begin(), closing_.end());
   }
   const std::vector<std::size_t>& order() const { return order_; }
-  /// Whether a call leads back to what is open.
+  /// Return whether a call leads back to an open program.
   bool closes(std::size_t from, const CallEdge& edge) const {
     return std::binary_search(closing_.begin(), closing_.end(), std::pair(from, &edge));
   }
@@ -160,13 +160,13 @@ class CallOrder {
   std::vector<Open> open_;
   std::vector<std::size_t> order_;
   std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
-  std::vector<bool> reported_;  // blocks
+  std::vector<bool> reported_;  // by block
   std::size_t looked_at_ = 0;
 };
 
-/// Whether some way through what is entered comes to its end without the call that is open in it.
+/// Return whether some path through an entered program reaches its end without its open call.
 bool CallOrder::is_avoided(const Open& open) {
-  constexpr std::size_t kMostBlocks = 4'000'000;  // beyond that, no way is looked for
+  constexpr std::size_t kMostBlocks = 4'000'000;  // beyond that, no path is searched
   const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
   const Block& block = c_.code.blocks[call];
   if (block.op == Op::IfThen || block.skip != 0) return true;
@@ -187,15 +187,15 @@ bool CallOrder::is_avoided(const Open& open) {
   return false;
 }
 
-/// Whether something was told of a block before.
+/// Return whether a block was reported before, and mark it.
 bool CallOrder::is_told(Address at) {
   const bool reported = reported_[at];
   reported_[at] = true;
   return reported;
 }
 
-/// What is open from a place on: its names, but for those in the middle of a long circle, and the
-/// calls between.
+/// Add the names of the open programs from `first` on, without those in the middle of a long
+/// circle, and the calls between them.
 void CallOrder::circle_from(std::vector<Open>::const_iterator first, std::string& names,
                             std::vector<Address>& path) const {
   const auto count = static_cast<std::size_t>(open_.end() - first);
@@ -215,7 +215,7 @@ void CallOrder::circle(const CallTree::Call& call) {
   // A code does not call in the program that it calls.
   const Block& block = c_.code.blocks[edge.from];
   const bool code = block.op == Op::Select && c_.code.selects[block.aux].address != 0;
-  // A call of the own program without what it drops, such as where it begins.
+  // The call of the own program lost a word that it drops, such as where it begins.
   const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
   if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
   auto first = open_.cbegin();
@@ -231,7 +231,7 @@ void CallOrder::circle(const CallTree::Call& call) {
   c_.found(Check::Recursion, edge.from, {record.at, record.width}, names).path = std::move(path);
 }
 
-/// Whether the control refuses a call because its program is open already.
+/// Return whether the control refuses a call because its program is already open.
 bool CallOrder::is_of_open_caller(const CallEdge& edge) const {
   const CallerCall rule = c_.code.control->calls.caller_call.value;
   const bool started = c_.code.calls[edge.record].target.start_n >= 0;
@@ -258,7 +258,7 @@ void CallOrder::refuse(const CallEdge& edge) {
       .path = std::move(path);
 }
 
-/// "O2", and "O2 N100" where it is entered inside.
+/// Return "O2", or "O2 N100" where the program is entered inside.
 std::string CallOrder::name(std::size_t place) const {
   const Entered& of = tree_.entered(place);
   std::string program = c_.code.name_of(of.program);
@@ -314,7 +314,7 @@ class NestingCheck {
   std::vector<Limit> limits(bool macro) const;
   std::vector<Address> path(std::size_t to, std::size_t measure) const;
 
-  /// The call by which something is deepest.
+  /// The call that makes an entered program deepest.
   struct By {
     std::size_t caller = 0;
     const CallEdge* edge = nullptr;
@@ -322,10 +322,10 @@ class NestingCheck {
 
   Checker& c_;
   const CallTree& tree_;
-  std::array<std::vector<Limit>, 2> limits_;  // of subprograms, of macros
+  std::array<std::vector<Limit>, 2> limits_;  // for calls of subprograms, of macros
   std::vector<Depth> deepest_;
   std::vector<std::array<By, 3>> from_;
-  std::vector<bool> reported_;  // blocks
+  std::vector<bool> reported_;  // by block
 };
 
 std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {

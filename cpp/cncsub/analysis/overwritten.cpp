@@ -1,4 +1,4 @@
-// Variables that a program uses as its own, and that a program it calls uses as its own too.
+// Finds variables that a program uses as its own, and that a program it calls uses as its own too.
 #include <algorithm>
 #include <bit>
 #include <string>
@@ -14,9 +14,9 @@ namespace {
 
 using Numbers = std::vector<std::int32_t>;
 
-constexpr std::size_t kMostWords = 16;  // of bits: the variables behind them are not looked at
+constexpr std::size_t kMostWords = 16;  // words of bits: variables beyond them are not checked
 
-/// Variables as bits, by their places among those that are looked at.
+/// Variables as bits, by their places in the numbering.
 using Set = std::vector<Bits>;
 
 /// A variable that has a bit.
@@ -40,7 +40,7 @@ class Numbering {
     if (const auto found = places_.find(number); found != places_.end())
       set[found->second / kMostBits] |= Bits{1} << (found->second % kMostBits);
   }
-  /// Those of the numbers whose bits stand in one word.
+  /// Return the bits of those variables of `numbers` that stand in one word.
   Bits bits(const Numbers& numbers, std::size_t word) const {
     Bits found = 0;
     for (const std::int32_t number : numbers) {
@@ -62,7 +62,8 @@ class OverwrittenCheck {
   void run();
 
  private:
-  /// Variables that have a value of the program's own, and those that a called program has taken.
+  /// The variables that hold a value of the program's own, and those that a called program
+  /// overwrote.
   struct State {
     Bits own = 0, lost = 0;
     bool reached = false;
@@ -88,10 +89,10 @@ class OverwrittenCheck {
   Checker& c_;
   const VariableUses& uses_;
   Numbering numbering_;
-  std::vector<Bits> locals_;                            // of the variables, those of one level
+  std::vector<Bits> locals_;                            // by word, the bits of the locals
   std::vector<Set> scratch_;                            // by program: what it uses as its own
-  std::vector<Set> taken_;                              // and with it those that it calls
-  std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
+  std::vector<Set> taken_;                              // by program: with what it calls too
+  std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is checked
 };
 
 /// Add the numbers of the variables that a program both reads and writes.
@@ -106,7 +107,7 @@ void OverwrittenCheck::add_both(const ProgramFlow& flow, Numbers& both) const {
     if (read.contains(number)) both.push_back(number);
 }
 
-/// Gives bits to the variables that some program both reads and writes.
+/// Give bits to the variables that some program both reads and writes.
 void OverwrittenCheck::number_all() {
   Numbers both;
   for (const ProgramFlow& flow : c_.flows) add_both(flow, both);
@@ -125,7 +126,7 @@ Set OverwrittenCheck::written(const ProgramFlow& flow) const {
   return found;
 }
 
-/// The variables that a program both reads and writes; none where it may use any.
+/// Return the variables that a program both reads and writes; none where it may use any.
 Set OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
   Set read(numbering_.words());
   for (Address at = flow.first(); at < flow.last(); ++at)
@@ -138,7 +139,8 @@ Set OverwrittenCheck::read_and_written(const ProgramFlow& flow) const {
   return read;
 }
 
-/// The locals that some call gives as an argument: they are the program's own from the start.
+/// Return the locals that some call gives as an argument: they are the program's own from the
+/// start.
 Set OverwrittenCheck::arguments(std::int32_t program) const {
   Set found(numbering_.words());
   for (const CallEdge* edge : c_.callers_of(program)) {
@@ -150,8 +152,8 @@ Set OverwrittenCheck::arguments(std::int32_t program) const {
   return found;
 }
 
-/// The variables that a program uses as its own: it writes each before it reads it, or has it as an
-/// argument, and reads it.
+/// Find the variables that a program uses as its own: it writes each before it reads it, or gets it
+/// as an argument, and reads it.
 void OverwrittenCheck::find_scratch(const ProgramFlow& flow) {
   Set& known = scratch_[static_cast<std::size_t>(flow.program())];
   known = read_and_written(flow);
@@ -161,7 +163,7 @@ void OverwrittenCheck::find_scratch(const ProgramFlow& flow) {
     if (known[word] != 0) known[word] &= ~handed_over(flow, word) | given[word];
 }
 
-/// Which of its own variables some way reads before it writes them.
+/// Return those of the program's own variables that some path reads before it writes them.
 Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, std::size_t word) const {
   std::vector<Bits> unwritten(flow.size(), 0);
   std::vector<Address> waiting{flow.first()};
@@ -185,13 +187,13 @@ Bits OverwrittenCheck::handed_over(const ProgramFlow& flow, std::size_t word) co
   return handed;
 }
 
-/// What the called program of a call takes of its caller's variables.
+/// Return the variables of its caller that the called program of a call takes.
 Bits OverwrittenCheck::taken_by(const CallEdge& edge, std::size_t word) const {
   const Bits taken = taken_[static_cast<std::size_t>(edge.called)][word];
   return edge.macro ? taken & ~locals_[word] : taken;
 }
 
-/// What its called programs take, a program takes too; whether that is more than was known.
+/// Add what the called programs of a program take to what it takes; return whether that is new.
 bool OverwrittenCheck::take_called(std::uint32_t program) {
   Set& own = taken_[program];
   bool more = false;
@@ -204,7 +206,7 @@ bool OverwrittenCheck::take_called(std::uint32_t program) {
   return more;
 }
 
-/// Programs that call each other take all commons that one of them takes.
+/// Give each program of a group the commons that any of them takes: they call each other.
 void OverwrittenCheck::share_commons(const std::vector<std::uint32_t>& group) {
   Set all(numbering_.words());
   for (const std::uint32_t program : group) {
@@ -234,8 +236,8 @@ void OverwrittenCheck::take_until_settled(std::vector<std::uint32_t> waiting) {
   }
 }
 
-/// What is called comes before its callers: only programs that call each other are gone through
-/// again.
+/// Find what each program takes. Called programs come before their callers, so that only programs
+/// that call each other are visited again.
 void OverwrittenCheck::find_taken() {
   taken_.assign(c_.flows.size(), Set(numbering_.words()));
   for (const auto& group : c_.groups.groups) {
@@ -260,8 +262,8 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow) {
     if ((called[word] & own[word]) != 0 && !c_.over()) tell_overwritten(flow, word);
 }
 
-/// What a block and the programs it calls make of the variables; `read` are those that the program
-/// reads as its own anywhere.
+/// Return the state of the variables after a block and the programs that it calls. Adds to `read`
+/// those that the program reads as its own.
 OverwrittenCheck::State OverwrittenCheck::behind(Address at, const ProgramFlow& flow, State state,
                                                  std::size_t word, Bits& read) {
   if (const VariableUse* of = at < flow.last() ? uses_.of(at) : nullptr) {
@@ -278,8 +280,8 @@ OverwrittenCheck::State OverwrittenCheck::behind(Address at, const ProgramFlow& 
   return state;
 }
 
-/// Of the variables of one word those that the program reads as its own, and reads again as its own
-/// after a called program has used them.
+/// Report, for one word of variables, those that the program reads as its own and reads again after
+/// a called program has used them.
 void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, std::size_t word) {
   std::vector<State> before(flow.size());
   std::vector<Address> waiting{flow.first()};
@@ -300,7 +302,7 @@ void OverwrittenCheck::tell_overwritten(const ProgramFlow& flow, std::size_t wor
     const VariableUse* of = uses_.of(at);
     if (of == nullptr) continue;
     Bits lost = numbering_.bits(of->reads, word) & before[at - flow.first()].lost & read;
-    read &= ~lost;  // told once
+    read &= ~lost;  // reported once
     for (; lost != 0; lost &= lost - 1)
       tell_lost(flow, at, word * kMostBits + static_cast<std::size_t>(std::countr_zero(lost)));
   }

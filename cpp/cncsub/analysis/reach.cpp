@@ -1,4 +1,4 @@
-// What is reached, and how programs end.
+// Finds blocks that are never reached, and programs that end wrongly.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -16,7 +16,7 @@ bool follows_profile(Meaning meaning) {
          meaning == Meaning::RoughFace || meaning == Meaning::RoughPattern;
 }
 
-/// The value of a word that is written as a number, -1 where there is none.
+/// Return the value of a word that is written as a number, -1 where there is none.
 std::int64_t written(const Code& code, const Block& block, char address) {
   if ((block.mask & bit(address)) == 0) return -1;
   const Cell* cell = code.cells.data() + block.data;
@@ -35,8 +35,8 @@ bool cuts_profile(const Checker& c, const Block& block) {
   return cuts;
 }
 
-/// The profile that a cycle cuts: from the block of P, the nearest behind the cycle, to that of Q.
-/// `begun`: by block, how many profiles begin there less those that end before it.
+/// Mark the profile that a cycle cuts: from the block of P, the nearest after the cycle, to that of
+/// Q. `begun` counts by block the profiles that begin there less those that end before it.
 void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<int>& begun) {
   const Program& program = c.program(flow.program());
   const Block& block = c.code.blocks[at];
@@ -56,8 +56,8 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<i
   --begun[to - flow.first() + 1];
 }
 
-/// The profile that a cycle cuts is executed by the cycle, wherever it stands; it must be there,
-/// and nothing in it calls.
+/// Mark the blocks of profiles as reached: the cycle executes its profile wherever it stands. The
+/// profile must exist, and no block in it may call.
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
   std::vector<int> begun;
   for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
@@ -79,7 +79,7 @@ void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reach
   }
 }
 
-/// The blocks from which some way comes to M99.
+/// Return the blocks from which some path reaches M99.
 std::vector<bool> leading_back(const ProgramFlow& flow) {
   const Arrows back = flow.backwards();
   std::vector<bool> found(flow.size(), false);
@@ -96,7 +96,7 @@ std::vector<bool> leading_back(const ProgramFlow& flow) {
   return found;
 }
 
-/// Whether a block does something that somebody would miss.
+/// Return whether a block does something that somebody would miss.
 bool does_something(const Block& block) {
   switch (block.op) {
     case Op::Words:
@@ -131,14 +131,15 @@ void check_unreached(Checker& c, const ProgramFlow& flow, const std::vector<bool
   }
 }
 
-/// Whether a part that is called, at a block of its own, is all that comes to the end of a program.
+/// Return whether only a called part of a program, at a block of its own, runs to the end of the
+/// text.
 bool only_parts_end(const Checker& c, const ProgramFlow& flow) {
   if (flow.entries().empty() || c.is_called_by_another(flow.program())) return false;
   return !flow.calls_computed() && !flow.reached_from(flow.first())[flow.last() - flow.first()];
 }
 
-/// A program that is only called returns at its end, as its called part does: nothing else can be
-/// meant.
+/// Offer a return at the end of a program that is only called, or of its called part: nothing else
+/// can be meant.
 void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   const std::string code = return_code(*c.code.control);
   if (code.empty()) return;
@@ -152,7 +153,7 @@ void mend_end(const Checker& c, const ProgramFlow& flow, Finding& found) {
   found.edits.push_back({flow.last() - 1, {static_cast<std::uint32_t>(end), 0}, "\n" + code});
 }
 
-/// What runs into its end.
+/// Report a program that runs into its end.
 void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   if (!reached) return;
   const Program& program = c.program(flow.program());
@@ -162,7 +163,7 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   if (!alarms && (!c.is_called(flow.program()) || flow.last() == flow.first())) return;
   const bool empty = flow.last() == flow.first();
   const Address at = empty ? flow.last() : flow.last() - 1;
-  // What is wrong there may have been the end.
+  // The refused block may have been the end.
   if (c.code.blocks[at].op == Op::Fault || means_m99(c, flow)) return;
   const Block& last = c.code.blocks[at];
   Finding& found = c.found(Check::NoEnd, at, {last.text, last.length}, what);
@@ -172,8 +173,8 @@ void check_end(Checker& c, const ProgramFlow& flow, bool reached) {
   found.alarm_block = flow.last();
 }
 
-/// The first of the blocks that some way leads to and that end the run; kNowhere where none does,
-/// or where one returns.
+/// Return the first reached block that ends the run; kNowhere where none does, or where one
+/// returns.
 Address only_end(const ProgramFlow& flow, const std::vector<bool>& reached) {
   Address end = kNowhere;
   for (Address at = flow.first(); at < flow.last(); ++at) {
@@ -197,11 +198,11 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow, const std::vector<b
   if (begins_with_label(c.code, flow.first())) found.hint = "write a return of its label instead";
 }
 
-/// Parts of a main program that it calls, and that it also runs into.
+/// Report parts of a main program that it calls and also runs into.
 void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   if (flow.entries().empty() || c.is_called_by_another(flow.program())) return;
   const std::vector<bool> reached = flow.reached_from(flow.first());
-  std::vector<bool> back;  // looked for where it is asked
+  std::vector<bool> back;  // filled when it is first needed
   std::set<Address> reported;
   for (const CallEdge& edge : flow.calls()) {
     const Address start = edge.start;
@@ -221,7 +222,7 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
   }
 }
 
-/// The programs in which a block that is reached may have led on, were it not refused.
+/// Return the programs that a reached block might have led into, were it not refused.
 std::vector<bool> unsure_programs(const Checker& c, const std::vector<std::vector<bool>>& reached) {
   std::vector<bool> unsure(c.flows.size(), false);
   for (const auto& [program, because] : c.unsure) {
@@ -233,7 +234,7 @@ std::vector<bool> unsure_programs(const Checker& c, const std::vector<std::vecto
   return unsure;
 }
 
-/// A program that returns and never ends, and that nothing calls.
+/// Report a program that returns and never ends, and that nothing calls.
 void check_never_called(Checker& c, const ProgramFlow& flow) {
   const Program& program = c.program(flow.program());
   const bool only_called = flow.ever_returns() && !flow.ever_ends();
@@ -245,7 +246,7 @@ void check_never_called(Checker& c, const ProgramFlow& flow) {
           "no program here calls " + c.code.name_of(program));
 }
 
-/// The % that the control refuses where it comes to them.
+/// Report each reached % that the control refuses.
 void check_tape_ends(Checker& c, const ProgramFlow& flow, const std::vector<bool>& reached) {
   if (!flow.has_labels()) return;
   for (Address at = flow.first(); at < flow.last(); ++at) {

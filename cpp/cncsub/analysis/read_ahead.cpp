@@ -1,6 +1,6 @@
-// Inputs that are read, and outputs that are set, while blocks before them still run: what a
-// control reads ahead includes its macro statements. Offsets and positions are read when their
-// block runs. [H96 p.91, look-ahead]
+// Finds inputs that are read, and outputs that are set, while the blocks before them still run. A
+// control that reads ahead executes macro statements early. Offsets and positions are read when
+// their block runs. [H96 p.91, look-ahead]
 #include <string>
 #include <vector>
 
@@ -25,7 +25,7 @@ bool names_limit(const Checker& c, const Block& block) {
   return named;
 }
 
-/// The input that a block reads, or the output that it sets; of no width where it does neither.
+/// The input that a block reads, or the output that it sets; without a width where it does neither.
 struct Signal {
   TextPlace place{0, 0};
   bool output = false;
@@ -46,13 +46,13 @@ Signal signal_of(const Checker& c, const Block& block, std::int32_t program) {
   return {};
 }
 
-/// The blocks that some way leads to without a limit of what is read ahead. `free`: none is in
-/// force where the program begins.
+/// Return the blocks that some path reaches without a limit on reading ahead. `free` says that no
+/// limit is in force where the program begins.
 std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow, bool free) {
   std::vector<bool> found(flow.size(), false);
   std::vector<Address> waiting;
   if (free) waiting.push_back(flow.first());
-  for (Address at = flow.first(); at < flow.last(); ++at)  // G103 alone takes the limit back
+  for (Address at = flow.first(); at < flow.last(); ++at)  // G103 alone removes the limit
     if (names_limit(c, c.code.blocks[at]) && (c.code.blocks[at].mask & bit('P')) == 0)
       waiting.push_back(at);
   while (!waiting.empty() && !c.over()) {
@@ -81,7 +81,8 @@ struct Entered {
   }
 };
 
-/// By program, the blocks without a limit: a program has the limit of the blocks that call it.
+/// Return by program the blocks without a limit. A program has the limit of the blocks that call
+/// it.
 std::vector<std::vector<bool>> all_unlimited(const Checker& c) {
   std::vector<std::vector<bool>> free(c.flows.size());
   Entered entered{{}, std::vector<bool>(c.flows.size(), false)};

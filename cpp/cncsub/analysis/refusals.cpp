@@ -1,4 +1,5 @@
-// What the control refuses in a block whenever it is reached: faults, codes, calls, variables.
+// Finds what the control refuses in a block whenever it is reached: faults, codes, calls,
+// variables.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -38,7 +39,7 @@ void check_code(Checker& c, Address at, int g) {
   c.refused(refused ? Check::CodeMissing : Check::NotComputed, at, std::move(fault));
 }
 
-/// A call whose words are all numbers, and that has no target all the same.
+/// Check a call whose words are all numbers and that still has no target.
 void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
   if (record.constant || is_computed(record)) return;
   Target target;
@@ -56,7 +57,7 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
 }
 
-/// A call by a label that no file and no block has.
+/// Report calls by a label that no file and no block has.
 void check_labelled(Checker& c, Address at, std::int32_t program, const Block& block) {
   for (const CallReference& call : references_of(c.code, block, program).calls)
     if (call.found == kNoProgram && !call.computed_program && !call.program.empty())
@@ -69,7 +70,7 @@ void check_variable(Checker& c, Address at, const VariableReference& of, bool wr
   const VariablePlace place = c.code.place(of.number);
   const bool statement =
       written && place.range != nullptr && place.range->access == Access::WriteOnly;
-  if (!fault || statement) return;  // #3000 and #3006 are written by statements
+  if (!fault || statement) return;  // statements write #3000 and #3006
   fault->at = of.place.at;
   fault->width = of.place.width;
   c.refused(Check::VariableMissing, at, std::move(*fault));
@@ -91,7 +92,7 @@ bool is_of_loops(Cause cause) {
   return cause == Cause::MissingEnd || cause == Cause::MissingDo || cause == Cause::IfWithoutEnd;
 }
 
-/// Whether a text goes on with the name of a logic operation.
+/// Return whether a text begins with the name of a logic operation.
 bool is_logic(std::string_view text) {
   std::string name;
   for (const char letter : text.substr(0, 4))
@@ -99,7 +100,7 @@ bool is_logic(std::string_view text) {
   return name.starts_with("AND") || name.starts_with("OR") || name.starts_with("XOR");
 }
 
-/// Whether an IF is refused because a statement or a word stands right behind its condition.
+/// Return whether an IF is refused because a statement or a word follows its condition directly.
 bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   const IfForm form = code.control->macros.if_form.value;
   if (fault.cause != Cause::IfFormat || form == IfForm::GotoOnly || form == IfForm::Blocks)
@@ -113,7 +114,7 @@ bool lacks_then(const Code& code, const Program& program, const Fault& fault) {
   return before > 0 && text[before - 1] == ']' && !is_logic(text.substr(behind));
 }
 
-/// Whether a block that is refused would have called or jumped.
+/// Return whether a refused block would have called or jumped.
 bool leads_on(const Checker& c, Address at, const Program& program) {
   const Roles& roles = c.code.control->calls.roles.value;
   const std::vector<WrittenWord> words = c.code.words_of(c.code.blocks[at], program);
@@ -125,7 +126,8 @@ bool leads_on(const Checker& c, Address at, const Program& program) {
   });
 }
 
-/// The letters that a block begins with behind its slash and its number, as capitals.
+/// Return the letters that a block begins with after its slash and its sequence number, as
+/// capitals.
 std::string first_letters(std::string_view text) {
   std::size_t at = 0;
   const auto pass = [&](auto passes) {
@@ -142,8 +144,8 @@ std::string first_letters(std::string_view text) {
   return letters;
 }
 
-/// Whether a refused block would have begun or ended a loop or a branch: what others lack is told
-/// there.
+/// Return whether a refused block would have begun or ended a loop or a branch. Its alarm then also
+/// explains what the other blocks of the loop lack.
 bool is_of_structure(const Code& code, const Program& program, const Block& block) {
   if (block.op != Op::Fault || is_of_loops(code.faults[block.aux].cause)) return false;
   const std::string_view text =
@@ -178,7 +180,7 @@ void check_fault(Checker& c, Address at, const Program& program, const Fault& fa
   c.refused(check, at, fault);
 }
 
-/// An arc to a point that has neither a centre nor a radius, where the control refuses one.
+/// Check an arc to a point that has neither a centre nor a radius, where the control refuses one.
 void check_arc(Checker& c, Address at, const Block& block) {
   constexpr std::uint32_t kAxes = bit('X') | bit('Y') | bit('Z') | bit('U') | bit('V') | bit('W');
   constexpr std::uint32_t kPlain = kAxes | bit('F') | bit('S') | bit('T') | bit('D') | bit('H');
@@ -198,7 +200,7 @@ void check_arc(Checker& c, Address at, const Block& block) {
               {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
 }
 
-/// What a call drops may have said where it begins.
+/// Mark a program as unsure: the words that a call drops may have said where it begins.
 void mark_dropped(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
   const bool known = record.constant && record.target.program != kNoProgram;
   c.unsure.push_back({known ? record.target.program : program, at});

@@ -1,4 +1,4 @@
-// Where calls, jumps and returns lead.
+// Finds calls, jumps and returns whose targets are missing, ambiguous or inside a loop.
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -11,9 +11,9 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::size_t kMostReturns = 1 << 20;  // that are looked up in the callers of a program
+constexpr std::size_t kMostReturns = 1 << 20;  // looked up in the callers of a program
 
-/// The lines of the blocks of a number: "lines 3, 9"; empty where there is but one.
+/// Return the lines of the blocks that have a number: "lines 3, 9"; empty where only one has it.
 std::string lines_of(const Code& code, const Program& program, std::int64_t n) {
   std::string lines;
   int count = 0;
@@ -25,7 +25,7 @@ std::string lines_of(const Code& code, const Program& program, std::int64_t n) {
   return count > 1 ? lines : "";
 }
 
-/// The loops of a program: each block knows the innermost one around it.
+/// The loops of a program; each block knows the innermost one around it.
 class Loops {
  public:
   Loops(const Code& code, const ProgramFlow& flow) : first_(flow.first()) {
@@ -38,8 +38,8 @@ class Loops {
       if (begins) open(at, code.statements[code.blocks[at].aux].end);
     }
   }
-  /// Where a loop ends that holds `to` and not `from`, kNowhere where none does. Its head is
-  /// outside of it.
+  /// Return the end of a loop that contains `to` and not `from`, kNowhere where there is none. The
+  /// head of a loop is outside of it.
   Address entered(Address from, Address to) const {
     if (of_.size() <= to - first_) return kNowhere;
     for (int loop = of_[to - first_]; loop >= 0; loop = at(loop).parent)
@@ -66,7 +66,7 @@ class Loops {
   std::vector<Loop> loops_;
 };
 
-/// Those of all programs, each looked for once.
+/// The loops of all programs, each found once.
 class AllLoops {
  public:
   explicit AllLoops(const Checker& c) : c_(c), all_(c.flows.size()) {}
@@ -132,7 +132,7 @@ void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, 
   if (end != kNowhere) into_loop(at, place, end);
 }
 
-/// A jump or a return into a loop that ends in this block.
+/// Report a jump or a return into a loop that ends at `end`.
 Finding& TargetCheck::into_loop(Address at, TextPlace place, Address end) {
   Finding& into = c_.found(Check::IntoLoop, at, place,
                            "the loop ends in line " + std::to_string(c_.code.blocks[end].line));
@@ -189,7 +189,7 @@ Finding& TargetCheck::no_return_block(const ProgramFlow::ReturnTo& to, const Pro
       {Cause::ReturnTargetNotFound, to.place.at, to.place.width, c_.code.no_block(to.n, where)});
 }
 
-/// M99 P of a main program that starts over leads into itself.
+/// Check M99 P of a main program that starts over: it leads into itself.
 void TargetCheck::restart(const ProgramFlow::ReturnTo& to) {
   const bool over = c_.code.control->calls.main_return.value == MainReturn::Restarts;
   if (!over || flow_.program() != c_.main) return;
@@ -199,13 +199,13 @@ void TargetCheck::restart(const ProgramFlow::ReturnTo& to) {
     ambiguous(to.from, program_, to.n, to.place);
 }
 
-/// M99 P leads into each program that calls.
+/// Check M99 P in each program that calls.
 void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
   const auto callers = c_.callers_of(flow_.program());
   if (callers.empty()) return restart(to);
-  std::int32_t before = kNoProgram;  // calls of one caller stand one after the other
-  const CallEdge* lacks = nullptr;   // the first whose program lacks the block
-  const CallEdge* enters = nullptr;  // the first that is led into a loop
+  std::int32_t before = kNoProgram;  // calls of one caller are adjacent
+  const CallEdge* lacks = nullptr;   // the first call whose program lacks the block
+  const CallEdge* enters = nullptr;  // the first call that returns into a loop
   std::size_t lacking = 0;
   for (const CallEdge* edge : callers) {
     if (++looked_up_ > kMostReturns || c_.over()) break;
@@ -259,7 +259,7 @@ void check_targets(Checker& c) {
     const Block& block = c.code.blocks[program.first];
     const std::string files = std::to_string(program.file) + " " + std::to_string(first.file);
     if (c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
-      continue;  // a file that holds what another one holds, or all twice
+      continue;  // another file has the same contents
     c.found(Check::Duplicate, program.first, {block.text, block.length},
             c.code.name_of(program) + " stands in " + c.code.files[first.file].name + ", line " +
                 std::to_string(first.line) + ", too, and that one runs");

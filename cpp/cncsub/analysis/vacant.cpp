@@ -1,4 +1,4 @@
-// Locals that are read without a value, arguments that nobody gives or nobody reads.
+// Finds locals that are read without a value, and arguments that nobody gives or nobody reads.
 #include <algorithm>
 #include <set>
 #include <string>
@@ -36,8 +36,8 @@ class VacantCheck {
 
   Checker& c_;
   const VariableUses& uses_;
-  std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is looked at
-  std::unordered_map<std::int32_t, int> conditions_;    // how many of its conditions ask a variable
+  std::vector<std::vector<const CallEdge*>> calls_at_;  // of the program that is checked
+  std::unordered_map<std::int32_t, int> conditions_;    // by variable: how many conditions read it
   bool computed_calls_ = false;
   Bits locals_;
 };
@@ -49,7 +49,7 @@ VacantCheck::VacantCheck(Checker& c, const VariableUses& uses) : c_(c), uses_(us
     computed_calls_ = computed_calls_ || flow.calls_computed();
 }
 
-/// The locals that the arguments of a call set.
+/// Return the locals that the arguments of a call set.
 Bits VacantCheck::given(const CallEdge& edge) const {
   const CallRecord& record = c_.code.calls[edge.record];
   Bits given = 0;
@@ -60,8 +60,8 @@ Bits VacantCheck::given(const CallEdge& edge) const {
   return given;
 }
 
-/// The locals that have no value where a call comes from. Of a subprogram they are its caller's:
-/// those that nothing of a main program ever writes.
+/// Return the locals that have no value where a call enters. A subprogram shares those of its
+/// caller: they are the ones that a main program never writes.
 Bits VacantCheck::vacant_in(const CallEdge& edge) const {
   const CallKind kind = c_.code.calls[edge.record].kind;
   if (edge.macro) {
@@ -79,7 +79,7 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   const auto callers = c_.callers_of(flow.program());
   Vacant entry{uses_.named(), uses_.named(), true};
   if (callers.empty()) {
-    // Nobody knows who calls a subprogram that is not called here.
+    // The callers of a subprogram that is not called here are unknown.
     if (flow.ever_ends() || !flow.ever_returns()) entry = {locals_, locals_, true};
     return entry;
   }
@@ -93,7 +93,7 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   return {always, sometimes, true};
 }
 
-/// What a block and the programs it calls give values to.
+/// Change the state by the variables that a block and the programs that it calls set.
 void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const {
   if (at >= flow.last()) return;
   Bits set = 0;
@@ -104,16 +104,16 @@ void VacantCheck::pass(const ProgramFlow& flow, Address at, Vacant& state) const
     set |= (called.any ? ~Bits{0} : called.writes) & ~uses_.named();
   }
   const Op op = c_.code.blocks[at].op;
-  if (op == Op::OWord || op == Op::Select || op == Op::Fault ||  // what it would have set
+  if (op == Op::OWord || op == Op::Select || op == Op::Fault ||  // it may have set any
       (calls_at_[at - flow.first()].empty() && calls_subprogram(c_.code, c_.code.blocks[at])))
     set |= ~uses_.named();
   state.always &= ~set;
-  // A variable that is set only where a condition holds, and read where it holds again, has one.
+  // Trust a variable that is set under a condition if it is read where the condition holds again.
   if (must_be_alone(at)) set &= uses_.of_program(flow.program()).again;
   state.sometimes &= ~set;
 }
 
-/// Whether a block sets something under a condition that no other block asks again.
+/// Return whether a block sets something under a condition that no other block tests.
 bool VacantCheck::must_be_alone(Address at) const {
   const VariableUse* own = uses_.of(at);
   if (c_.code.blocks[at].op != Op::IfThen || own == nullptr || own->any) return false;
@@ -136,7 +136,7 @@ void VacantCheck::take_conditions(const ProgramFlow& flow) {
   }
 }
 
-/// Which locals have no value before each block: on every way to it, on some way.
+/// Return which locals have no value before each block: on every path to it, on some path.
 std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) const {
   std::vector<Vacant> before(flow.size());
   std::vector<Address> waiting;
@@ -178,9 +178,9 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow, Address at, Bits locals, 
   }
 }
 
-/// Whether the arguments that no call of a macro gives are left out on purpose, where they stand
-/// alone in a word: the calls give others, and the macro reads all of these. A letter that it never
-/// reads may be meant for one that is missing.
+/// Return whether calls of a macro leave out arguments on purpose, where these stand alone in a
+/// word: the calls give others, and the macro reads all of those. A letter that it never reads may
+/// be meant for a missing one.
 bool VacantCheck::omits_on_purpose(const ProgramFlow& flow) const {
   const LocalUse& of = uses_.of_program(flow.program());
   Bits all = 0;
@@ -213,8 +213,8 @@ void VacantCheck::tell_vacant(const ProgramFlow& flow) {
   }
 }
 
-/// Arguments of one call that its macro, and the subprograms that share its locals, never read;
-/// each is told at the first call that gives it.
+/// Report arguments of one call that its macro, and the subprograms that share its locals, never
+/// read. Each is reported at the first call that gives it.
 void VacantCheck::tell_unread(const CallEdge& edge, Bits& reported) {
   const LocalUse& of = uses_.of_program(edge.called);
   const CallRecord& record = c_.code.calls[edge.record];

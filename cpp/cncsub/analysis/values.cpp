@@ -1,4 +1,4 @@
-// Values that people trip over.
+// Finds values that people trip over.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -16,8 +16,8 @@ constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | b
 constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
 
-/// Whether a code roughs, finishes, pecks or threads by a profile or in many passes: its allowances
-/// and depths are written as increments on purpose: a lathe's G70 to G76.
+/// Return whether a code roughs, finishes, pecks or threads along a profile or in many passes: a
+/// lathe's G70 to G76. Its allowances and depths are written as increments on purpose.
 bool counts_in_passes(Meaning meaning) {
   switch (meaning) {
     case Meaning::Finish:
@@ -33,8 +33,9 @@ bool counts_in_passes(Meaning meaning) {
   }
 }
 
-/// The words of a block that are lengths: of an arc also its centre and radius, of a drilling cycle
-/// its R. What else these letters are, such as a count, another word says.
+/// Return the words of a block that are lengths: in an arc also its centre and radius, in a
+/// drilling cycle its R. Another word shows where these letters are something else, such as a
+/// count.
 std::uint32_t lengths_of(const Checker& c, const Block& block) {
   std::uint32_t lengths = block.op == Op::Arc ? kLengths | kCentre : kLengths;
   bool passes = false;
@@ -47,7 +48,7 @@ std::uint32_t lengths_of(const Checker& c, const Block& block) {
   return passes ? 0 : block.mask & lengths;
 }
 
-/// The lengths of a block that are written with a point, and those without one that are small.
+/// The lengths of a block that are written with a point, and the small ones that are not.
 struct Points {
   std::uint32_t with = 0, without = 0;
 };
@@ -71,7 +72,8 @@ Points points_of(const Checker& c, const Block& block) {
 constexpr const char* kIncrements =
     "it counts increments of the control, a thousandth of a millimetre or less";
 
-/// Whether an argument of a macro is a small whole number of which the control makes increments.
+/// Return whether an argument of a macro is a small whole number that the control takes as
+/// increments.
 bool counts_increments(const Argument& argument) {
   const Operand& value = argument.operand;
   constexpr std::string_view kScaled = "ABCIJKQRUVWXYZ";
@@ -96,8 +98,8 @@ bool counts_increments(const Checker& c) {
   return c.code.control->reading.whole_numbers.value == WholeNumbers::Increments;
 }
 
-/// The programs that write points, and those that call one or are called by one, directly or not:
-/// what belongs together is written alike.
+/// Return the programs that write points, and those that call one or are called by one, directly or
+/// not: programs that belong together are written alike.
 std::vector<bool> writing_points(const Checker& c) {
   std::vector<bool> found(c.flows.size(), false);
   if (!counts_increments(c)) return found;
@@ -160,7 +162,7 @@ void check_call(Checker& c, Address at, const CallRecord& record) {
           ", while O" + std::to_string(whole) + " exists");
 }
 
-/// What this control has instead.
+/// Return the code that this control has instead.
 std::string instead_of(const Checker& c, int m) {
   const CallRules& calls = c.code.control->calls;
   const auto code = [&calls](Role role) {
@@ -190,7 +192,7 @@ void check_plain_code(Checker& c, Address at, const Block& block) {
               (near.empty() ? "" : "; what comes nearest here is " + near));
 }
 
-/// The parameter that sets a rule, in words; empty where none does.
+/// Return the parameter that sets a rule, in words; empty where none does.
 std::string parameter_of(const Checker& c, std::string_view rule) {
   for (const Parameter& parameter : c.code.control->parameters)
     for (const Setting& setting : parameter.sets)
@@ -199,7 +201,7 @@ std::string parameter_of(const Checker& c, std::string_view rule) {
   return "";
 }
 
-/// Why the control does not obey a word, as far as its address tells.
+/// Return why the control does not obey a word, as far as its address shows.
 std::string dropped(const Checker& c, const Block& block, std::string_view text, const Drop& drop) {
   const char letter = drop.at < text.size() ? upper(text[drop.at]) : '\0';
   const int most = c.code.control->reading.m_codes_per_block.value;
@@ -214,8 +216,8 @@ std::string dropped(const Checker& c, const Block& block, std::string_view text,
   return "the control does not obey it";
 }
 
-/// What says on this control what a word of a call says that it does not obey; empty where that is
-/// no word of a call.
+/// Return what this control takes in place of a word that it does not obey; empty where there is
+/// nothing to suggest.
 std::string instead_of(const Checker& c, const Block& block, std::string_view text,
                        const Drop& drop) {
   if (drop.at >= text.size()) return "";
@@ -234,8 +236,8 @@ std::string instead_of(const Checker& c, const Block& block, std::string_view te
          " names the block where a call begins";
 }
 
-/// A word that the control obeys, and that a run leaves out: of an offset, such as D1. One that is
-/// a name, such as BRISK, changes no path.
+/// Report a word of an offset, such as D1, that the control obeys and a run leaves out. A word that
+/// is a name, such as BRISK, changes no path.
 void tell_left_out(Checker& c, Address at, std::string_view text, const Drop& drop) {
   const std::string_view word = text.substr(std::min<std::size_t>(drop.at, text.size()), 2);
   if (word.empty() || (word.size() == 2 && is_letter(word[1]))) return;
@@ -247,7 +249,7 @@ void tell_left_out(Checker& c, Address at, std::string_view text, const Drop& dr
 
 void check_drops(Checker& c, Address at, const Block& block) {
   if ((block.flags & Block::kDrops) == 0 || plain_code(c, block) >= 0) return;
-  if (block.op == Op::Fault) return;  // told with its alarm
+  if (block.op == Op::Fault) return;  // its alarm reports it
   auto drop = std::lower_bound(c.code.drops.begin(), c.code.drops.end(), block.data,
                                [](const Drop& of, std::uint32_t data) { return of.data < data; });
   const std::string_view text = c.code.files[c.program(c.code.program_at(at)).file].text.view();
@@ -260,7 +262,7 @@ void check_drops(Checker& c, Address at, const Block& block) {
   }
 }
 
-/// G99 as the last block of a program that nothing else ends.
+/// Report G99 as the last block of a program that nothing else ends.
 void check_last(Checker& c, const ProgramFlow& flow) {
   if (!means_m99(c, flow)) return;
   const Block& block = c.code.blocks[flow.last() - 1];

@@ -14,9 +14,9 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::int32_t kFirstNamed = 1 << 30;  // a variable with a name, by its place behind this
+constexpr std::int32_t kFirstNamed = 1 << 30;  // plus its place: a variable with a name
 
-/// The bit of a local that has a name.
+/// Return the bit of a local that has a name.
 Bits local_bit(const NamedVariable& of) {
   return of.common || of.index >= kMostBits ? 0 : Bits{1} << of.index;
 }
@@ -43,7 +43,7 @@ Bits VariableUses::bit_of(std::int64_t number, std::vector<std::int32_t>& to) co
   return local ? Bits{1} << place.index : 0;
 }
 
-/// The same of one that may have a name; `any`: nobody knows which it is.
+/// Return the bit of a variable that may have a name. Sets `any` where it may be any variable.
 Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>& to,
                           bool& any) const {
   if (!of.computed && of.number >= 0) return bit_of(of.number, to);
@@ -84,7 +84,7 @@ bool VariableUses::is_local(std::int32_t number) const {
   return !named_variable(number).common;
 }
 
-/// Whether a condition of the block compares with #0.
+/// Return whether a condition of the block compares with #0.
 bool VariableUses::tests_vacancy(const Block& block) const {
   bool tests = false;
   each_variant(c_.code, block, [&](const Block& of) {
@@ -97,14 +97,15 @@ bool VariableUses::tests_vacancy(const Block& block) const {
 
 namespace {
 
-/// A word or a copy of a variable: without a value the word is not there, and the copy has none.
+/// Return whether a block writes a variable alone in a word, or copies it. Without a value the
+/// control leaves out the word, and the copy has no value.
 bool is_alone(const Block& block, std::string_view written) {
   if (is_words(block.op)) return written.find_first_of("[+*/") == std::string_view::npos;
   const bool assigns = block.op == Op::Set || block.op == Op::Assign;
   return assigns && written.find_first_of("[+*/-") == std::string_view::npos;
 }
 
-/// A move, a fault, or words of which none is a variable.
+/// Return whether a block uses no variable: a move, a fault, or words without variables.
 bool uses_none(const Code& code, const Block& block) {
   if (block.op == Op::Linear || block.op == Op::Arc || block.op == Op::Fault) return true;
   return block.op == Op::Words && (block.flags & Block::kCodeExpression) == 0 &&
@@ -127,7 +128,7 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   for (const VariableReference& each : of.reads) {
     const Bits own = bit_of(each, use.reads, use.any);
     if (each.asked) program.tested |= own;
-    use.read_locals |= prints ? own & ~named_ : own;  // one without a value is printed as such
+    use.read_locals |= prints ? own & ~named_ : own;  // a vacant one is printed as such
     const std::string_view written = std::string_view(text).substr(each.place.at, each.place.width);
     if (left_out && is_alone(block, written)) use.word_locals |= own;
   }
@@ -144,9 +145,8 @@ void VariableUses::take(const ProgramFlow& flow, Address at) {
   uses_.emplace(at, std::move(use));
 }
 
-/// A subprogram has the locals of its caller: what it does is done by the caller too. What is
-/// called comes before its callers, so that only programs that call each other are gone through
-/// again.
+/// Add what subprograms do with locals to their callers, whose locals they share. Called programs
+/// come before their callers, so that only programs that call each other are visited again.
 void VariableUses::share() {
   for (const auto& group : c_.groups.groups) {
     std::vector<std::uint32_t> waiting = group;
@@ -165,7 +165,7 @@ void VariableUses::share() {
   }
 }
 
-/// Takes what the subprograms of a program do with its locals; whether that is more than was known.
+/// Add what the subprograms of a program do with its locals; return whether that is new.
 bool VariableUses::take_called(std::uint32_t program) {
   LocalUse& caller = programs_[program];
   const LocalUse before = caller;
@@ -181,7 +181,6 @@ bool VariableUses::take_called(std::uint32_t program) {
   return caller != before;
 }
 
-/// The word or value of a block that reads a variable.
 TextPlace VariableUses::place_of(Address at, std::int32_t number) const {
   const Block& block = c_.code.blocks[at];
   const References of = references_of(c_.code, block, c_.code.program_at(at));

@@ -1,4 +1,4 @@
-// How blocks are written: what a control reads in them is not what a reader sees.
+// Finds blocks in which a control reads something other than a reader sees.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -25,7 +25,8 @@ TextPlace place_of_code(const Code& code, const Block& block, const Program& pro
   return place;
 }
 
-/// As the motion reads them: of a group the last one counts, or the control refuses the second.
+/// Report two codes of one group as the motion reads them: the last one counts, or the control
+/// refuses the second.
 void check_conflict(Checker& c, Address at, const Block& block, const Program& program) {
   if (block.g_count < 2 || block.op > Op::Arc) return;
   const Control& control = *c.code.control;
@@ -62,7 +63,7 @@ void check_conflict(Checker& c, Address at, const Block& block, const Program& p
 
 // ---- a semicolon inside a line ----
 
-/// Whether the block begins behind a semicolon, in the line of the one before it.
+/// Report a block that begins after a semicolon, in the line of the block before it.
 void check_semicolon(Checker& c, Address at, std::string_view text) {
   const Block& block = c.code.blocks[at];
   const Block& before = c.code.blocks[at - 1];
@@ -77,7 +78,8 @@ void check_semicolon(Checker& c, Address at, std::string_view text) {
 
 // ---- a comment that is not closed ----
 
-/// Where the rest of a line is a comment because nothing closes it, and the control takes that.
+/// Report a comment that nothing closes and that the control accepts: it takes the rest of the
+/// line.
 void check_open_comment(Checker& c, Address at, std::string_view text) {
   const Block& block = c.code.blocks[at];
   const std::size_t end = std::min(text.find('\n', block.text), text.size());
@@ -87,7 +89,7 @@ void check_open_comment(Checker& c, Address at, std::string_view text) {
   if (open == std::string_view::npos || line.find(')', open) != std::string_view::npos) return;
   const bool ends = c.code.control->reading.semicolon.value == Semicolon::Comment;
   if (ends && line.substr(0, open).find(';') != std::string_view::npos) return;
-  if (c.code.blocks[at].op == Op::Fault) return;  // what is wrong there may be just this
+  if (c.code.blocks[at].op == Op::Fault) return;  // the open comment may be what is wrong there
   std::size_t width = end - block.text - open;
   while (width > 1 && is_blank(line[open + width - 1])) --width;
   c.found(Check::OpenComment, at,
@@ -99,8 +101,8 @@ void check_open_comment(Checker& c, Address at, std::string_view text) {
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
 
-/// Names of statements, operations and functions. What is no such name and no address may be a
-/// name, in which capitals would be other letters.
+/// Return whether a name is an address or names a statement, an operation or a function. Any other
+/// name may be the program's own, and capitals would change it.
 bool is_written_in_capitals(std::string_view name) {
   if (name.size() == 1) return true;
   static constexpr std::string_view kNames[] = {
@@ -122,7 +124,8 @@ std::size_t end_of_number(std::string_view text, std::size_t from, std::size_t e
   return from;
 }
 
-/// The first stretch of a block with small letters, up to a comment; none where it has names.
+/// Return the first stretch of a block that has small letters, up to a comment; none where it has
+/// names.
 TextPlace small_letters(std::string_view text, const Block& block) {
   const std::size_t end = std::min(text.size(), std::size_t{block.text} + block.length);
   std::size_t first = end;
@@ -141,7 +144,7 @@ TextPlace small_letters(std::string_view text, const Block& block) {
     i = to - 1;
   }
   if (first == end) return {0, 0};
-  // With the number behind the last letter: a whole word is easier to see.
+  // Includes the number after the last letter: a whole word is easier to see.
   behind = end_of_number(text, behind, end);
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(behind - first)};
 }
@@ -163,7 +166,7 @@ CertainEdit in_capitals(Address block, TextPlace place, std::string_view text) {
   return edit;
 }
 
-/// o2 as the head of a program.
+/// Offer a capital for the o of a program head such as o2.
 void head_in_capitals(const Checker& c, const ProgramFlow& flow, std::string_view text,
                       std::vector<CertainEdit>& edits) {
   const Program& program = c.program(flow.program());
@@ -175,7 +178,7 @@ void head_in_capitals(const Checker& c, const ProgramFlow& flow, std::string_vie
           in_capitals(flow.first(), {at, program.name_at + program.name_length - at}, text));
 }
 
-/// Told once for a program: who writes small letters writes them everywhere.
+/// Report small letters once for each program: who writes them writes them everywhere.
 void check_letters(Checker& c, const ProgramFlow& flow, std::string_view text) {
   if (c.code.spelling->small_letters) return;
   std::vector<CertainEdit> edits;

@@ -30,7 +30,7 @@ const AlarmList& alarms_30i() {
   return list;
 }
 
-/// The parameters that set rules which the 16i does not have.
+/// The parameters that set rules and that the 16i does not have.
 const Parameter kParameters[] = {
     {"6000#0",
      0,

@@ -7,7 +7,7 @@ using namespace fanuc;
 
 namespace {
 
-/// What the 0i-F has more than the 0i-D.
+/// The codes that the 0i-F has and the 0i-D does not.
 constexpr const char* kMoreCodes =
     "2.2 3.2 10.6 10.9 17.1 35 38 43.7 53.1 53.6 54.2 68.1 68.2 68.3 68.4 69.1 72.1 72.2 80.5 "
     "81.5 83.1 83.5 83.6 87.5 87.6";
@@ -32,7 +32,7 @@ Control fanuc_0i_f() {
       cite({kAli, "POW, ADP, PRM and MOD general knowledge"}), Inferred};
   domain_alarms(c, Cause::ArgumentOutOfRange);
 
-  // The embedded macro has commons of its own.
+  // The commons of the embedded macro are its own.
   c.variable_choices.push_back({"embedded-macro",
                                 "common variables #98000 to #98499",
                                 "100-199 500-999 98000-98499",

@@ -7,18 +7,18 @@ using namespace fanuc;
 
 namespace {
 
-/// What the 30i has more than the 0i-F.
+/// The codes that the 30i has and the 0i-F does not.
 constexpr const char* kMoreCodes =
     "2.1 2.3 2.4 3.1 3.3 3.4 4.1 6.2 7 10.3 12.4 13.4 28.2 30.2 31.9 37.3 41.2 41.3 41.4 41.5 "
     "41.6 42.2 42.4 42.5 42.6 43.1 43.3 43.4 43.5 43.8 43.9 44.1 44.7 49.1 50.9 53.2 54.3 54.4 "
     "70.7 71.7 72.7 73.7 74.7 75.7 76.7 80.8 81.8 84.3";
 
-// What the 30i adds: the running block's modal state, 300 work systems.
+// The variables that the 30i adds: the running block's modal state, 300 work systems.
 constexpr VariableRow kVariables30i[] = {
     {4201, 4230, VariableKind::ActiveCode, kReadOnly, 0, kKnown, Inferred},
     {4330, 4330, VariableKind::ActiveWord, kReadOnly, 'P', kKnown, Inferred},
     {14001, 19988, VariableKind::ExtraWorkOffset, kReadWrite, 0, kKnown, Inferred},
-    // The positions once more, for more than 20 axes.
+    // The positions again, for more than 20 axes.
     {100001, 100050, VariableKind::BlockEnd, kReadOnly, 0, kKnown, Inferred},
     {100051, 100100, VariableKind::MachinePosition, kReadOnly, 0, kKnown, Inferred},
     {100101, 100150, VariableKind::WorkPosition, kReadOnly, 0, kKnown, Inferred},
@@ -29,8 +29,8 @@ constexpr VariableRow kVariables30i[] = {
 
 }  // namespace
 
-/// Like the 0i-F, with more variables, repeat counts of eight digits and an alarm for M99 in the
-/// main program to choose.
+/// Like the 0i-F, with more variables, repeat counts of eight digits and an optional alarm for M99
+/// in the main program.
 Control fanuc_30i() {
   Control c = fanuc_0i_f();
   c.title = "FANUC Series 30i/31i/32i";

@@ -1,4 +1,4 @@
-// What the FANUC controls share.
+// The parts that the FANUC controls share.
 #pragma once
 
 #include "controls/alarm_list.hpp"
@@ -48,7 +48,7 @@ inline constexpr const char* kNct = "NCT";
 inline constexpr const char* kM7v = "M7V";
 inline constexpr const char* kPolicy = "policy, nobody says";
 
-/// What the 16i and everything behind it have: calls, macros, motion, parameters, variables.
+/// Return the 16i with all that later controls share: calls, macros, motion, parameters, variables.
 Control family();
 
 // The parts of the family that have files of their own.
@@ -72,12 +72,12 @@ inline constexpr Access kWriteOnly = Access::WriteOnly;
 
 void add_variable(Control& c, const VariableRow& row);
 
-/// The codes that call programs. G and M codes may be registered inside the given limits.
+/// Add the codes that call programs. G and M codes may be registered inside the given limits.
 void code_calls(Control& c, int last_g, int first_sub_m, int last_sub_m, int first_macro_m,
                 int last_macro_m);
 
-/// What the 0i-D, 0i-F and 30i show for a function outside its domain; the 0i-D keeps the 16i's
-/// overflow.
+/// Set the alarm that the 0i-D, 0i-F and 30i show for a function outside its domain; the 0i-D keeps
+/// the 16i's overflow.
 void domain_alarms(Control& c, Cause shown);
 
 }  // namespace cncsub::fanuc

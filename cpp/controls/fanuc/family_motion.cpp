@@ -1,16 +1,16 @@
-// Motion as the FANUC controls share it.
+// The motion that the FANUC controls share.
 #include "controls/fanuc/family.hpp"
 
 namespace cncsub::fanuc {
 
 namespace {
 
-/// TLC goes before TLB, whichever of them is set last.
+/// TLC has precedence over TLB, whichever of them is set last.
 const Setting kLengthType =
     first_of(rule::length_type, {{"5001#0", LengthType::Named}, {"5001#1", LengthType::Normal}},
              LengthType::Z);
 
-/// What the modes, the cycles and the offsets take from the parameters.
+/// The parameters of the modes, the cycles and the offsets.
 const Parameter kParameters[] = {
     {"3402#0",
      0,

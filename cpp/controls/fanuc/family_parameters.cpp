@@ -4,7 +4,7 @@
 namespace cncsub::fanuc {
 namespace {
 
-// Calls, returns and macros. All are 0 as delivered as far as this table knows.
+// The parameters of calls, returns and macros. All are 0 as delivered, as far as this table knows.
 const Parameter kParameters[] = {
     {"0000#0", 0, "TVC: 1 = the number of characters of a block is checked (TV check)", kAlm,
      Secondary},
@@ -134,7 +134,7 @@ const Parameter kParameters[] = {
     {"6091", 0, "the letter (as its ASCII number) that calls O9005", kPmi39, Manual},
 };
 
-// Motion and modal state.
+// The parameters of motion and modal state.
 const Parameter kMotionParameters[] = {
     {"1201#2", 0, "ZCL: 1 = the reference point return ends the local coordinate system", kKnown,
      Inferred},
@@ -166,7 +166,7 @@ const Parameter kMotionParameters[] = {
      {bit(rule::radius_offset_diameter)}},
 };
 
-/// Parameters of the same meaning: one a code, or one a buffering stop.
+/// Add parameters of the same meaning, such as one for each code or each buffering stop.
 void add_range(Control& c, int first, int last, const char* meaning, const char* source,
                Evidence evidence) {
   for (int number = first; number <= last; ++number)

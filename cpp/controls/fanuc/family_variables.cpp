@@ -50,7 +50,7 @@ constexpr VariableRow kVariables[] = {
     {13001, 13999, VariableKind::RadiusGeometry, kReadWrite, 0, kKnown, Inferred},
 };
 
-/// The commons and what else of variables is bought. The addition is fitted here.
+/// Add the commons and the other variables that are bought. The addition is fitted here.
 void variable_choices(Control& c) {
   c.macros.commons = {"100-199 500-999", cite({kJix, "with the addition"}), Secondary};
   c.macros.variable_options = {"", kPolicy, Inferred};

@@ -7,7 +7,8 @@ using namespace gsk;
 
 namespace {
 
-/// Calls of parts of the same program; M97 jumps, no macro statements, no alarm number known.
+/// Set the calls of parts of the same program. M97 jumps; there are no macro statements, and no
+/// alarm number is known.
 void read_928(Control& c) {
   c.reading.semicolon = {Semicolon::EndOfBlock, kGeneral, Inferred};
   has(c.reading.program_heads, {ProgramHead::Percent}, kT928 + "%254", Manual);
@@ -76,7 +77,7 @@ void call_928(Control& c) {
   c.calls.codes_not_with_call = {"", kPolicy, Inferred};
 }
 
-/// Its jumps are M97, and the r variables of the 928T are of another kind.
+/// Leave out macros: its jumps are M97, and the r variables of the 928T are of another kind.
 void no_macros_928(Control& c) {
   const std::string none = kGeneral + ": no macro statements";
   leave_out(c, RuleGroup::MacroRules, none, Inferred);

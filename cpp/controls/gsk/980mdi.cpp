@@ -40,7 +40,7 @@ const Parameter kParameters[] = {
     {"6046", 0, "how many M codes call subprograms, 0 = none", kMDipar + "6046", Manual},
 };
 
-/// What its list of alarms refuses, and no other control of the family.
+/// The causes that its list of alarms refuses and no other control of the family does.
 constexpr std::initializer_list<Cause> kRefused = {Cause::OneShotWithMotion,
                                                    Cause::LengthWithMotion,
                                                    Cause::LocalWithLength,
@@ -142,8 +142,8 @@ void mill_motion(Control& c) {
 
 }  // namespace
 
-/// Like the 980TDi: no names, M-code calls at 6044, the length offsets of a mill, G codes of a
-/// mill.
+/// Like the 980TDi, without names, with M-code calls at 6044, the length offsets of a mill and the
+/// G codes of a mill.
 Control gsk_980mdi() {
   Control c = family_980();
   c.title = "GSK 980MDi mill";

@@ -184,7 +184,7 @@ Control gsk_980tdi() {
   add_lathe_motion(c);
   motion(c);
   turning(c);
-  // What the list has of mills and of travel is not known of the lathe.
+  // The list's alarms of mills and of travel are not known of the lathe.
   for (const Cause cause :
        {Cause::OverTravel, Cause::MeasuringMissed, Cause::MeasuringEarly, Cause::MeasuringOffset})
     c.alarms.erase(cause);

@@ -5,7 +5,7 @@ namespace cncsub {
 
 using namespace gsk;
 
-/// Like the 988TA, but no call in MDI, none of an open program, and no M98 without P.
+/// Like the 988TA, but without calls in MDI, calls of an open program, and M98 without P.
 Control gsk_988t() {
   Control c = family_988();
   c.title = "GSK 988T lathe";
@@ -17,7 +17,7 @@ Control gsk_988t() {
   c.calls.max_macro_nesting = {4, kTalm + "207", Manual};
   c.calls.calls_in_modal = {CallsInModal::Refused, kTalm + "204", Manual};
   c.turning.max_pockets = {10, "Talm 140", Manual};
-  // The papers of the 988TA say that such a block is not done, or takes the sign. [TA 12, 13]
+  // The papers of the 988TA say that such a block is not executed, or takes the sign. [TA 12, 13]
   has(c.common.refuses, {Cause::GrooveAxis, Cause::GrooveEscape, Cause::ThreadRunOutAcross},
       "Talm 040, 154, 157; the 988TA goes no further than the start: TA 18 note 5", Manual);
   // A feed must be commanded. [Talm 021]

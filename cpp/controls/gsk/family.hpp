@@ -1,4 +1,4 @@
-// What the GSK controls share: the 988s, the 980s, and the lathes among them.
+// The parts that the GSK controls share: the 988s, the 980s, and the lathes among them.
 #pragma once
 
 #include "controls/alarm_list.hpp"
@@ -25,20 +25,21 @@ inline const std::string kGeneral = "general knowledge";
 // A default, to be changed where a machine is known to differ.
 inline const std::string kPolicy = "policy: nobody says";
 
-/// The 988TA and the 988T.
+/// Return the rules of the 988TA and the 988T.
 Control family_988();
 void add_988_motion(Control& c);
 
-/// The 980TDi and the 980MDi: reading, calls, macros; their motion is of a lathe and of a mill.
+/// Return the rules of the 980TDi and the 980MDi for reading, calls and macros. Their motion is
+/// that of a lathe and of a mill.
 Control family_980();
 
-/// The 980MDi's paper on alarms; its manual's list is the family's.
+/// Return the alarms of the 980MDi's own paper; the list of its manual is the family's.
 const AlarmList& alarms_980mdi_b();
 
-/// Motion as the lathes have it.
+/// Add the motion of the lathes.
 void add_lathe_motion(Control& c);
 
-/// #4102 to #4120: the modal words of the block before.
+/// Add #4102 to #4120: the modal words of the block before.
 void modal_words(Control& c, const std::string& addresses, const std::string& source,
                  Evidence evidence);
 

@@ -4,7 +4,7 @@
 namespace cncsub::gsk {
 namespace {
 
-// The codes that the papers on the 988TA and its alarms name, of G code system A and B; the rest is
+// The codes of G code systems A and B that the papers on the 988TA and its alarms name. The rest is
 // general knowledge.
 constexpr const char* kLatheCodes =
     "0 1 2 3 4 7 7.1 7.9 9 10 11 12.1 13.1 17 18 19 20 21 22 23 25 26 27 28 29 30 31 "
@@ -237,7 +237,7 @@ const Parameter kParameters[] = {
     {"6008#7", 0, "GMP: 1 lets G codes call macros", kTApar + "6008#7", Manual},
 };
 
-/// Ten codes each of T, M and G that call a macro.
+/// Add ten codes each of T, M and G that call a macro.
 void code_calls_988(Control& c) {
   const auto list = [&c](char address, std::int32_t parameter, std::int32_t program,
                          const std::string& enable, std::int32_t first_code, std::int32_t last_code,

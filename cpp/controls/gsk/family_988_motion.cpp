@@ -1,11 +1,11 @@
-// Motion as the GSK 988TA and 988T share it.
+// The motion that the GSK 988TA and 988T share.
 #include "controls/gsk/family.hpp"
 
 namespace cncsub::gsk {
 
 namespace {
 
-/// What the modes, the cycles and the radius offset take from the parameters.
+/// The parameters of the modes, the cycles and the radius offset.
 const Parameter kParameters[] = {
     {"5102#1",
      0,

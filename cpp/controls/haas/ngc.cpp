@@ -1,5 +1,5 @@
 // Haas mills with the Next Generation Control.
-// The keys of the sources stand in sources.def. What no source tells is the family's.
+// The keys of the sources stand in sources.def. What no source says is as in the family.
 #include "controls/facts.hpp"
 #include "controls/settings.hpp"
 
@@ -104,14 +104,14 @@ constexpr Access kReadOnly = Access::ReadOnly;
 constexpr Access kWriteOnly = Access::WriteOnly;
 constexpr const char* kZap = "ZAP, Haas system variables";
 
-/// The inputs, outputs, tools and counters.
+/// Add the inputs, outputs, tools and counters.
 void system_variables(Control& c) {
   const std::string zap = kZap;
   c.variables.insert(
       c.variables.end(),
       {
           {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
-          // Loads, analog inputs, flutes, vibrations and timers: numbers that the machine tells.
+          // Loads, analog inputs, flutes, vibrations and timers: the machine supplies their values.
           {1064, 1068, Kind::InputWord, kReadOnly, 0, zap, Secondary},
           {1080, 1087, Kind::InputWord, kReadOnly, 0, zap, Secondary},
           {1090, 1098, Kind::InputWord, kReadOnly, 0, zap, Secondary},
@@ -136,7 +136,7 @@ void system_variables(Control& c) {
       });
 }
 
-/// The modal codes, positions and work offsets.
+/// Add the modal codes, positions and work offsets.
 void system_positions(Control& c) {
   const std::string manual = "H96 p.113, work offsets";
   c.variables.insert(
@@ -148,7 +148,7 @@ void system_positions(Control& c) {
           {5041, 5046, Kind::WorkPosition, kReadOnly, 0, kHaas, Inferred},
           {5061, 5066, Kind::SkipPosition, kReadOnly, 0, kHaas, Inferred},
           {5081, 5086, Kind::ActiveLength, kReadOnly, 0, kHaas, Inferred},
-          // #5201 to #5206, the offset of G52 and G92, is no external offset and not held here.
+          // #5201 to #5206, the offset of G52 and G92, is no external offset and is not held here.
           {5221, 5326, Kind::WorkOffset, kReadWrite, 0, manual, Secondary, 20},
           {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, manual, Secondary},
           {11000, 11063, Kind::Input, kReadOnly, 0, kZap, Secondary},
@@ -174,7 +174,7 @@ void variables(Control& c) {
   }
 }
 
-/// Settings by their numbers; the aliases of codes by the program they call.
+/// Add settings by their numbers, and the aliases of codes by the programs that they call.
 void settings(Control& c) {
   const auto add = [&c](const char* name, double value, const char* meaning,
                         std::vector<Setting> sets, const char* source = kHaas,
@@ -212,7 +212,8 @@ void settings(Control& c) {
                             kHaas, Inferred});
 }
 
-/// As they are remembered: no printed list was found. What is not listed shows no number.
+/// Set the alarms from memory, since no printed list was found. A cause that is not listed shows no
+/// number.
 void alarms(Control& c) {
   struct Row {
     const char* number;

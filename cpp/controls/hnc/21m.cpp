@@ -31,7 +31,7 @@ void reading(Control& c) {
   c.reading.block_skip = {BlockSkip::HeadOnly, kUnsure, Inferred};
   c.reading.repeated_address = {RepeatedAddress::LastWins, kPolicy, Inferred};
   c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  // P too: it is the seconds of G04.
+  // P is included: it gives the seconds of G04.
   c.reading.point_addresses = {"ABCDEFHIJKPQRSUVWXYZ", kKnown, Inferred};
   c.reading.minus_addresses = {"ABCDEFHIJKQRSUVWXYZ", kKnown, Inferred};
   c.reading.whole_numbers = {WholeNumbers::Millimetres, kKnown, Inferred};
@@ -151,7 +151,7 @@ void variables(Control& c) {
       {600, 699, VariableKind::LengthGeometry, Access::ReadWrite, 0, kH9, Secondary});
   c.variables.push_back(
       {700, 799, VariableKind::RadiusGeometry, Access::ReadWrite, 0, kH9, Secondary});
-  // Tool life: plain storage here.
+  // The variables of tool life are plain storage here.
   c.variables.push_back({800, 899, VariableKind::Kept, Access::ReadWrite, 0, kH9, Secondary});
 }
 

@@ -1,5 +1,5 @@
 // LinuxCNC: its interpreter, as the program rs274 runs it without a machine.
-// The keys of the sources stand in sources.def. What they do not tell is the family's, and so is
+// The keys of the sources stand in sources.def. What they do not say is as in the family, and so is
 // motion beyond lines and arcs.
 #include <algorithm>
 
@@ -16,7 +16,7 @@ constexpr const char* kOverview = "LC overview";
 constexpr const char* kGCode = "LC g-code";
 constexpr const char* kMCode = "LC m-code";
 
-/// The rest of the language is the dialect's own: no rule asks for it.
+/// Set the parts of the language that rules decide. The rest is the dialect's own.
 void language(Control& c) {
   c.reading.max_digits = {15, kRun, SourceDocument};
   c.reading.g_codes = {
@@ -129,7 +129,7 @@ void variables(Control& c) {
                    range.kind == Kind::ExtraWorkOffset;
 }
 
-/// No program can name these: they are what the named variables of the interpreter tell.
+/// Add variables that no program can name: the named variables of the interpreter read them.
 void told_by_name(Control& c) {
   add(c, 14001, 14024, Kind::ActiveCode, Access::ReadOnly);
   add(c, 14100 + 'F' - 'A', 14100 + 'F' - 'A', Kind::ActiveWord, Access::ReadOnly, 'F');
@@ -139,8 +139,8 @@ void told_by_name(Control& c) {
   add(c, 15040, 15048, Kind::WorkPosition, Access::ReadOnly);
 }
 
-/// Its errors have words and no numbers. Where a message tells what is wrong with a word its own
-/// name, the alarm shows that.
+/// The texts of its errors, which have words and no numbers. Where a message names the word that is
+/// wrong, the alarm shows the name.
 constexpr std::pair<Cause, const char*> kTexts[] = {
     {AddressWithoutValue, "No characters found in reading real value"},
     {ArcSineOutOfRange, "Argument to {name} out of range"},

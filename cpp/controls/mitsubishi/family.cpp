@@ -4,7 +4,7 @@
 namespace cncsub::mitsubishi {
 namespace {
 
-// Milling and turning codes together, since a library may be run on either machine.
+// The codes of milling and turning together, since a library may be run on either machine.
 constexpr const char* kGCodes =
     "0 1 1.1 2 2.1 2.3 2.4 3 3.1 3.3 3.4 4 5 5.1 6.2 7 7.1 8 9 10 11 "
     "12 12.1 13 13.1 14 15 16 17 18 19 20 21 22 22.1 23 23.1 24 25 26 27 28 29 30 "
@@ -164,7 +164,7 @@ void macros(Control& c) {
   c.macros.h99_offset = {0, kGeneral + ": there is no G65 H", Inferred};
 }
 
-/// The last words and those of the running block.
+/// Add the last words and those of the running block.
 void last_words(Control& c) {
   for (const char address : std::string_view("BDEFHMNOST")) {
     const std::int32_t number = modal_word_number(address);
@@ -213,7 +213,7 @@ void variables(Control& c) {
   add(17001, 17200, VariableKind::RadiusWear, Access::ReadWrite);
 }
 
-/// The commons come in sets, by the number of a part system's; the names of the sets are from
+/// Add the commons, which come in sets by how many a part system has. The names of the sets are
 /// general knowledge.
 void variable_choices(Control& c) {
   const std::string programs = "real programs of an M700-class machine use them; their name ";
@@ -247,7 +247,7 @@ void variable_choices(Control& c) {
           range(100010, 100010, VariableKind::ParameterValue, Access::ReadOnly)});
 }
 
-/// The control registers its call codes on a screen: they have no numbers of their own.
+/// Set the call codes. The control registers them on a screen: they have no numbers of their own.
 void call_codes(Control& c) {
   const std::string source =
       kGeneral + ": ten G codes and ten M codes; S, T and B each one program";

@@ -1,4 +1,4 @@
-// What the Mitsubishi controls share.
+// The parts that the Mitsubishi controls share.
 #pragma once
 
 #include "controls/alarm_list.hpp"
@@ -23,10 +23,10 @@ inline const std::string kGeneral = "general knowledge";
 // A default, to be changed where a machine is known to differ.
 inline const std::string kPolicy = "policy: nobody says";
 
-/// The M700, from which the others differ.
+/// Return the M700, from which the others differ.
 Control family();
 
-/// Has a file of its own.
+/// Add the motion, which has a file of its own.
 void add_family_motion(Control& c);
 
 }  // namespace cncsub::mitsubishi

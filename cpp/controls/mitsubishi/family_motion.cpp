@@ -1,4 +1,4 @@
-// Motion as the Mitsubishi controls share it.
+// The motion that the Mitsubishi controls share.
 #include "controls/mitsubishi/family.hpp"
 
 namespace cncsub::mitsubishi {

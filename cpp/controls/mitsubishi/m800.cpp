@@ -5,7 +5,7 @@ namespace cncsub {
 
 using namespace mitsubishi;
 
-/// Ten levels, and IF blocks with ELSE and ENDIF.
+/// Like the M700, with ten levels, and IF blocks with ELSE and ENDIF.
 Control mitsubishi_m800() {
   Control c = family();
   c.title = "Mitsubishi M800, M80, E80";

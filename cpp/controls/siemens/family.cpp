@@ -1,4 +1,4 @@
-// What the controls of Siemens share in their own language.
+// The parts that the controls of Siemens share in their own language.
 #include "controls/siemens/family.hpp"
 
 #include "controls/facts.hpp"
@@ -42,7 +42,7 @@ void motion(Control& c) {
   c.common.power_on = {Set<PowerOn>{PowerOn::G01}, kKnown, Inferred};
 }
 
-/// R0 to R99, which stay.
+/// Add R0 to R99, which keep their values.
 void parameters(Control& c) {
   c.variables.push_back({0, 99, VariableKind::Kept, Access::ReadWrite, 0, kKnown, Inferred});
 }

@@ -1,4 +1,4 @@
-// What the controls of Siemens share in their own language (not in ISO mode).
+// The parts that the controls of Siemens share in their own language (not in ISO mode).
 #pragma once
 
 #include "cncsub/control/control.hpp"
@@ -7,9 +7,10 @@ namespace cncsub::siemens {
 
 constexpr const char* kKnown = "general knowledge of the SINUMERIK 840D";
 
-/// The language, its G codes and R0 to R99. What is not read or not computed is refused when it is
-/// reached: tool offsets, frames, radius compensation, FOR, CASE, variables with names, calls with
-/// values. Work begins in G54: which system is in force at power-on a machine's maker decides.
+/// Return the language, its G codes and R0 to R99. Words that are not read or not computed are
+/// refused when they are reached: tool offsets, frames, radius compensation, FOR, CASE, variables
+/// with names, calls with values. Work begins in G54: the machine's maker decides which system is
+/// in force at power-on.
 Control family();
 
 }  // namespace cncsub::siemens

@@ -1,5 +1,5 @@
 // Siemens SINUMERIK ONE, a mill, in its own language (not in ISO mode).
-// The keys of the sources stand in sources.def. What they do not tell is the family's.
+// The keys of the sources stand in sources.def. What they do not say is as in the family.
 #include "controls/facts.hpp"
 #include "controls/siemens/family.hpp"
 

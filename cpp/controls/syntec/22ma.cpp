@@ -5,7 +5,8 @@ namespace cncsub {
 
 namespace {
 
-/// All of a level, and what programs share; of what is beyond #999 nothing is the Mitsubishi's.
+/// Set the variables: all locals of a level, and the commons. None of those beyond #999 is the
+/// Mitsubishi's.
 void variables(Control& c) {
   using enum Evidence;
   constexpr const char* kSources = "SYM: #1 to #400 are of the level, #401 to #999 kept";
@@ -20,8 +21,8 @@ void variables(Control& c) {
 
 }  // namespace
 
-/// Calls as a Mitsubishi does: H says where to start, and without P a program calls a part of
-/// itself. What no source tells is the Mitsubishi's, less everything that has a number there.
+/// Calls as a Mitsubishi makes them: H says where to start, and without P a program calls a part of
+/// itself. What no source says is as on the Mitsubishi, except for all that has a number there.
 Control syntec_22ma() {
   using enum Evidence;
   Control c = mitsubishi::family();
@@ -38,7 +39,7 @@ Control syntec_22ma() {
   c.calls.end_in_subprogram = {EndInSubprogram::Returns,
                                "SYM: M02 and M30 in a subprogram return to the caller", Secondary};
   give_role(c.calls.roles, "G65", Role::MacroCall, "SYP: G65 P9810 Z", Secondary);
-  // Its macro is called behind the block, which is executed; with arguments of its own.
+  // The macro of G66.1 is called after the block, which is executed, and has its own arguments.
   no_role(c.calls.roles, {"G66.1"}, "SYM: each block is executed before the macro", Secondary);
   c.motion.g_meanings = {
       "31.1=skip 31.2=skip 31.3=skip 37=not-computed 37.1=measuring "
@@ -53,7 +54,7 @@ Control syntec_22ma() {
         "corner",
         Inferred);
 
-  // Numbers are Mitsubishi's own: of alarms, of parameters, of codes that a parameter makes call.
+  // The numbers of alarms, parameters and codes that a parameter registers are Mitsubishi's own.
   variables(c);
   c.alarms.clear();
   c.alarms[Cause::ProgramNumberMissing] = {"",        "",    "SYM",
