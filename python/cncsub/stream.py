@@ -90,10 +90,11 @@ class Stream(State):
 
         Ctrl-C ends the run as `Stop.INTERRUPTED`. A file gets its name when it is complete.
         Whatever stops the run, even a power cut, every file in the folder can be read, and
-        `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or `duckdb.sql("from
-        'folder/moves-*.parquet'")` is what was written so far. Raises `FileExistsError` where the
-        folder holds such files already; `ValueError` where parts of the stream were taken before,
-        and with `trace="none"` and nothing watched, which leaves nothing to write.
+        `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or
+        `duckdb.sql("from 'folder/moves-*.parquet'")` gives what was written so far. Raises
+        `FileExistsError` where the folder holds such files already; `ValueError` where parts of the
+        stream were taken before, and with `trace="none"` and nothing watched, which leaves nothing
+        to write.
         """
         if self._begun:
             raise ValueError(

@@ -436,7 +436,7 @@ class _Returns:
 
     def __init__(self, rewriting: Rewriting) -> None:
         self._rewriting = rewriting
-        self._to: dict[int | None, int] = {}  # from the number of a program to the N that it returns to
+        self._to: dict[int | None, int] = {}  # from a program's number to the N it returns to
         self._rule = rule(rewriting.library.control, "return_with_p")
 
     def look(self) -> None:

@@ -312,13 +312,14 @@ def case(claim: str, **said: Any) -> Case:
 
     What has to come out: `runs`, the N numbers of all executed blocks in order, `O1:N10` where an N
     repeats between programs, `N10*5` and `(N60 N70)*5` for repeats; blocks without an N are left
-    out. `stop`: `end` without it, `alarm` where `alarm`, a cause, is given; `number`, `at` (`"O2
-    N30"`), `word` and `frames` (`O2 N50 G65 < O1 N10 M98`) tell the alarm. `vars`: variables at the
-    stop, `None` is vacant. `m`, `t`, `messages`, `dropped`: what was sent. `calls` (`"M98:O2
-    G65:O3"`), `tree` (`M98:O2(G65:O3)`), `arguments` of the first macro. `moves`: one line a move,
-    `R X1 Y2` rapid, `F X1` feed, `CW X4 Y0 C X2 Y0` an arc and its centre, `W 1.5` a dwell;
-    `moves_x`, `centre`, `final_machine`, `final_work`, `time` in seconds. `vars_after_reset`,
-    `work_after_reset`, `modal_after_reset`: after the reset key. What is not said is not compared.
+    out. `stop`: `end` without it, `alarm` where `alarm`, a cause, is given; `number`, `at`
+    (`"O2 N30"`), `word` and `frames` (`O2 N50 G65 < O1 N10 M98`) tell the alarm. `vars`: variables
+    at the stop, `None` is vacant. `m`, `t`, `messages`, `dropped`: what was sent. `calls`
+    (`"M98:O2 G65:O3"`), `tree` (`M98:O2(G65:O3)`), `arguments` of the first macro. `moves`: one
+    line a move, `R X1 Y2` rapid, `F X1` feed, `CW X4 Y0 C X2 Y0` an arc and its centre, `W 1.5` a
+    dwell; `moves_x`, `centre`, `final_machine`, `final_work`, `time` in seconds.
+    `vars_after_reset`, `work_after_reset`, `modal_after_reset`: after the reset key. What is not
+    said is not compared.
 
     Raises `ValueError` for a case that means nothing.
 
