@@ -27,11 +27,12 @@ TRACES = ("none", "calls", "blocks", "moves")
 
 
 class Option(NamedTuple):
-    """What is stated of an option beside its name and its type.
+    """The facts of an option beside its name and its type.
 
-    `default`: what holds without it. `checked`: what the engine takes for a value; raises
-    `TypeError` or `ValueError`. `meaning`: sentences for its documentation. `asked`: the commands
-    have it, under its own name, at least `least`, and say `asked` of it.
+    `default`: the value without it. `checked`: returns what the engine takes for a value; raises
+    `TypeError` or `ValueError`. `meaning`: sentences for its documentation. `asked`: what the
+    commands say of the option, where they have it under its own name; `least`: the least value they
+    take.
     """
 
     default: Any

@@ -283,7 +283,7 @@ def _same(number: str | None, wanted: str) -> bool:
 
 
 def _alike(number: str | None, wanted: str) -> bool:
-    """`78` is said for `078` and for `PS0076`."""
+    """Return whether two numbers name one alarm: `76` stands for `076` and for `PS0076`."""
     return bool(number) and _figures(number) == _figures(wanted) != ""
 
 
