@@ -1,4 +1,4 @@
-"""What a run executed, as one program without calls, jumps and loops."""
+"""A run written as one program without calls, jumps and loops."""
 
 from __future__ import annotations
 
@@ -166,7 +166,7 @@ class Flat:
 
     @cached_property
     def origins(self) -> Origins:
-        """Where each block of the text comes from: see `Origins`."""
+        """The origin of each block of the text: see `Origins`."""
         import numpy as np
 
         pieces = self._kept if self._kept is not None else list(self._columns_again())

@@ -247,8 +247,8 @@ class OtherControlPair(Pair):
         return taken
 
     def _sent(self, run: Run, library: Library, name: str) -> Sequence[object]:
-        """Return a list without the codes that end a program. The stop is compared, and each
-        control has its own of these codes that it sends to the machine.
+        """Return a list without the codes that end a program. The stop is compared, and controls
+        differ in which of these codes they send to the machine.
         """
         sent = super()._sent(run, library, name)
         if name != "m_codes":

@@ -103,9 +103,7 @@ class Project:
         )
 
     def _holds(self, path: Path) -> bool:
-        """Return whether a path really lies in the folder of the project, wherever its
-        links lead.
-        """
+        """Return whether a path, its links followed, lies in the folder of the project."""
         assert self.file is not None
         return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.file.parent))
 

@@ -18,7 +18,7 @@ from cncsub.references import CallTo, Computed, JumpTo
 
 _CODES = ("M97", "M98", "M198", "M99")
 _CALL_WORDS = "PLHQ"  # the words that belong to a call and not to the rest of its block
-_MOST_CALLS = 20  # that may replace one call
+_MOST_CALLS = 20  # calls that may replace one call
 _FIRST_FREE = 9001  # number of the first program that is made
 _COMMENT = re.compile(r"\([^()]*\)|;.*")
 _SKIP = re.compile(r"\s*(/\d?)")

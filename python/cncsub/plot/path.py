@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 MOST = 60_000  # points of a picture
 _DENSE = 4_000  # points from which lines are thin
 _WIDE, _HIGH = 2.2, 1.7  # the largest size as it is seen, in the units of a camera
-_CODES = BANDS + MOST_NAMES  # more than there are colours
+_CODES = BANDS + MOST_NAMES  # not fewer than the codes of colours
 
 
 def path_figure(

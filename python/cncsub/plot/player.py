@@ -30,9 +30,7 @@ class Instants:
         self.at = at if self.timed else np.round(at)
 
     def times_of(self, points: Points) -> Numbers:
-        """Return when each point is reached. Where the path takes no time, each point counts as
-        one.
-        """
+        """Return when each point is reached; its number where the path takes no time."""
         return points.time if self.timed else np.arange(len(points), dtype=float)
 
     def marked(self, drawn: Drawn) -> Drawn:

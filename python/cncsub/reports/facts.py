@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 def effect_of(parameter: Parameter, name: Callable[[str], str] = str) -> str:
-    """Return what a parameter does, where it does more than register codes; `name` writes the name
+    """Return what a parameter does, where it does not register codes; `name` writes the name
     of a rule.
     """
     if parameter.rules:
