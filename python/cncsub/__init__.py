@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from cncsub.tables.polyline import Polyline
     from cncsub.variables_file import read_variables
 
-# What most programs do not use is imported when somebody asks for it.
+# What most programs do not use is imported when it is asked for.
 _LATER = {
     name: module
     for module, names in {

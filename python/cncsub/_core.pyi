@@ -11,28 +11,28 @@ from cncsub.tables.rows import Step
 __version__: str
 
 def causes() -> list[tuple[str, str, str]]:
-    """Slug, meaning and cure of every cause."""
+    """Return the slug, meaning and cure of every cause."""
 
 def controls() -> list[Control]:
-    """Every control, in listing order."""
+    """Return every control, in listing order."""
 
 def tokens(control: Control, block: str) -> list[_Token]: ...  # of a line
 def sources() -> list[tuple[str, str, str, str, str]]:
-    """Key, title, address, controls and evidence of every source."""
+    """Return the key, title, address, controls and evidence of every source."""
 
 def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
-    """Each G code of a control on a kind of machine, and the engine's name for what it does there:
-    `Neutral` and `Ignored` are passed over, `Uncomputed` and `Unknown` alarm, `None` is refused.
+    """Return each G code of a control on a kind of machine, and the engine's name for what it does
+    there: `Neutral` and `Ignored` are skipped, `Uncomputed` and `Unknown` alarm, `None` is refused.
     """
 
 def cited(text: str) -> list[str]:
-    """The keys of the sources that a text cites, each once."""
+    """Return the keys of the sources that a text cites, each once."""
 
 def causes_with_words() -> list[str]:
-    """The causes of alarms that point at a word of their own."""
+    """Return the causes of alarms that point at a word of their own."""
 
 def strongest(text: str, control: str) -> str:
-    """The strongest evidence that a fact with this source may carry on a control."""
+    """Return the strongest evidence that a fact with this source may carry on a control."""
 
 @final
 class Rule:
@@ -186,7 +186,7 @@ class Alarm:
     def frames(self) -> tuple[Frame, ...]: ...
     def __reduce__(self) -> tuple[Any, ...]: ...
 
-def control(state: tuple[Any, ...]) -> Control: ...  # what __reduce__ told
+def control(state: tuple[Any, ...]) -> Control: ...  # the state that __reduce__ gave
 def own_control(
     base: Control,
     name: str,
@@ -214,13 +214,13 @@ class ProgramData:
     def line(self) -> int: ...
     @property
     def text(self) -> str: ...
-    def start(self, size: int) -> bytes: ...  # of the text
+    def start(self, size: int) -> bytes: ...  # the first bytes of the text
     @property
     def comment(self) -> str: ...
     @property
     def external(self) -> bool: ...
     @property
-    def duplicate_of(self) -> int: ...  # the program that is called instead of this one, -1
+    def duplicate_of(self) -> int: ...  # the program that is called instead of this one, or -1
     @property
     def blocks(self) -> int: ...
     def block(self, index: int) -> tuple[int | None, int, str]: ...  # n, line, text
@@ -242,13 +242,13 @@ def references(
 ) -> tuple[
     tuple[_CallRow, ...], tuple[_JumpRow, ...], tuple[_VariableRow, ...], tuple[_VariableRow, ...]
 ]:
-    """Calls, jumps, reads and writes of a block."""
+    """Return the calls, jumps, reads and writes of a block."""
 
 def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
-    """Every call: the place of its program, and of its block there."""
+    """Return every call, with the place of its program and of its block there."""
 
 def each_call(code: Code, take: Callable[[int, int | None, int, _CallRow], None]) -> None:
-    """Hands over every call: the place of its program, the number and the line of its block."""
+    """Hand over every call: the place of its program, the number and the line of its block."""
 
 # which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls,
 # edits: file, line, column, old, new; the first of its other places with their lines, how many
@@ -266,26 +266,28 @@ _FindingRow = tuple[
 ]
 
 def check(code: Code, main: int, machine: str) -> list[_FindingRow]:
-    """What is wrong with the programs, by their blocks."""
+    """Return what is wrong with the programs, by their blocks."""
 
 def checks() -> list[tuple[str, str, str, str, str, str, str]]:
-    """Every rule: number, slug, severity, meaning, hint, example, its control."""
+    """Return every rule: number, slug, severity, meaning, hint, example, its control."""
 
 def told_for(control: Control) -> tuple[list[tuple[str, str]], dict[str, tuple[str, str]]]:
-    """In the words of a control: meaning and hint of every rule, by its place; meaning and cure of
-    every cause, by its slug.
+    """Return the words of a control: meaning and hint of every rule, by its place; meaning and cure
+    of every cause, by its slug.
     """
 
 @final
 class Flows:
-    """The ways through all programs of a memory."""
+    """The flow graphs of all programs of a memory."""
 
 def flows(code: Code) -> Flows: ...
 def flow(
     flows: Flows,
     program: ProgramData,
 ) -> tuple[list[tuple[int | None, int | None, str]], list[int], list[int], list[int]]:
-    """The ways between blocks; those that return, that end, that nothing leads to."""
+    """Return the edges between blocks, and the blocks that return, that end, that nothing
+    leads to.
+    """
 
 def keeps_blocks(trace: Trace) -> bool: ...
 def coverage(
@@ -298,20 +300,20 @@ def coverage(
     list[tuple[int, str, int, int]],
     list[tuple[int, int, int]],
 ]:
-    """By address: steps whose condition held, and failed; (loop, none, once, many); (caller, kind,
-    program, count); (program, variable, count).
+    """Return by address the steps whose condition held, and failed; (loop, none, once, many);
+    (caller, kind, program, count); (program, variable, count).
     """
 
 def coverage_blocks(
     code: Code,
 ) -> list[tuple[list[int], list[int | None], list[int], list[str], list[str], list[bool]]]:
-    """Of every program its own blocks as columns: address, n, line, text, kind of branch, skip
-    mark.
+    """Return the own blocks of every program as columns: address, n, line, text, kind of branch,
+    skip mark.
     """
 
 def coverage_deciding(code: Code) -> tuple[np.ndarray[Any, Any], list[tuple[int, str, bool]]]:
-    """1 by the addresses of blocks that can be executed; address, branch and skip mark of those
-    that decide.
+    """Return 1 by the addresses of blocks that can be executed; address, branch and skip mark of
+    the blocks that decide.
     """
 
 @final
@@ -323,7 +325,7 @@ class Code:
     def main(self) -> int | None: ...  # the first program of the memory
     @property
     def duplicates(self) -> list[int]: ...
-    def __len__(self) -> int: ...  # its programs
+    def __len__(self) -> int: ...  # the number of programs
     def program(self, index: int) -> ProgramData: ...
     def place_of(self, address: int) -> tuple[int, int]: ...  # a program, and a block of it
     def names(self, external: bool = False) -> list[str]: ...  # what a name leads to
@@ -356,29 +358,30 @@ class Texts:
     def __len__(self) -> int: ...
 
 def read_file(path: str, largest: int) -> Text | int | str:
-    """Of a regular file a `Text`; the number of the system's error where it cannot be opened, or
-    why it is left. Audited as `open`.
+    """Read a regular file as a `Text`. Return the number of the system's error where it cannot be
+    opened, or why it is left out. Audited as `open`.
     """
 
 def read_found(
     before: str, names: list[str], largest: int, as_utf8: bool
 ) -> list[Texts | tuple[int, Text | int | str]]:
-    """Files of a folder, `before` standing before their names, on all cores: those that are UTF-8
-    together, of others their place and what `read_file` gives. What is plainly no text is left.
+    """Read files of a folder on all cores; `before` stands before their names. Return those that
+    are UTF-8 together, and for others their place and what `read_file` gives. Files that are
+    plainly no text are left out.
     """
 
 def names_in(
     folder: str, no_programs: Iterable[str]
 ) -> tuple[list[str], list[str], list[str], bool] | int:
-    """The regular files of a folder but those with the endings of `no_programs`, the folders, and
-    what has to be looked at (links, hidden names, devices, ...), and whether they are in the order
-    of files: not where names beyond ASCII are among them. Or the number of the system's error.
-    Audited as `os.scandir`.
+    """Return the regular files of a folder except those with the endings of `no_programs`, the
+    folders, the entries that have to be looked at (links, hidden names, devices, ...), and whether
+    they are in the order of files: not where names beyond ASCII are among them. Or return the
+    number of the system's error. Audited as `os.scandir`.
     """
 
 def unify_line_ends(text: bytes) -> bytes:
-    """The same text as `compile` reads it: each line ends with one line feed, and blanks stand for
-    what else was there, so that every other byte keeps its place.
+    """Return the text as `compile` reads it: each line ends with one line feed, and blanks stand
+    for what else was there, so that every other byte keeps its place.
     """
 
 def compile(
@@ -392,15 +395,15 @@ def compile(
     piece: int | None = None,
     general_only: bool = False,
 ) -> Code:
-    """Files as (name shown, stem that names a program without a head, text in pieces, external), or
-    several as (texts, external). Read by so many `threads` (0: one for each core), the text cut
-    into pieces of so many bytes; the programs are the same. `general_only`: read and run without
-    the short ways.
+    """Compile files given as (name shown, stem that names a program without a head, text in pieces,
+    external), or several given as (texts, external). `threads`: how many read (0: one for each
+    core); `piece`: bytes of the pieces that the text is cut into. The programs are the same.
+    `general_only`: read and run without the fast paths.
     """
 
 @final
 class Trace:
-    """What was recorded: by a machine, which may go on, or in one part of a stream."""
+    """The record of a machine, which may go on, or of one part of a stream."""
     @property
     def control(self) -> Control: ...
     @property
@@ -408,7 +411,7 @@ class Trace:
     def step_row(self, index: int, row: type[Step]) -> Step: ...
     def step_column(self, name: str) -> np.ndarray[Any, Any]: ...
     def step_texts(self, first: int, last: int) -> list[str]: ...  # the blocks of some rows
-    def step_text_column(self) -> tuple[np.ndarray[Any, Any], list[str]]: ...  # those of all
+    def step_text_column(self) -> tuple[np.ndarray[Any, Any], list[str]]: ...  # of all rows
     @property
     def program_names(self) -> list[str]: ...
     @property
@@ -459,7 +462,7 @@ class Trace:
     def polyline(
         self, frame: str, tolerance: float, first: int, last: int, most: int
     ) -> tuple[np.ndarray[Any, Any], ...] | int:
-        """x, y, z, move, begins; or the number of points, where that is more than `most`."""
+        """Return x, y, z, move, begins; or the number of points, where that is more than `most`."""
     def outline(
         self,
         frame: str,
@@ -469,8 +472,9 @@ class Trace:
         last: int,
         key: np.ndarray[Any, Any],
     ) -> tuple[Any, ...]:
-        """x, y, z, move, key and time of the points that a picture needs, how many there were
-        before, and at how many the path begins anew. `key`: by move that of its line.
+        """Return x, y, z, move, key and time of the points that a picture needs, how many points
+        there were before, and at how many the path begins anew. `key`: for each move that of its
+        line.
         """
     @staticmethod
     def thinned(
@@ -480,7 +484,7 @@ class Trace:
         key: np.ndarray[Any, Any],
         tolerance: float,
     ) -> np.ndarray[Any, Any]:
-        """Which points of a line are enough for it; those where `key` changes are kept."""
+        """Return which points of a line are enough for it; points where `key` changes are kept."""
     @property
     def messages(self) -> list[str]: ...
     @property
@@ -488,22 +492,22 @@ class Trace:
 
 @final
 class Machine:
-    """One run of one program, whole or step by step. It is used by one thread at a time: whoever
-    asks it anything while another thread runs it gets a RuntimeError.
+    """One run of one program, whole or step by step. One thread uses it at a time: any other call
+    while a thread runs it raises `RuntimeError`.
     """
     def run(self, until: tuple[int, int] | None = None) -> None:
-        """Runs on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
+        """Run on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
     def run_blocks(self, blocks: int) -> None:
-        """Runs on for about that many blocks."""
+        """Run on for about that many blocks."""
     def step(self, row: type[Step]) -> Step | None:
-        """Executes one block and returns its row as an object of the class it is given. None where
-        nothing was executed because the run has stopped.
+        """Execute one block and return its row as an object of the class it is given. Return None
+        where the run has stopped and nothing was executed.
         """
     def interrupt(self) -> None:
-        """Stops the run as Ctrl-C does."""
+        """Stop the run as Ctrl-C does."""
     def copy(self) -> Machine: ...
     def take(self) -> Trace:
-        """What was recorded so far; the machine goes on with empty tables."""
+        """Return what was recorded so far; the machine goes on with empty tables."""
     @property
     def trace(self) -> Trace: ...
     @property
@@ -513,7 +517,7 @@ class Machine:
     @property
     def waiting_for(self) -> str: ...
     def endless(self) -> dict[str, Any]:
-        """Why the program had not ended, at a limit or where it waits."""
+        """Return why the program had not ended, at a limit or where it waits."""
     @property
     def alarm(self) -> Alarm | None: ...
     @property
@@ -545,10 +549,12 @@ class Machine:
 
 @final
 class Flattening:
-    """What a run executes as a flat program, piece by piece."""
+    """A run as a flat program, piece by piece."""
 
     def next(self) -> tuple[bytes, dict[str, np.ndarray[Any, Any]]] | None:
-        """The next piece, its text and the columns of its origins; None behind the last one."""
+        """Return the next piece, its text and the columns of its origins; None after the
+        last one.
+        """
     @property
     def refusal(self) -> tuple[str, str | None, int | None, int | None] | None:
         """Why the text is not whole: the reason, program, n and line."""

@@ -1,4 +1,4 @@
-"""What is wrong with programs, or will surprise, told without running them."""
+"""The findings of a check: what is wrong in programs or will surprise, found without a run."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class CheckRule(NamedTuple):
 
 
 def _rules() -> Iterator[CheckRule]:
-    """The rules, each in the words of the control of its example."""
+    """Yield the rules, each in the words of the control of its example."""
     told = {}
     for index, row in enumerate(_core.checks()):
         rule = CheckRule(*row)
@@ -46,8 +46,8 @@ _BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
 
 
 class Edit(NamedTuple):
-    """A change of a file's text that is certain: `old` at `line` and `column` becomes `new`. Where
-    `old` is empty, `new` is put behind the line.
+    """A certain change of a file's text: `old` at `line` and `column` becomes `new`. Where `old` is
+    empty, `new` is put at the end of the line.
     """
 
     file: str
@@ -58,7 +58,7 @@ class Edit(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where a finding is found again: the program, the block, and the word that it is about."""
+    """Another place of a finding: the program, the block and the word that it is about."""
 
     program: str
     n: int | None
@@ -70,14 +70,14 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True)
 class Finding:
-    """Something that `Library.check` has found: one for each cause.
+    """A finding of `Library.check`; there is one for each cause.
 
     `rule`: its number, such as `CS201`; `name`: its slug; `severity`: `"error"`, `"warning"` or
     `"note"`. `program`, `n`, `line`, `column`, `file`, `word`: where, as in an `Alarm`. `message`:
     what is wrong there. `hint`: what to write instead. `alarm`: what the control raises when the
-    block runs, `None` where it raises nothing or nobody knows. `path`: the calls that lead there,
-    the outermost first. `fix`: edits that mend it, `None` where none is certain. `places`: where
-    the same cause is found again, the first 1,000 by their blocks; `count`: how often in all.
+    block runs, `None` where it raises nothing or that is not known. `path`: the calls that lead
+    there, the outermost first. `fix`: edits that mend it, `None` where none is certain. `places`:
+    where the same cause is found again, the first 1,000 by their blocks; `count`: how often in all.
     """
 
     rule: str
@@ -105,7 +105,7 @@ class Finding:
 
     @property
     def told(self) -> str:
-        """The message, with how many places it holds for besides its own."""
+        """The message, with the number of further places."""
         if self.count == 1:
             return self.message
         more = self.count - 1
@@ -135,7 +135,7 @@ _LISTED = 12  # lines of other places
 
 
 def _listed(file: str, places: Sequence[Place], count: int) -> str:
-    """`lines 5, 9, sub.nc line 3, and 40 more`."""
+    """Return the lines of places, such as `lines 5, 9, sub.nc line 3, and 40 more`."""
     lines: dict[str, dict[int, None]] = {}
     for place in places[:_LISTED]:
         lines.setdefault(place.file, {})[place.line] = None
@@ -152,8 +152,8 @@ _WIDE = 160  # letters of a line that are shown
 
 
 def _clipped(source: str, at: int, width: int) -> tuple[str, str, int]:
-    """What stands before a word in a line as it is shown, the line, and the width of the word: a
-    line of a megabyte is shown where the word is.
+    """Return the text before a word in its line as it is shown, the shown line, and the width of
+    the word. A long line is clipped around the word.
     """
     if len(source) <= _WIDE:
         return source[:at], source, width
@@ -165,7 +165,7 @@ def _clipped(source: str, at: int, width: int) -> tuple[str, str, int]:
 
 
 def rule_named(name: str) -> CheckRule:
-    """The rule of a number or a slug; `KeyError` says what is near.
+    """Return the rule of a number or a slug; `KeyError` names similar ones.
 
     >>> from cncsub.checking import rule_named
     >>> rule_named("CS201").name
@@ -180,13 +180,13 @@ def rule_named(name: str) -> CheckRule:
 
 
 def rule_names() -> list[str]:
-    """The slugs of all rules."""
+    """Return the slugs of all rules."""
     return [rule.name for rule in RULES]
 
 
 def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
-    """The numbers of rules by their numbers, slugs or beginnings of numbers (`CS2`); all without
-    names.
+    """Return the numbers of the rules that are named by numbers, slugs or beginnings of numbers
+    (`CS2`); of all rules without names.
     """
     if names is None:
         return frozenset(rule.number for rule in RULES)
@@ -205,7 +205,7 @@ def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
 def check(
     code: _core.Code, main: int, rules: Iterable[str] | None, machine: str | None
 ) -> list[Finding]:
-    """All findings, by their places."""
+    """Return the findings of the chosen rules, by their places."""
     chosen = chosen_rules(rules)
     told = _core.told_for(code.control)
     found = (_finding(told, *row) for row in _core.check(code, main, machine or ""))
@@ -255,15 +255,15 @@ def _finding(
     )
 
 
-# What these find has many causes, each with a cure of its own.
+# These rules find many causes, each with a remedy of its own.
 _OF_ANY_CAUSE = ("refused", "code-not-available", "variable-not-available")
 
 
 def _fixes(
     rule: CheckRule, alarm: _core.Alarm | None, places: Iterable[tuple[_core.Alarm, str]]
 ) -> tuple[Edit, ...] | None:
-    """Edits behind which the control does the same, or what it refused and can only mean, at all
-    places that have one.
+    """Return edits after which the control does the same, or does what a refused block can only
+    mean. They mend all places that have an edit.
     """
     fixes = (_fix(rule, place, alarm, line) for place, line in places)
     return tuple(edit for fix in fixes for edit in fix or ()) or None
@@ -275,7 +275,7 @@ def _fix(
     word = place.word
     if rule.name == "g99-for-m99" and (at := word.upper().find("G99")) >= 0:
         return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
-    # IF[#1 EQ 2]#3=4: an assignment behind a condition has no other meaning.
+    # IF[#1 EQ 2]#3=4: an assignment after a condition has no other meaning.
     if rule.name == "if-without-then":
         after = source[place.column - 1 :].removeprefix(word).lstrip()
         if word.startswith("#") and after.startswith("="):
@@ -284,7 +284,7 @@ def _fix(
 
 
 def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[Edit, ...] | None:
-    """XO. is X0., X1,5 is X1.5: the control refuses them, and nothing else can be meant."""
+    """Mend XO. to X0. and X1,5 to X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
     written = source[place.column - 1 :].startswith(word)  # no blank or comment inside it
     address, value = word[:1], word[1:].lstrip("+-")
@@ -301,7 +301,7 @@ def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[E
 
 
 def counts(findings: Iterable[Finding]) -> Iterator[tuple[str, int]]:
-    """How many there are of each severity."""
+    """Yield how many findings there are of each severity."""
     every = [finding.severity for finding in findings]
     for severity in SEVERITIES:
         if severity in every:
@@ -309,11 +309,11 @@ def counts(findings: Iterable[Finding]) -> Iterator[tuple[str, int]]:
 
 
 class FlowEdge(NamedTuple):
-    """One way from a block to another: places among the blocks of the program.
+    """An edge from one block to another, as places among the blocks of the program.
 
-    `to` is the number of blocks for the end of the program, `None` for any block with a number,
-    where a jump is computed; `block` is `None` there for the way on from it. `kind`: `"next"`,
-    `"jump"`, `"computed"` or `"returned"` (by M99 P of a called program).
+    `to` is the number of blocks for the end of the program. A computed jump may reach any block
+    with a number: `to` is `None` there, and `block` is `None` in the edge that goes on from it.
+    `kind`: `"next"`, `"jump"`, `"computed"` or `"returned"` (by M99 P of a called program).
     """
 
     block: int | None
@@ -323,9 +323,9 @@ class FlowEdge(NamedTuple):
 
 @dataclass(frozen=True)
 class Flow:
-    """The ways through a program, as its blocks are written.
+    """The flow graph of a program, as its blocks are written.
 
-    `blocks`: how many blocks it has. `edges`: the ways between them. `returns`, `ends`: the blocks
+    `blocks`: how many blocks it has. `edges`: the edges between them. `returns`, `ends`: the blocks
     that may return to a caller and that may end the run. `unreached`: the blocks that no jump or
     call reaches.
 
@@ -344,7 +344,7 @@ class Flow:
     unreached: tuple[int, ...]
 
     def to_dot(self) -> str:
-        """The graph in the language of Graphviz."""
+        """Return the graph in the language of Graphviz."""
 
         def name(place: int | None) -> str:
             return "anywhere" if place is None else "end" if place == self.blocks else str(place)

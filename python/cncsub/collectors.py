@@ -1,4 +1,4 @@
-"""Who is told of every run of this process that has finished: see `cncsub.coverage.collecting`."""
+"""The collectors of every finished run of this process: see `cncsub.coverage.collecting`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _lock = threading.Lock()
 
 @contextmanager
 def told(collector: Collector) -> Iterator[None]:
-    """Tells the collector of what finishes meanwhile, in any thread."""
+    """Tell the collector of what finishes meanwhile, in any thread."""
     with _lock:
         _collectors.append(collector)
     try:
@@ -27,6 +27,6 @@ def told(collector: Collector) -> Iterator[None]:
 
 
 def tell(trace: _core.Trace, code: _core.Code) -> None:
-    """A run has finished."""
+    """Tell the collectors that a run has finished."""
     for each in tuple(_collectors):
         each(trace, code)

@@ -13,7 +13,7 @@ T = TypeVar("T")
 
 
 class Cause(NamedTuple):
-    """What can stop a program, by our own name for it: slug, meaning and cure."""
+    """A cause that can stop a program, by our own name for it: slug, meaning and cure."""
 
     slug: str
     meaning: str
@@ -24,8 +24,8 @@ EVIDENCE = ("source document", "maker's manual", "secondary", "inferred")
 
 
 class Source(NamedTuple):
-    """Where facts come from: the key they cite it by, what it is, where it can be read, the
-    controls it is about, and how strong it is on these.
+    """A source of facts: the key they cite it by, what it is, where it can be read, the controls it
+    is about, and how strong it is on these.
     """
 
     key: str
@@ -35,8 +35,8 @@ class Source(NamedTuple):
     evidence: str
 
     def on(self, control: str) -> str:
-        """The strongest evidence it can be on a control: another control's manual or document is
-        secondary at best.
+        """Return the strongest evidence that the source can be on a control: another control's
+        manual or document is secondary at best.
 
         >>> import cncsub
         >>> cncsub.sources["TA"].on("gsk-988ta"), cncsub.sources["TA"].on("gsk-988t")
@@ -47,7 +47,7 @@ class Source(NamedTuple):
 
 
 def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str]:
-    """The names that somebody who wrote `name` most likely meant, the likeliest first."""
+    """Return the names that somebody who wrote `name` most likely meant, the likeliest first."""
     import difflib
 
     folded = {known.casefold(): known for known in names}
@@ -58,13 +58,13 @@ def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str
 
 
 def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str:
-    """`; near are ...` for the end of a message, or `otherwise`."""
+    """Return `; near are ...` for the end of a message, or `otherwise`."""
     near = near_names(name, names)
     return f"; near are {', '.join(near)}" if near else otherwise
 
 
 def names_beginning(letters: str) -> list[str]:
-    """The names of controls that begin so, for the completion of a shell."""
+    """Return the names of controls that begin with `letters`, for the completion of a shell."""
     return [name for name in controls if name.startswith(letters)]
 
 
@@ -130,7 +130,7 @@ sources: Mapping[str, Source] = Named("source", _read_sources)
 
 
 def sources_of(control: Control) -> list[Source]:
-    """The sources that the facts of a control cite, in the order of `sources`."""
+    """Return the sources that the facts of a control cite, in the order of `sources`."""
     texts = {rule.source for rule in control.rules}
     texts |= {source for rule in control.rules for source, _ in rule.sources.values()}
     texts |= {source for source, _ in control.absent.values()}
@@ -142,7 +142,7 @@ def sources_of(control: Control) -> list[Source]:
 
 
 def control_of(control: str | Control) -> Control:
-    """The control of this name, or the control itself. `ValueError` names what is near."""
+    """Return the control of this name, or the control itself. `ValueError` names what is near."""
     if isinstance(control, Control):
         return control
     if not isinstance(control, str):

@@ -1,4 +1,6 @@
-"""What `help()` and notebooks tell of the types that the engine makes: the engine knows neither."""
+"""The words of `help()` and the pages of notebooks for the types that the engine makes: the engine
+knows neither.
+"""
 
 from __future__ import annotations
 

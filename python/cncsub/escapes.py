@@ -1,7 +1,7 @@
 """Texts of programs and names of files, as each kind of output can take them.
 
-They come from strangers and may hold anything: what moves a terminal, turns the direction of a
-line, or ends a cell, a field or an element.
+They come from strangers and may hold anything: characters that move a terminal, turn the direction
+of a line, or end a cell, a field or an element.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ import re
 
 
 def shown(text: str) -> str:
-    """A text for a terminal, on one line: what is not seen becomes a blank."""
+    """Return a text for a terminal, on one line: what is not seen becomes a blank."""
     return text if text.isprintable() else "".join(c if c.isprintable() else " " for c in text)
 
 
-# What browsers obey or hide: controls, marks that turn the direction of a line, and what has no
-# width.
+# Characters that browsers obey or hide: controls, marks that turn the direction of a line, and
+# characters without width.
 _OBEYED = re.compile(
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f"
     "\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
@@ -24,7 +24,7 @@ _OBEYED = re.compile(
 
 
 def escape(text: str, quote: bool = True) -> str:
-    """A text for HTML: marks are escaped, and a sign stands where a browser would obey."""
+    """Return a text for HTML: marks are escaped, and a sign replaces what a browser would obey."""
     return html.escape(_OBEYED.sub("\ufffd", text), quote)
 
 
@@ -32,12 +32,14 @@ _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def for_xml(text: str) -> str:
-    """A text without the characters that XML does not take, not even as references."""
+    """Return a text in which a sign replaces the characters that XML does not take, not even as
+    references.
+    """
     return _NOT_XML.sub("\ufffd", text)
 
 
 def referred(xml: str) -> str:
-    """XML in which what is not seen stands as references, which mean the same."""
+    """Return XML in which what is not seen stands as references, which mean the same."""
     return "".join(c if c.isprintable() or c == "\n" else f"&#{ord(c)};" for c in xml)
 
 
@@ -46,12 +48,14 @@ _OF_PROPERTY = {**_OF_COMMAND, ":": "%3A", ",": "%2C"}
 
 
 def for_github(text: str, *, property: bool = False) -> str:
-    """A text in a workflow command of GitHub, which knows no escapes but for these marks."""
+    """Return a text for a workflow command of GitHub, which knows no escapes but for
+    these marks.
+    """
     marks = _OF_PROPERTY if property else _OF_COMMAND
     return "".join(marks.get(c) or shown(c) for c in text)
 
 
 def cell(text: str) -> str:
-    """A text as a cell of CSV: on one line, and nothing that a spreadsheet computes."""
+    """Return a text as a cell of CSV: on one line, and nothing that a spreadsheet computes."""
     told = shown(text)
     return f"'{told}" if told.lstrip()[:1] in ("=", "+", "-", "@") else told

@@ -4,11 +4,11 @@ A folder is the memory of a control: every program file in it and in the folders
 folder once. Files come in the order of their names, without regard to case and with numbers by
 their value (`O2.nc` before `O10.nc`), the files of a folder before those of the folders in it.
 
-What is left out of a folder is told in `Reading.skipped`: hidden files and folders, files that are
+`Reading.skipped` lists what is left out of a folder: hidden files and folders, files that are
 plainly no programs (by their ending or their first bytes), files above `LARGEST_FILE`, links that
 lead out of the folder, and everything that is no regular file, such as a device or a pipe. None of
 these is opened. A file that is named itself is always read, unless it is no regular file or too
-large: then that is a `ValueError`.
+large, which raises `ValueError`.
 """
 
 from __future__ import annotations
@@ -28,11 +28,11 @@ from cncsub._core import Text, Texts
 
 StrPath = str | os.PathLike[str]
 Data = bytes | bytearray
-Piece = str | Data | Text  # of a text, for the engine
+Piece = str | Data | Text  # a piece of a text, for the engine
 CoreFile = tuple[str, str, Sequence[Piece], bool] | tuple[Texts, bool]
 
 LARGEST_FILE = 1 << 30  # bytes
-_PIECE = 1 << 22  # what is read, decoded or copied in one go
+_PIECE = 1 << 22  # bytes that are read, decoded or copied in one go
 
 # Endings of files that people keep beside their programs; the engine knows their first bytes.
 _OTHER_ENDINGS = frozenset(
@@ -44,7 +44,7 @@ _OTHER_ENDINGS = frozenset(
     """.split()  # noqa: SIM905
 )
 _NUMBERS = re.compile(r"([0-9]+)")
-TEXT = "<text>"  # what is read from no file
+TEXT = "<text>"  # the name of a text that was read from no file
 _CONTROLS = re.compile(r"[\x00-\x1f\x7f-\x9f]")
 
 _BOMS = (
@@ -75,19 +75,19 @@ class Reading:
     # Folders already seen, by their real path, and names of files already seen in each.
     folders: set[str] = field(default_factory=set)
     known: dict[str, set[str]] = field(default_factory=dict)
-    left_out: set[str] = field(default_factory=set)  # of them, those that are not to be read
+    left_out: set[str] = field(default_factory=set)  # folders that are not to be read
 
     @property
     def names(self) -> list[str]:
-        """The files as shown."""
+        """The names of the files as shown."""
         names: list[str] = []
         for part in self.files:
             names += part.names if isinstance(part, Texts) else [part.name]
         return names
 
     def rows(self, external: bool) -> list[CoreFile]:
-        """The files for the engine, which takes them over; those of the memory, or of the external
-        device.
+        """Return the files of the memory, or of the external device, for the engine, which takes
+        them over.
         """
         return [
             (part, external)
@@ -105,7 +105,8 @@ def read_paths(
     without: StrPath | None = None,
 ) -> Reading:
     """Read files and folders in the given order, each file once; `without` is a folder to leave
-    out. `beside`: files that nobody named, which are read after them as those of a folder are.
+    out. `siblings`: files that nobody named, which are read after the paths as files of a folder
+    are.
 
     Raises `FileNotFoundError` for a missing path, naming what is near, and `ValueError` for a path
     that is neither a file nor a folder, for a folder without programs and for an unknown encoding.
@@ -129,7 +130,9 @@ def read_paths(
 
 
 def _real(path: StrPath) -> str:
-    """Where a path leads; the path itself where it leads nowhere, as do links without end."""
+    """Return where a path leads; the path itself where it leads nowhere, as links in a
+    circle do.
+    """
     path = os.fspath(path)
     return os.path.realpath(path) if os.path.exists(path) else os.path.abspath(path)  # noqa: PTH100, PTH110
 
@@ -158,7 +161,7 @@ def _read_path(path: Path, encoding: str | None, reading: Reading) -> None:
         return
     real = _real(path)
     if real in reading.folders and real not in reading.left_out:
-        return  # it was read: it is given twice, or stands in one that was given
+        return  # it was read before: it is given twice, or is inside a folder that was given
     if not _read_folder(path, encoding, reading):
         reasons = "; ".join(f"{name}: {why}" for name, why in reading.skipped[:3])
         raise ValueError(
@@ -211,7 +214,7 @@ def _text_file(path: str, stem: str, text: Text, encoding: str | None) -> TextFi
     return TextFile(clean(path), clean(stem), pieces)
 
 
-# Faults of this process, which are none of a file: without more room it would be left out unread.
+# Faults of this process and not of a file: no file may be left out because of them.
 _OF_PROCESS = (errno.EMFILE, errno.ENFILE, errno.ENOMEM)
 
 
@@ -224,7 +227,9 @@ def _why_not(path: StrPath, fault: int | str) -> str:
 
 
 def first_time(folder: str, name: str, reading: Reading) -> bool:
-    """Whether this name of a file is met for the first time. A link to a file is another name."""
+    """Return whether this name of a file is met for the first time. A link to a file is another
+    name.
+    """
     names = reading.known.setdefault(folder, set())
     [same] = system.same_names([name])
     new = same not in names
@@ -233,7 +238,7 @@ def first_time(folder: str, name: str, reading: Reading) -> bool:
 
 
 def _new_names(folder: str, names: list[str], reading: Reading) -> list[str]:
-    """Those that are met for the first time."""
+    """Return the names that are met for the first time."""
     known = reading.known.setdefault(folder, set())
     same = system.same_names(names)
     new = [name for name, as_one in zip(names, same) if as_one not in known] if known else names
@@ -250,8 +255,9 @@ def _read_folder(top: Path, encoding: str | None, reading: Reading) -> int:
 
 
 def walk(top: Path, reading: Reading) -> Iterator[tuple[str, list[str], str]]:
-    """Each folder from `top` down that was not met before: what stands before the names of its
-    files, the names, its real path. Opens no file; what is left alone goes to `reading.skipped`.
+    """Yield each folder from `top` down that was not met before: what stands before the names of
+    its files, the names, its real path. Opens no file; entries that are left alone go to
+    `reading.skipped`.
     """
     root = os.path.realpath(top)
     waiting = [(top, root)]
@@ -281,11 +287,11 @@ def _sorted_out(
     root: str,
     reading: Reading,
 ) -> tuple[list[str], list[tuple[str, bool]]]:
-    """The files of a folder, and the folders in it with whether they are links."""
+    """Return the files of a folder, and the folders in it with whether they are links."""
     files, plain, others, ordered = listing
     folders = [(name, False) for name in plain]
     if not system.may_be_entered(folder):
-        # Not even what a name stands for can be asked.
+        # Not even the kind of an entry can be asked for here.
         others, files, folders, ordered = [*files, *plain, *others], [], [], False
     if not ordered:
         others.sort(key=name_order)
@@ -307,7 +313,7 @@ def _sorted_out(
 
 
 def name_order(name: str) -> tuple[list[Any], str]:
-    """The place of a file's name: without regard to case, numbers by their value."""
+    """Return the sort key of a file's name: without regard to case, numbers by their value."""
     # Texts and numbers alternate, so that only like is compared with like.
     parts: list[Any] = _NUMBERS.split(name.casefold())
     for i in range(1, len(parts), 2):
@@ -317,8 +323,8 @@ def name_order(name: str) -> tuple[list[Any], str]:
 
 
 def refused_entry(path: Path, root: Path) -> str | None:
-    """Why an entry of a folder is left alone, or None; nothing is read that lies outside `root`,
-    the folder that was given. Opens nothing.
+    """Return why an entry of a folder is left alone, or `None`. Nothing is read that lies outside
+    `root`, the folder that was given. Opens nothing.
     """
     if system.is_hidden(path):
         return "hidden"
@@ -326,7 +332,7 @@ def refused_entry(path: Path, root: Path) -> str | None:
         return "a name with control characters"
     try:
         mode = path.stat().st_mode
-        # The folder lies below the root, and so does what is no link.
+        # The folder is below the root, and so is every entry that is no link.
         if system.leads_elsewhere(path) and not Path(
             os.path.realpath(path, strict=True)
         ).is_relative_to(root):
@@ -343,8 +349,8 @@ def refused_entry(path: Path, root: Path) -> str | None:
 def read_found_files(
     before: str, names: list[str], folder: str, encoding: str | None, reading: Reading
 ) -> int:
-    """How many of these files of a folder are programs; one that was read before is not read again.
-    `before`: of their paths; `folder`: its real path.
+    """Read these files of a folder and return how many of them are programs; a file that was read
+    before is not read again. `before`: what stands before their names; `folder`: its real path.
     """
     new = _new_names(folder, names, reading)
     found = len(names) - len(new)
@@ -364,7 +370,7 @@ def read_found_files(
 
 
 def _stem(name: str) -> str:
-    """The name without its ending; a dot at its end begins none."""
+    """Return the name without its ending; a dot at its end begins none."""
     dot = name.rfind(".")
     return name[:dot] if 0 < dot < len(name) - 1 else name
 
@@ -378,13 +384,13 @@ def _bytes_of(text: Text) -> bytearray:
 
 # ---- bytes to text ----
 
-# Python counts these among its encodings, but no file is written in them, and they read some bytes
-# with an error whatever they are asked for.
+# Python counts these among its encodings, but no file is written in them, and they fail on some
+# bytes whatever error handling is asked for.
 _NO_FILES = ("idna", "punycode", "undefined", "unicode-escape", "raw-unicode-escape")
 
 
 def check_encoding(encoding: str | None) -> None:
-    """Raise `ValueError` for an encoding that Python does not know, or that is none of files."""
+    """Raise `ValueError` for an encoding that Python does not know, or that no file uses."""
     if encoding is None:
         return
     if not isinstance(encoding, str):
@@ -402,13 +408,13 @@ def check_encoding(encoding: str | None) -> None:
 
 
 def decode(data: Data, encoding: str | None = None) -> str:
-    """The text of a program file; never fails. See `decoded`."""
+    """Return the text of a program file; never fails. See `decoded`."""
     return "".join(p if isinstance(p, str) else p.decode("ascii") for p in decoded(data, encoding))
 
 
 def decoded(data: Data, encoding: str | None = None) -> list[str | Data]:
-    """The text of a program file, in pieces so that Ctrl-C comes in between; never fails. A piece
-    is a text, or ASCII bytes.
+    """Return the text of a program file in pieces, so that Ctrl-C can come between them; never
+    fails. A piece is a text, or ASCII bytes.
 
     A byte-order mark decides first, then `encoding`, then UTF-8 where the bytes are UTF-8, and else
     the most plausible of GB18030 (with GBK), Shift-JIS and Windows-1252. What no encoding explains
@@ -438,12 +444,12 @@ def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str |
 
 
 def cut(text: str) -> list[str | Data]:
-    """The text in pieces, without lone surrogates."""
+    """Return the text in pieces, without lone surrogates."""
     return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]
 
 
 def clean(text: str) -> str:
-    """The text without lone surrogates, which are no characters; NULs stay."""
+    """Return the text without lone surrogates, which are no characters; NULs stay."""
     return text if text.isascii() else text.encode("utf-8", "replace").decode("utf-8")
 
 
@@ -465,7 +471,7 @@ _PAIRS = re.compile(rb"[\x81-\xfe][\x30-\xff]|[\x80-\xff]", re.DOTALL)
 
 
 def _plausibility(data: Data, score: object) -> float:
-    """The mean score of the bytes beyond ASCII, -1 to 1."""
+    """Return the mean score of the bytes beyond ASCII, -1 to 1."""
     assert callable(score)
     total, count = 0.0, 0
     for value, weight in score(data):
@@ -522,8 +528,8 @@ _RUNS = re.compile(rb"[\x80-\xff]+")
 
 
 def _western(data: Data) -> Iterator[tuple[float, int]]:
-    """Letters with accents stand alone between plain letters; signs such as the degree stand behind
-    figures.
+    """Yield scores for Western text. Letters with accents stand alone between plain letters; signs
+    such as the degree stand after figures.
     """
     for match in _RUNS.finditer(data):
         run = match.group()

@@ -1,5 +1,5 @@
-"""What the world outside answers a program: signals, the clock, the operator, another program, the
-probe.
+"""The answers of the world outside to a program: signals, the clock, the operator, another program,
+the probe.
 """
 
 from __future__ import annotations
@@ -38,14 +38,14 @@ class Inputs:
     program writes into variables while this one waits for them, one mapping for each time the run
     would wait; `(3, {500: 1})` is written the third time only. `None` makes a variable vacant.
     `skips`: where the first G31, the second and so on meet their skip signal: a coordinate of the
-    way, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its
-    time for a G04 that a signal may end), or `None` for one that meets nothing. A list counts
-    every such block, whichever signal it watches; a mapping has a list for each signal, 1 to 8:
+    path, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its
+    time for a G04 that a signal may end), or `None` for one that meets nothing. A list counts every
+    such block, whichever signal it watches; a mapping has a list for each signal, 1 to 8:
     `{1: [{"X": 40}], 2: [None, {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which
     signals these watch (rule `skip_signals`). G36 and G37, which measure a tool, watch `"XAE"`,
-    `"YAE"` and `"ZAE"`. `workpiece`: what those behind the list touch, see `Workpiece`; a G31 that
-    nothing answers meets nothing. `answers`: what the machine does about a code it is sent, signals
-    and variables by number: `{"M117": {1004: 1}}`.
+    `"YAE"` and `"ZAE"`. `workpiece`: what the blocks after the end of the list touch, see
+    `Workpiece`; a G31 that nothing answers meets nothing. `answers`: what the machine does about a
+    code it is sent, signals and variables by number: `{"M117": {1004: 1}}`.
 
     Raises `TypeError` and `ValueError` for values of another kind.
 
@@ -69,8 +69,8 @@ class Inputs:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Inputs:
-        """Read the fields from a TOML file. In `skips`, `"never"` stands for `None`; ends without
-        end are `-inf` and `inf`.
+        """Read the fields from a TOML file. In `skips`, `"never"` stands for `None`; open ends are
+        `-inf` and `inf`.
 
             answers = { M117 = { 1004 = 1 } }
             [workpiece]
@@ -80,7 +80,7 @@ class Inputs:
                 { cylinder = { X = 40, Y = 25 }, radius = 10, inside = true },
             ]
 
-        Raises `FileNotFoundError`, and `ValueError` with the file's name for anything that is no
+        Raises `FileNotFoundError`, and `ValueError` with the file's name for a file that holds no
         inputs.
         """
         return from_toml(path, _from_table)
@@ -89,7 +89,7 @@ class Inputs:
         self.to_core()
 
     def to_core(self) -> dict[str, Any]:
-        """The inputs as the engine takes them."""
+        """Return the inputs as the engine takes them."""
         core: dict[str, Any] = {
             "signals": {
                 k: 0.0 if v is None else v for k, v in _variables("signals", self.signals).items()
@@ -109,7 +109,7 @@ class Inputs:
 
 
 def inputs_of(inputs: Inputs | Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """What the engine takes for `inputs=`: an `Inputs`, or a mapping with the same keys."""
+    """Return what the engine takes for `inputs=`: an `Inputs`, or a mapping with the same keys."""
     if inputs is None:
         return None
     if isinstance(inputs, Inputs):
@@ -134,7 +134,7 @@ def _from_table(table: dict[str, Any]) -> Inputs:
 
 
 def values_of_table(table: Mapping[str, Any]) -> dict[str, Any]:
-    """The fields of a file, whose keys are texts and which may have no `None`."""
+    """Return the fields of a file, whose keys are texts and which has no `None`."""
     values = dict(table)
     if isinstance(values.get("signals"), dict):
         values["signals"] = numbered(values["signals"])
@@ -167,12 +167,12 @@ def _never(skips: list[Any]) -> list[Any]:
 
 
 def numbered(values: dict[str, Any]) -> dict[Any, Any]:
-    """With whole numbers for keys that are numbers, as files have texts only."""
+    """Return the values with whole numbers for keys that are numbers: files have texts only."""
     return {int(key) if re.fullmatch(r"[0-9]{1,9}", key) else key: v for key, v in values.items()}
 
 
 def checked_variables(what: str, values: object) -> dict[int, float | None]:
-    """Variables by number, as the engine takes them; `None` is vacant."""
+    """Return variables by number, as the engine takes them; `None` is vacant."""
     return _variables(what, values)
 
 
@@ -180,7 +180,7 @@ _MOST_WATCHED = 1000
 
 
 def checked_watch(numbers: object) -> list[int]:
-    """The numbers of the variables to watch, each once."""
+    """Return the numbers of the variables to watch, each once."""
     if hasattr(numbers, "__index__") and not hasattr(numbers, "__iter__"):
         numbers = (numbers,)
     if isinstance(numbers, str | bytes) or not isinstance(numbers, Iterable):
@@ -226,7 +226,7 @@ def _variables(what: str, values: object) -> dict[int, float | None]:
 
 
 def _value(what: str, value: object) -> float | None:
-    """A number, or None for vacant."""
+    """Return a number, or `None` for vacant."""
     if value is None:
         return None
     try:
@@ -243,7 +243,7 @@ def _value(what: str, value: object) -> float | None:
 
 
 def _is_whole(number: object) -> bool:
-    """Whether this is an integer of Python or NumPy, and not a yes or no."""
+    """Return whether this is an integer of Python or NumPy, and not a bool."""
     return hasattr(number, "__index__") and not isinstance(number, bool)
 
 
@@ -273,7 +273,7 @@ def _answer(answer: object) -> str:
 
 
 def _skips(skips: object) -> dict[int, list[tuple[str, float]]]:
-    """What is told of each signal; 0 is any."""
+    """Return the skips of each signal; 0 stands for any signal."""
     if not isinstance(skips, Mapping):
         return {0: [_skip(f"skips[{i}]", skip) for i, skip in enumerate(_listed("skips", skips))]}
     return {
@@ -286,7 +286,7 @@ def _skips(skips: object) -> dict[int, list[tuple[str, float]]]:
 
 
 def _skip(where: str, skip: object) -> tuple[str, float]:
-    """Where a skip signal comes: `("fraction", 0.5)`, `("X", 40.0)` or `("never", 0.0)`."""
+    """Return where a skip signal comes: `("fraction", 0.5)`, `("X", 40.0)` or `("never", 0.0)`."""
     if skip is None:
         return "never", 0.0
     if isinstance(skip, Mapping):

@@ -14,34 +14,36 @@ if TYPE_CHECKING:
 
 
 STATUS = 130  # what a shell says of a command that Ctrl-C ended
-_GRACE = 0.8  # seconds until what holds on to the process is left behind
+_GRACE = 0.8  # seconds until the process ends, whatever still holds it
 
 
 _pressed = threading.Event()
 
 
 def uninterrupted(run: Run) -> Run:
-    """The run; `KeyboardInterrupt` where Ctrl-C broke it off, for work that needs a whole one."""
+    """Return the run; raise `KeyboardInterrupt` where Ctrl-C broke it off, for work that needs all
+    of it.
+    """
     if run.stop == "interrupted":
         raise KeyboardInterrupt
     return run
 
 
 def pressed() -> bool:
-    """Whether Ctrl-C was pressed: what fails afterwards fails because of it."""
+    """Return whether Ctrl-C was pressed: what fails afterwards fails because of it."""
     return _pressed.is_set()
 
 
 def answer_in_time() -> None:
-    """From now on Ctrl-C ends this process soon, even where its exception gets lost.
+    """Make Ctrl-C end this process soon from now on, even where its exception gets lost.
 
-    A process that was started to ignore it, as by `nohup`, goes on doing so.
+    A process that was started to ignore Ctrl-C, as by `nohup`, goes on doing so.
     """
     if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
         return
 
     def press(*_: object) -> NoReturn:
-        if _pressed.is_set():  # pressed again: whoever does so does not want to wait
+        if _pressed.is_set():  # pressed again: the user does not want to wait
             leave()
         _pressed.set()
         timer = threading.Timer(_GRACE, leave)
@@ -53,8 +55,8 @@ def answer_in_time() -> None:
 
 
 def end() -> None:
-    """The command has its exit status: Ctrl-C, if it was pressed, is the reason for it, and comes
-    too late from now on.
+    """Mark that the command has its exit status. If Ctrl-C was pressed, it is the reason for the
+    status; from now on it comes too late.
     """
     if pressed():
         leave()
@@ -62,13 +64,13 @@ def end() -> None:
 
 
 def leave() -> NoReturn:
-    """End the process at once: to free gigabytes or to write into a full pipe takes time."""
+    """End the process at once: freeing gigabytes or writing into a full pipe takes time."""
     os._exit(STATUS)
 
 
 @contextlib.contextmanager
 def left_to_child() -> Iterator[None]:
-    """While a pager has the terminal Ctrl-C is its business."""
+    """Leave Ctrl-C to a pager while the pager has the terminal."""
     known = signal.signal(signal.SIGINT, lambda *_: None)
     try:
         yield

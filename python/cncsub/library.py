@@ -1,4 +1,4 @@
-"""The programs a control holds in its memory, and running them."""
+"""The programs that a control holds in its memory, and their runs."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from cncsub.checking import Finding, Flow
     from cncsub.references import CallGraph
 
-_NEAR = 5000  # names are compared with one that is not there
+_NEAR = 5000  # names that are compared with an unknown one
 
 
 class Library(Mapping[str, Program]):
@@ -65,7 +65,7 @@ class Library(Mapping[str, Program]):
         self._first = first  # the name of the first program, where files were preferred to it
         self._files = tuple(files)
         self.left_out = tuple(skipped)
-        self._made: dict[int, Program] = {}  # when somebody looks: a memory may hold millions
+        self._made: dict[int, Program] = {}  # made when asked for: a memory may hold millions
 
     def _program(self, index: int) -> Program:
         made = self._made.get(index)
@@ -98,7 +98,7 @@ class Library(Mapping[str, Program]):
         return f"<Library of {self.control.name}, {count}: {names}>"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # It travels as its texts and is read again where it arrives.
+        # A library travels as its texts and is read again where it arrives.
         sources, device = self.code.sources, self.code.external_device
         return read_again, (
             self.control,
@@ -111,7 +111,7 @@ class Library(Mapping[str, Program]):
         )
 
     def __copy__(self) -> Library:
-        return self  # nothing changes it
+        return self  # a library never changes
 
     def __deepcopy__(self, memo: object) -> Library:
         return self
@@ -151,7 +151,7 @@ class Library(Mapping[str, Program]):
 
     @property
     def skipped(self) -> tuple[tuple[str, str], ...]:
-        """What was left out: of the folders and of the files, path and reason.
+        """What was left out of the folders and of the files: path and reason.
 
         >>> import cncsub
         >>> text = "PART 12\\n%\\nO1\\nM30\\n%\\n"
@@ -178,8 +178,8 @@ class Library(Mapping[str, Program]):
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
-        """What its user should know of this memory: programs that do not count because another one
-        of their name does, a first program without a head, what was left out. See `Note`.
+        """The notes on this memory: programs that do not count because another one of their name
+        does, a first program without a head, what was left out. See `Note`.
 
         >>> import cncsub
         >>> text = "O1\\nM98 P2\\nM30\\nO2\\nM99\\nO2\\nG4 X1.\\nM99\\n"
@@ -193,12 +193,12 @@ class Library(Mapping[str, Program]):
 
     @classmethod
     def of_text(cls, text: str, control: Control) -> Library:
-        """One text as the memory of a control, as `loads` reads it."""
+        """Return one text as the memory of a control, as `loads` reads it."""
         files: list[CoreFile] = [(TEXT, "", cut(text), False)]
         return cls(_core.compile(control, files, False), [TEXT])
 
     def read_for(self, control: str | Control) -> Library:
-        """The same texts, read again as the memory of another control.
+        """Return the same texts, read again as the memory of another control.
 
         >>> import cncsub
         >>> cncsub.loads("O1\\nM30\\n", control="fanuc-0i-f").read_for("gsk-988ta").control.name
@@ -208,7 +208,7 @@ class Library(Mapping[str, Program]):
         return self._read_again(known, self.code.sources)
 
     def with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
-        """The memory of another control with other texts in its files."""
+        """Return the memory of another control with other texts in its files."""
         sources = [
             (
                 n,
@@ -234,15 +234,15 @@ class Library(Mapping[str, Program]):
         )
 
     def call_graph(self) -> CallGraph:
-        """Who calls whom, told by the blocks without running them: see `CallGraph`."""
+        """Return the calls between programs, found without a run: see `CallGraph`."""
         from cncsub.references import call_graph  # not imported before it is asked for
 
         return call_graph(self.code)
 
     def plot(self, *, title: str | None = None) -> Figure:
-        """The call graph as a figure of plotly (`cncsub[plot]`): a point for each program, the main
-        program on the left, an arrow for the calls from one to another; missing programs and
-        computed names are circles. Of a large library 250 programs are drawn, and the picture tells
+        """Draw the call graph as a figure of plotly (`cncsub[plot]`): a point for each program, the
+        main program on the left, an arrow for the calls from one to another; missing programs and
+        computed names are circles. Of a large library 250 programs are drawn, and the picture says
         so. Raises `ImportError` without plotly.
 
         >>> import cncsub
@@ -260,7 +260,7 @@ class Library(Mapping[str, Program]):
         return _core.flows(self.code)
 
     def flow(self, program: str | int) -> Flow:
-        """The ways through a program, told by its blocks without running them: see `Flow`."""
+        """Return the flow graph of a program, found without a run: see `Flow`."""
         index = self._find(program)
         data = self.code.program(index)
         from cncsub.checking import flow_of
@@ -274,8 +274,8 @@ class Library(Mapping[str, Program]):
         *,
         setup: Setup | Mapping[str, Any] | None = None,
     ) -> list[Finding]:
-        """What the control would refuse or what will surprise, in any block, reached or not,
-        without running: see `Finding`; `cncsub.checking.RULES` lists the rules.
+        """Return what the control would refuse or what will surprise, in any block, reached or not,
+        without a run: see `Finding`; `cncsub.checking.RULES` lists the rules.
 
         `main`: the program that is run first, the first one without it. `rules`: the numbers
         (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
@@ -305,8 +305,8 @@ class Library(Mapping[str, Program]):
         comments: bool = False,
         **options: Unpack[FlattenOptions],
     ) -> Flat:
-        """What `main` executes, as one program without calls, jumps and loops that does the same:
-        see `cncsub.flatten`.
+        """Write what `main` executes as one program without calls, jumps and loops that does the
+        same: see `cncsub.flatten`.
 
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 G91 G0 X5.\\nN40 M99\\n"
@@ -360,8 +360,8 @@ class Library(Mapping[str, Program]):
 
     @takes(RunOptions)
     def machine(self, main: str | int | None = None, **options: Unpack[RunOptions]) -> Machine:
-        """The engine at the head of a program, to be run step by step; `options` are those of
-        `run`.
+        """Return the engine at the head of a program, to be run step by step; `options` are those
+        of `run`.
         """
         check_names("machine", options)
         if options.get("trace") in ("none", "calls"):
@@ -372,10 +372,10 @@ class Library(Mapping[str, Program]):
     def stream(
         self, main: str | int | None = None, *, rows: int = 65536, **options: Unpack[RunOptions]
     ) -> Stream:
-        """Execute a program and hand over what it does while it runs, in parts of `rows` blocks:
-        an iterator of `Part`, each with the `steps`, `calls`, `moves` and `watch` of its stretch.
-        Memory stays what one part needs, however long the run is: give `max_blocks` what it may
-        take. `options` are those of `run`.
+        """Execute a program and hand over what it does while it runs, in parts of `rows` blocks: an
+        iterator of `Part`, each with the `steps`, `calls`, `moves` and `watch` of its stretch.
+        However long the run is, memory holds one part: set `max_blocks` to what the run may take.
+        `options` are those of `run`.
 
         >>> import cncsub
         >>> library = cncsub.loads("O1\\nN10 G91 G1 X1. F100\\nN20 M99\\n", control="fanuc-0i-f")
@@ -388,12 +388,12 @@ class Library(Mapping[str, Program]):
 
     @takes(RunOptions)
     def begin(self, main: str | int | None, **options: Unpack[RunOptions]) -> _core.Machine:
-        """The engine at the head of a program; what it hands out is not public."""
+        """Return the engine at the head of a program; what it hands out is not public."""
         if main is not None:
             return machine_with(self.code, self._find(main), **options)
         program = self.main
         if program is None:
-            # Nothing to run runs: what an empty program does is the control's business.
+            # Without a program an empty one runs: what it does is the control's business.
             return machine_with(self.code.with_mdi(""), -1, **options)
         return machine_with(self.code, program.index, **options)
 

@@ -8,7 +8,8 @@ from cncsub import _core
 
 
 def lines_of(text: AnyStr) -> list[AnyStr]:
-    """The lines of a text or of the bytes of a file, each with its end; together they are the text.
+    """Return the lines of a text or of the bytes of a file, each with its end; together they are
+    the text.
 
     >>> lines_of("O1\\n\\r\\rN10 M30\\r\\n%")
     ['O1\\n\\r\\r', 'N10 M30\\r\\n', '%']
@@ -28,7 +29,7 @@ def _split(data: bytes) -> list[bytes]:
 
 
 def without_end(line: AnyStr) -> AnyStr:
-    """A line of `lines_of` without its end."""
+    """Return a line of `lines_of` without its end."""
     if isinstance(line, str):
         return line.rstrip("\r\n")
     return line.rstrip(b"\r\n")

@@ -24,17 +24,17 @@ def load(
 ) -> Library:
     """Read files and folders as the memory of a control.
 
-    A folder gives every program file in it and below it; what is left out is told in
-    `Library.skipped`. `external` is the folder of the external device, which M198 reads. `encoding`
-    is that of comments and names, found out without it. Of several programs of one name the first
+    A folder gives every program file in it and below it; `Library.skipped` lists what is left out.
+    `external` is the folder of the external device, which M198 reads. `encoding` is that of
+    comments and names; without it, it is detected. Of several programs of one name the first
     counts; `prefer` names files whose programs count before those of the others. `general_only`
-    reads and runs every block by the general way alone: slower, with the same outcome. It is there
-    to find out whether one of the short ways for common blocks is to blame for what is seen.
+    reads and runs every block without the fast paths for common blocks: slower, with the same
+    outcome. It shows whether a fast path is to blame for what is seen.
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
     without programs or an unknown encoding; each names what is near. A program a control would
     refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
-    else, and leaves nothing behind.
+    else, and nothing is kept.
 
     >>> import cncsub, pathlib, tempfile
     >>> job = pathlib.Path(tempfile.mkdtemp())
@@ -56,7 +56,7 @@ def load_with(
     prefer: StrPath | Iterable[StrPath] = (),
     general_only: bool = False,
 ) -> Library:
-    """As `load`, with files beside that nobody named."""
+    """Read as `load` does, with files beside the paths that nobody named."""
     known = control_of(control)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
@@ -92,7 +92,7 @@ def loads(
     if isinstance(text, bytes | bytearray | memoryview):
         pieces = decoded(bytes(text), encoding)
     elif isinstance(text, str):
-        pieces = cut(text.removeprefix("\ufeff"))  # a mark of bytes that somebody has decoded
+        pieces = cut(text.removeprefix("\ufeff"))  # a byte order mark that somebody has decoded
     else:
         raise TypeError(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
@@ -108,7 +108,7 @@ def loads(
 
 
 def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Library:
-    """The memory in which the programs of some files count before those of the others."""
+    """Return the memory in which the programs of some files count before those of the others."""
     paths = [prefer] if isinstance(prefer, str | os.PathLike) else list(prefer)
     if not paths:
         return library

@@ -1,5 +1,5 @@
-"""What a notebook shows of runs, memories and programs: small pages of HTML without scripts, which
-take the colours of the page around them, dark or light.
+"""The pages of runs, memories and programs in a notebook: small pieces of HTML without scripts, in
+the colours of the page around them, dark or light.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _MOST_CHECKED = 20_000  # blocks of a memory
 
 
 def run_html(run: Run) -> str:
-    """How a run ended, what it called, and how far it moved."""
+    """Return how a run ended, what it called, and how far it moved."""
     parts = [line(_title(run), strong=True)]
     alarm = run.alarm
     if alarm is not None:
@@ -65,12 +65,12 @@ def _bounds(run: Run) -> Iterator[tuple[str, str, str]]:
 
 
 def calls_html(calls: Calls) -> str:
-    """The calls as a tree."""
+    """Return the calls as a tree."""
     return plain(repr(calls))
 
 
 def library_html(library: Library) -> str:
-    """The programs of a memory, and what is to be known of it."""
+    """Return the programs of a memory, and what is to be known of it."""
     main = library.main
     count = len(library)
     title = f"{library.control.title}: {count:,} program{'' if count == 1 else 's'}"
@@ -91,7 +91,7 @@ def library_html(library: Library) -> str:
 
 
 def program_html(program: Program) -> str:
-    """The lines of a program with their numbers, its comments paler than its blocks."""
+    """Return the lines of a program with their numbers, its comments paler than its blocks."""
     lines = program.text.rstrip().split("\n")
     numbered = [(program.line + i, line) for i, line in enumerate(lines)]
     left = len(numbered) - _HEAD - _TAIL
@@ -106,8 +106,8 @@ def program_html(program: Program) -> str:
 
 
 def _marks(program: Program) -> dict[int, str]:
-    """By line what the control would refuse there or what will surprise; of large memories nothing,
-    because that asks for all their blocks.
+    """Return by line what the control would refuse there or what will surprise. Large memories have
+    no marks, because all their blocks would have to be checked.
     """
     code = program.data.code
     if sum(code.program(index).blocks for index in range(len(code))) > _MOST_CHECKED:

@@ -1,4 +1,4 @@
-"""Pieces of the pages of HTML that a notebook shows, without scripts: they take the colours of the
+"""Pieces of the HTML pages that a notebook shows. They have no scripts, and take the colours of the
 page around them, dark or light.
 """
 
@@ -13,7 +13,7 @@ _MOST_LETTERS = 200  # of a line
 
 
 def page(parts: Iterable[str]) -> str:
-    """Parts together."""
+    """Return the parts in one element."""
     return f"<div>{''.join(parts)}</div>"
 
 
@@ -26,7 +26,7 @@ def pale(text: str) -> str:
 
 
 def line(text: str, *, strong: bool = False) -> str:
-    """A paragraph."""
+    """Return a paragraph."""
     weight = ' style="font-weight:bold"' if strong else ""
     return f"<p{weight}>{escape(text)}</p>"
 
@@ -36,17 +36,17 @@ def pre(inner: str, style: str = "") -> str:
 
 
 def plain(text: str) -> str:
-    """A text as it is spaced."""
+    """Return a text with its own spacing."""
     return pre(escape(text))
 
 
 def marked(text: str) -> str:
-    """With a red bar that is seen on dark and on light pages."""
+    """Return a text with a red bar that is visible on dark and on light pages."""
     return pre(escape(text), "border-left:4px solid #d33;padding-left:.6em")
 
 
 def few(word: str, texts: Iterable[str]) -> list[str]:
-    """The first of many, each behind a word."""
+    """Return the first of many texts, each after a word."""
     told = list(texts)
     lines = [line(f"{word}: {cut(text)}") for text in told[:_MOST_LINES]]
     if (left := len(told) - _MOST_LINES) > 0:
@@ -55,7 +55,7 @@ def few(word: str, texts: Iterable[str]) -> list[str]:
 
 
 def table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """A table of plain texts."""
+    """Return a table of plain texts."""
     head = "".join(f"<th>{escape(name)}</th>" for name in heads)
     body = "".join(
         f"<tr>{''.join(f'<td>{escape(cut(cell))}</td>' for cell in row)}</tr>" for row in rows

@@ -1,4 +1,4 @@
-"""What a notebook shows of single values: alarms, controls, findings, graphs, coverage, tables of
+"""The pages of single values in a notebook: alarms, controls, findings, graphs, coverage, tables of
 variables.
 """
 
@@ -24,19 +24,19 @@ MOST_VARIABLES = 60
 
 
 def alarm_html(alarm: Alarm) -> str:
-    """The message with its marked word, what raises such an alarm, and the cure."""
+    """Return the message with its marked word, what raises such an alarm, and the cure."""
     cause = causes[alarm.cause]
     told = (("raised by", cause.meaning), ("cure", cause.cure))
     return page([marked(str(alarm)), table(("", alarm.cause), told)])
 
 
 def frame_html(frame: Frame) -> str:
-    """What called what, and the pass it is in."""
+    """Return what called what, and the pass it is in."""
     return page([line(str(repr(frame)).strip("<>"))])
 
 
 def control_html(control: Control) -> str:
-    """The facts of a control to be folded out, each with its source."""
+    """Return the facts of a control, to be folded out, each with its source."""
     rules = ((r.name, str(r.value), r.meaning, f"{r.source}; {r.evidence}") for r in control.rules)
     parameters = (
         (p.name, f"{p.value:g}", p.meaning, f"{p.source}; {p.evidence}")
@@ -65,12 +65,12 @@ def _folded(what: str, heads: Iterable[str], rows: Iterable[Iterable[str]]) -> s
 
 
 def finding_html(finding: Finding) -> str:
-    """The place with its marked word, what is wrong there, and the hint."""
+    """Return the place with its marked word, what is wrong there, and the hint."""
     return page([marked(str(finding)) if finding.severity == "error" else plain(str(finding))])
 
 
 def graph_html(graph: CallGraph) -> str:
-    """Who calls whom, and what stands out."""
+    """Return the calls of a graph, and what stands out."""
 
     def told(value: Any) -> str:
         return value if isinstance(value, str) else f"[{value.expression}]"
@@ -91,7 +91,7 @@ def graph_html(graph: CallGraph) -> str:
 
 
 def coverage_html(coverage: Coverage) -> str:
-    """How much of each program ran."""
+    """Return how much of each program ran."""
     rows = (
         (p.name, f"{p.blocks_covered():,} of {len(p.blocks):,}", p.file)
         for p in islice(coverage.programs, MOST_ROWS)
@@ -100,12 +100,12 @@ def coverage_html(coverage: Coverage) -> str:
 
 
 def comparison_html(compared: Comparison) -> str:
-    """Whether both do the same, or where they part."""
+    """Return whether both do the same, or where they part."""
     return page([plain(str(compared)) if compared.same else marked(str(compared))])
 
 
 def variables_html(variables: Mapping[int, float | None]) -> str:
-    """The variables that have a value."""
+    """Return the variables that have a value."""
     held = [(f"#{n}", f"{value:.10g}") for n, value in variables.items() if value is not None]
     parts = [table(("variable", "value"), held[:MOST_VARIABLES])]
     if not held:
@@ -116,7 +116,7 @@ def variables_html(variables: Mapping[int, float | None]) -> str:
 
 
 def rows_html(name: str, rows: Iterable[Any], count: int) -> str:
-    """Rows that are data classes, as a table."""
+    """Return rows that are data classes, as a table."""
     shown = list(islice(rows, MOST_VARIABLES))
     parts = [line(name)]
     if shown:

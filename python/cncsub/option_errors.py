@@ -8,17 +8,17 @@ E = TypeVar("E", bound=Exception)
 
 
 def carrying(option: str, error: E) -> E:
-    """The error, which now says which option it is about, unless it did so already."""
+    """Return the error, which now names the option that it is about, unless it did so already."""
     if option_of(error) is None:
         error.option = option  # type: ignore[attr-defined]
     return error
 
 
 def wrong_value(option: str, words: str) -> ValueError:
-    """The error for a value that an option does not take."""
+    """Return the error for a value that an option does not take."""
     return carrying(option, ValueError(words))
 
 
 def option_of(error: BaseException) -> str | None:
-    """The option that an error is about."""
+    """Return the option that an error is about."""
     return getattr(error, "option", None)

@@ -1,4 +1,4 @@
-"""A control of one's own: a built-in one, and in what a machine differs from it, read from TOML."""
+"""A control of one's own: a built-in one, with what a machine has otherwise, read from TOML."""
 
 from __future__ import annotations
 
@@ -19,20 +19,20 @@ _CALL = re.compile(r"(call|macro-call|modal-call|modal-call-every-block):[1-9][0
 
 
 def from_toml(path: str | os.PathLike[str]) -> Control:
-    """The control that a TOML file describes; see `Control.from_toml`."""
+    """Return the control that a TOML file describes; see `Control.from_toml`."""
     name = Path(path).name
     return read_toml(path, lambda told: own_control(_table(told), name))
 
 
 def _table(told: Mapping[str, Any]) -> Any:
-    """What a file says of a control: all of it, or its table `control`."""
+    """Return what a file says of a control: all of it, or its table `control`."""
     tool = told.get("tool")
     of = tool.get("cncsub") if isinstance(tool, dict) else told
     return of.get("control", of) if isinstance(of, dict) else of
 
 
 def own_control(told: Any, file: str) -> Control:
-    """The control of a table of TOML; `file` says where a value comes from that has no note.
+    """Return the control of a table of TOML; `file` is the source of a value without a note.
 
     Raises `ValueError` for what no control can be.
     """
@@ -49,7 +49,7 @@ def own_control(told: Any, file: str) -> Control:
     tables = {key: _noted(told.get(key, {}), key, nobody) for key in KEYS[3:]}
     rules = [(rule, _rule_value(rule, value), note) for rule, value, note in tables["rules"]]
     calls = [(code, _call(code, to), note) for code, to, note in tables["calls"]]
-    if calls:  # they are one rule, and its source tells the note of each
+    if calls:  # they are one rule, and its source gives the note of each
         notes = "; ".join(f"{code}: {note}" for code, _, note in calls)
         rules.append(("registered_codes", " ".join(call for _, call, _ in calls), notes))
     parameters = [(number, _number(number, of), note) for number, of, note in tables["parameters"]]
@@ -77,7 +77,7 @@ def _base(told: Mapping[str, Any]) -> Control:
 
 
 def _noted(told: Any, key: str, nobody: str) -> Iterator[tuple[str, Any, str]]:
-    """The entries of a table, each with its value and its note."""
+    """Yield the entries of a table, each with its value and its note."""
     if not isinstance(told, dict):
         raise ValueError(f"{key} is a table, not {told!r}")
     for name, value in told.items():
@@ -128,7 +128,7 @@ def _cause(slug: str) -> str:
 
 
 def _alarm(slug: str, told: Any) -> tuple[str | None, str | None]:
-    """The number and the text of an alarm, where they are given."""
+    """Return the number and the text of an alarm, where they are given."""
     of = {"number": told} if isinstance(told, str) else told
     if not isinstance(of, dict) or not of or not set(of) <= {"number", "text"}:
         raise ValueError(

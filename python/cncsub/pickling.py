@@ -1,4 +1,4 @@
-"""What stays in its process."""
+"""Objects that stay in their process."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from typing import ClassVar, NoReturn
 
 
 class NotPicklable:
-    """Something whose state lies in the engine: pickling it is a `TypeError` that tells what can be
-    sent to another process instead.
+    """An object whose state lies in the engine. Pickling it is a `TypeError`, which says what can
+    be sent to another process instead.
     """
 
     _instead: ClassVar[str] = "send the library and what to run"

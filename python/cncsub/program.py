@@ -1,4 +1,4 @@
-"""Programs as they were read: blocks and words, made when somebody looks at them."""
+"""Programs as they were read: their blocks and words, made when they are looked at."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 
 def find_program(code: _core.Code, name: object) -> int:
-    """The place of a program among those of the code, by any way to write its name, or by its
-    number; -1 where there is none, `TypeError` for what is neither.
+    """Return the place of a program among those of the code, by its number or by any way to write
+    its name; -1 where there is none. Raises `TypeError` for anything else.
     """
     if isinstance(name, str):
         return code.find(clean(name))
@@ -176,7 +176,7 @@ class Blocks(NotPicklable, Sequence[Block]):
 
 
 def block_at(code: _core.Code, address: int) -> Block:
-    """The block that stands at a place of the code."""
+    """Return the block at an address of the code."""
     program, index = code.place_of(address)
     return Program(code.program(program), program).blocks[index]
 
@@ -200,12 +200,14 @@ class Program(NotPicklable):
 
     @property
     def name(self) -> str:
-        """As it is written, or the name of the file where the program has none of its own."""
+        """The name as it is written, or the name of the file where the program has none of
+        its own.
+        """
         return self.data.name
 
     @property
     def file(self) -> str:
-        """The file it stands in, as it was named."""
+        """The file in which the program stands, as it was named."""
         return self.data.file
 
     @property
@@ -215,16 +217,16 @@ class Program(NotPicklable):
 
     @property
     def text(self) -> str:
-        """As it is written, with its head and its comments."""
+        """The text as it is written, with its head and its comments."""
         return self.data.text
 
     def beginning(self, size: int) -> str:
-        """The first bytes of the text."""
+        """Return the first bytes of the text."""
         return self.data.start(size).decode(errors="replace")
 
     @property
     def comment(self) -> str:
-        """The title: the first comment behind the name."""
+        """The title: the first comment after the name."""
         return self.data.comment
 
     @property
@@ -234,7 +236,7 @@ class Program(NotPicklable):
 
     @property
     def blocks(self) -> Blocks:
-        """Its blocks, a sequence from 0; each is made when somebody looks at it."""
+        """The blocks, a sequence from 0; each is made when it is looked at."""
         return Blocks(self)
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""What programs refer to, told without running them: calls, jumps, variables; who calls whom."""
+"""The references of programs, found without a run: calls, jumps, variables and the call graph."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class CallTo(NamedTuple):
     name of the called program; as the block names it where it does not exist. `exists`: whether it
     does, `None` where the name is computed. `external`: whether it is looked for on the external
     device. `start`: the sequence number it begins at, `None`: its first block. `repeats`: how often
-    it runs, 0 where the call is passed over. `text`, `column`: the word that calls.
+    it runs, 0 where the call is skipped. `text`, `column`: the word that calls.
     """
 
     kind: str
@@ -41,7 +41,7 @@ class JumpTo(NamedTuple):
     """A jump that a block makes: GOTO, M99 P, M97.
 
     `n`: the sequence number it names, `None` where it names a label. `block`: the place of the
-    block among those of the program, `None` where there is none or nobody knows before the run.
+    block among those of the program, `None` where there is none or it is known only in the run.
     `in_caller`: whether the block is one of the program that called (M99 P). `text`, `column`: the
     word that names the block.
     """
@@ -76,7 +76,7 @@ class References(NamedTuple):
 
 
 def references_of(program: _core.ProgramData, block: int) -> References:
-    """What a block refers to, by its place in the program."""
+    """Return what a block refers to; `block` is its place in the program."""
     calls, jumps, reads, writes = _core.references(program, block)
     return References(
         tuple(map(_call, calls)),
@@ -128,15 +128,15 @@ class Edge(NamedTuple):
 
 @dataclass(frozen=True)
 class CallGraph:
-    """Who calls whom in a library, as its blocks are written.
+    """The calls of a library, as its blocks are written.
 
     `programs`: the names of all programs. `edges`: every call, in the order of the blocks. `roots`:
     programs that no call names. `unreached`: programs that no chain of calls from the main program
     leads to; a call whose program is computed may lead anywhere: see `computed`. `cycles`: chains
-    of calls that come back to where they began, one for each group of programs that call each
-    other; a program that calls itself is one of one name. `deepest`: for each kind of call, and for
-    `"any"`, the longest chain of such calls, which goes round no cycle. `missing`: calls of
-    programs that do not exist. `computed`: calls whose program is computed.
+    of calls that come back to their start, one for each group of programs that call each other; a
+    program that calls itself is one of one name. `deepest`: for each kind of call, and for `"any"`,
+    the longest chain of such calls, which goes round no cycle. `missing`: calls of programs that do
+    not exist. `computed`: calls whose program is computed.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2 L3\\nM30\\nO2\\nG65 P3\\nM99\\nO4\\nM98 P9\\nM99\\n"
@@ -176,7 +176,7 @@ class CallGraph:
         )
 
     def _columns(self) -> dict[str, list[Any]]:
-        """One row for each call; what is computed stands in columns of its own."""
+        """Return one row for each call; computed values stand in columns of their own."""
 
         def known(name: str) -> list[Any]:
             values = (getattr(edge, name) for edge in self.edges)
@@ -192,13 +192,13 @@ class CallGraph:
         return columns
 
     def to_pandas(self) -> Any:
-        """The calls as a pandas `DataFrame`: a row for each edge."""
+        """Return the calls as a pandas `DataFrame`: a row for each edge."""
         import pandas as pd
 
         return pd.DataFrame(self._columns())
 
     def to_arrow(self) -> Any:
-        """The calls as a pyarrow `Table`: a row for each edge."""
+        """Return the calls as a pyarrow `Table`: a row for each edge."""
         import pyarrow as pa
 
         kinds = {"n": pa.int64(), "line": pa.int64(), "repeats": pa.int64(), "exists": pa.bool_()}
@@ -207,7 +207,7 @@ class CallGraph:
         return pa.table(columns, schema=schema)
 
     def to_json(self) -> str:
-        """All of it as JSON, with its version."""
+        """Return the whole graph as JSON, with its version."""
         columns = self._columns()
         rows = [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
         told = {
@@ -222,7 +222,9 @@ class CallGraph:
         return json.dumps(told, indent=1, ensure_ascii=False)
 
     def to_dot(self) -> str:
-        """The graph in the language of Graphviz: missing programs dashed, computed ones dotted."""
+        """Return the graph in the language of Graphviz: missing programs dashed, computed ones
+        dotted.
+        """
         return "\n".join(["digraph calls {", *self._dot_lines(), "}"]) + "\n"
 
     def _dot_lines(self) -> Iterator[str]:
@@ -254,12 +256,12 @@ def _quoted(text: str) -> str:
 
 
 def call_graph(code: _core.Code) -> CallGraph:
-    """The graph of all programs of a memory and its external device."""
+    """Return the graph of all programs of a memory and its external device."""
     data = [code.program(index) for index in range(len(code))]
     names = tuple(program.name for program in data)
     files = [program.file for program in data]
     edges: list[Edge] = []
-    ways: dict[str, list[dict[int, None]]] = {}  # by kind and caller: what it calls
+    ways: dict[str, list[dict[int, None]]] = {}  # the programs that each caller calls, by kind
 
     def take(caller: int, n: int | None, line: int, row: _core._CallRow) -> None:
         call, called = _call(row), row[2]
@@ -294,11 +296,11 @@ def call_graph(code: _core.Code) -> CallGraph:
 
 
 class _Graph:
-    """Numbers from 0 and arrows between them. No function calls itself: chains may be long."""
+    """A directed graph of numbers from 0. No function is recursive: chains may be long."""
 
     def __init__(self, arrows: Iterable[Iterable[int]]) -> None:
         self.next = [list(each) for each in arrows]
-        self.order: list[int] = []  # each behind all it leads to, but for arrows that close cycles
+        self.order: list[int] = []  # each after all it leads to, but for arrows that close cycles
         self._groups: list[list[int]] = []
         self._walk()
 
@@ -312,7 +314,7 @@ class _Graph:
         return found
 
     def _walk(self) -> None:
-        """Groups of what leads to each other, by Tarjan's algorithm."""
+        """Find the groups of numbers that lead to each other, by Tarjan's algorithm."""
         size = len(self.next)
         index, low = [-1] * size, [0] * size
         group: list[int] = []
@@ -349,7 +351,7 @@ class _Graph:
                         low[work[-1][0]] = min(low[work[-1][0]], low[at])
 
     def cycles(self) -> list[list[int]]:
-        """The shortest way round from the first of each group that has one."""
+        """Return the shortest cycle from the first number of each group that has one."""
         found = []
         for group in self._groups:
             start, members = min(group), set(group)
@@ -374,7 +376,7 @@ class _Graph:
         return [path[0], *reversed(path[1:])]
 
     def deepest(self) -> list[int]:
-        """The longest chain; an arrow back to where it came from is not followed."""
+        """Return the longest chain; an arrow that closes a cycle is not followed."""
         place = {at: i for i, at in enumerate(self.order)}
         length = [1] * len(self.next)
         step: list[int | None] = [None] * len(self.next)

@@ -1,4 +1,4 @@
-"""What a run leaves behind, and the machine that makes it one step at a time."""
+"""The record of a run, and the machine that makes it one step at a time."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class AlarmError(Exception):
 
 
 class Recorded(NotPicklable):
-    """What was recorded, in a run, by a machine so far, or in one part of a stream."""
+    """The record of a run, of a machine so far, or of one part of a stream."""
 
     def __init__(self, core: _core.Trace, axes: list[str] | None = None) -> None:
         self.recorded = core
@@ -96,7 +96,7 @@ class Recorded(NotPicklable):
 
     @property
     def messages(self) -> list[str]:
-        """What `#3006` and `DPRNT` wrote, in order."""
+        """The texts that `#3006` and `DPRNT` wrote, in order."""
         return self.recorded.messages
 
     @property
@@ -141,9 +141,9 @@ class Recorded(NotPicklable):
         coordinates: str = "work",
         moves: slice | range | None = None,
     ) -> Polyline:
-        """The path as points: the ends of the moves as they are, and of arcs, helices and spirals
-        as many points between them as keep every chord within `tolerance` (mm) of the true curve,
-        four in a turn at least.
+        """Return the path as points: the ends of the moves as they are, and of arcs, helices and
+        spirals as many points between them as keep every chord within `tolerance` (mm) of the true
+        curve, four in a turn at least.
 
         `coordinates`: `"work"` is the programmed path in the work coordinates in force, `"tool"`
         that of the tool with its radius offset in the same coordinates, `"machine"` that of the
@@ -177,7 +177,7 @@ class Recorded(NotPicklable):
 
 
 class State(NotPicklable):
-    """Where a machine stands."""
+    """The state of a machine."""
 
     def __init__(self, core: _core.Machine) -> None:
         self.core = core
@@ -199,7 +199,7 @@ class State(NotPicklable):
         with its blocks), it waits, or it is only long. `None` where it ended, alarmed or runs.
 
         At a limit of blocks, time or memory a copy is run on for up to 100,000 blocks (and two
-        seconds) to find out, each time this is asked for; the run itself stays what it is.
+        seconds) to find out, at each access; the run itself does not change.
 
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2\\nN20 GOTO10\\nO2\\nN30 M99\\n"
@@ -217,7 +217,7 @@ class State(NotPicklable):
 
     @property
     def position(self) -> dict[str, float]:
-        """Where the tool stands: axis to work coordinate, mm."""
+        """The position of the tool: work coordinates by axis, mm."""
         return self.core.position
 
     @property
@@ -231,7 +231,7 @@ class State(NotPicklable):
             raise AlarmError(self.alarm)
 
     def summary(self) -> str:
-        """How it stopped, in a few words."""
+        """Return how the run stopped, in a few words."""
         alarm = self.alarm
         if alarm is not None:
             where = alarm.program if alarm.n is None else f"{alarm.program} N{alarm.n}"
@@ -241,7 +241,7 @@ class State(NotPicklable):
 
 
 class _Outcome(State, Recorded):
-    """What a run and a machine both show."""
+    """The properties that a run and a machine share."""
 
     def __init__(self, core: _core.Machine) -> None:
         State.__init__(self, core)
@@ -255,10 +255,10 @@ class _Outcome(State, Recorded):
         n: int | None = None,
         variable: int | None = None,
     ) -> Iterator[Listed]:
-        """Each executed block with its text, its pass and what it did: codes sent to the machine,
-        moves, calls, changes of the variables that were watched. Only those of a `program`, at a
-        `depth` of calls, with a sequence number `n`, that changed a `variable`, where that is asked
-        for.
+        """Yield each executed block with its text, its pass and what it did: codes sent to the
+        machine, moves, calls, changes of the watched variables. Where they are given, `program`,
+        `depth` (of calls), `n` (a sequence number) and `variable` (one that was changed) select the
+        blocks.
 
         Raises `KeyError` for a program that is not there, and `ValueError` for a variable that was
         not watched and for a run that kept no blocks.
@@ -285,18 +285,18 @@ class _Outcome(State, Recorded):
         play: bool = True,
         title: str | None = None,
     ) -> Figure:
-        """The path in three dimensions, as a figure of plotly (`cncsub[plot]`): rapid moves, feeds,
-        canned cycles and what runs with a radius offset apart; over a point its block, the calls
-        that led there and its move; a slider that shows the path up to an instant, with the tool
-        at its end.
+        """Draw the path in three dimensions, as a figure of plotly (`cncsub[plot]`). Rapid moves,
+        feeds, canned cycles and moves with a radius offset are separate lines. A point shows its
+        block, the calls that led there and its move. A slider shows the path up to an instant, with
+        the tool at its end.
 
         `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
         `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
         where a radius offset leads it elsewhere; `"machine"` is the tool with all its offsets.
         `moves`: only those of a slice or a range of rows of `moves`. `most`: so many points may be
         drawn. A longer path is thinned, and the picture tells how far what is left out may lie from
-        what is drawn; what cannot be thinned is cut, and the picture tells where. `play`: with the
-        slider. `title`: above it.
+        what is drawn; what cannot be thinned is cut, and the picture tells where. `play`: whether
+        there is a slider. `title`: the text above the figure.
 
         Raises `ImportError` without plotly, and `ValueError` for another colour or coordinates.
 
@@ -319,8 +319,8 @@ class _Outcome(State, Recorded):
         )
 
     def coverage(self) -> Coverage:
-        """The blocks, branches, calls and arguments that this run went through, or a machine
-        until now.
+        """Return the blocks, branches, calls and arguments that this run, or this machine so far,
+        went through.
 
         Raises `ValueError` for a run with `trace="none"` or `"calls"`, which kept no blocks.
 
@@ -347,7 +347,7 @@ class Run(_Outcome):
     _instead = "send what you need of it: alarm, stop, dict(variables), moves.to_arrow()"
 
     def __copy__(self) -> Run:
-        return self  # nothing changes it
+        return self  # a run never changes
 
     def __deepcopy__(self, memo: object) -> Run:
         return self
@@ -395,8 +395,8 @@ class Run(_Outcome):
 
     @property
     def variables_after_reset(self) -> dict[int, float]:
-        """What is left of `variables` when M02, M30 or the reset key has cleared what the control
-        clears (on FANUC by 6001#6 and 6001#7).
+        """The `variables` that are left after M02, M30 or the reset key has cleared what the
+        control clears (on FANUC by 6001#6 and 6001#7).
 
         >>> import cncsub
         >>> run = cncsub.loads("O1\\n#1=1\\n#500=5\\nM30\\n", control="fanuc-0i-f").run()
@@ -420,7 +420,7 @@ class Run(_Outcome):
         return f"<Run: {self.summary()}, {self.steps.size_words()}, {self.calls.size_words()}>"
 
     def __str__(self) -> str:
-        """As `repr`, and why the program had not ended where a limit stopped it."""
+        """Return `repr`, and why the program had not ended where a limit stopped it."""
         why = self.endless
         return repr(self) if why is None else f"{self!r}: {why}"
 
@@ -456,7 +456,7 @@ class Machine(_Outcome):
         on.
         """
         self.core.run(None if until is None else self._place(until))
-        # The machine may go on; the run stays what it is.
+        # The machine may go on; the run is a copy and does not change.
         return None if self.core.stop is None else Run(self.core.copy())
 
     def _place(self, until: Until) -> tuple[int, int]:
@@ -496,13 +496,13 @@ class Machine(_Outcome):
             yield step
 
     def reset(self) -> None:
-        """Presses the reset key: calls and modal calls are gone, the variables that the control
+        """Press the reset key: calls and modal calls are gone, the variables that the control
         clears are vacant, and the main program is at its head. What was recorded stays.
         """
         self.core.reset()
 
     def copy(self) -> Machine:
-        """A machine in the same state that goes its own way: a snapshot to come back to."""
+        """Return a machine in the same state that runs on its own: a snapshot to come back to."""
         return Machine(self.core.copy())
 
     __copy__ = copy

@@ -1,8 +1,8 @@
 """The options of a run, each stated once, and the engine made with them.
 
 `Library.run`, `mdi`, `machine`, `stream`, `flatten`, `compare`, `translate`, `run_many`, the
-commands and their documentation take the options from here: what it is called, which type it has,
-what holds without it, what it means, how its value is checked.
+commands and their documentation take the options from here: the name, type, default, meaning and
+check of each.
 """
 
 # The annotations are values here: no `from __future__ import annotations`.
@@ -27,11 +27,12 @@ TRACES = ("none", "calls", "blocks", "moves")
 
 
 class Option(NamedTuple):
-    """What is stated of an option beside its name and its type.
+    """The facts of an option beside its name and its type.
 
-    `default`: what holds without it. `checked`: what the engine takes for a value; raises
-    `TypeError` or `ValueError`. `meaning`: sentences for its documentation. `asked`: the commands
-    have it, under its own name, at least `least`, and say `asked` of it.
+    `default`: the value without it. `checked`: returns what the engine takes for a value; raises
+    `TypeError` or `ValueError`. `meaning`: sentences for its documentation. `asked`: what the
+    commands say of the option, where they have it under its own name; `least`: the least value they
+    take.
     """
 
     default: Any
@@ -228,7 +229,7 @@ class RunOptions(MdiOptions, total=False):
 
 @cache
 def stated(of: type = RunOptions) -> dict[str, Option]:
-    """What is stated of each of the options, in their order."""
+    """Return the facts of each of the options, in their order."""
     return {name: kind.__metadata__[0] for name, kind in of.__annotations__.items()}
 
 
@@ -251,8 +252,9 @@ def check_names(function: str, options: Mapping[str, object], of: type = RunOpti
 def takes(
     of: type, *without: str, defaults: Mapping[str, Any] | None = None, told: bool = False
 ) -> Callable[[F], F]:
-    """In place of `**options` the signature of a function shows each of the options, with its
-    default unless there are others; where it is `told`, its help says what each means.
+    """Return a decorator that shows each of the options in the signature in place of `**options`,
+    with its default unless `defaults` has another. Where it is `told`, the help of the function
+    says what each option means.
     """
     others = defaults or {}
 
@@ -280,8 +282,8 @@ def takes(
 
 
 def machine_with(code: _core.Code, main: int, **options: Unpack[RunOptions]) -> _core.Machine:
-    """The engine with checked options; `main` is the number of the program, -1 the last. An error
-    carries the name of the option as `.option`.
+    """Return the engine with checked options; `main` is the number of the program, -1 the last. An
+    error carries the name of the option as `.option`.
     """
     known, checked = stated(), dict(_by_default())
     for name, value in options.items():
@@ -293,5 +295,5 @@ def machine_with(code: _core.Code, main: int, **options: Unpack[RunOptions]) -> 
 
 
 def idle_machine(control: _core.Control, **options: Unpack[RunOptions]) -> _core.Machine:
-    """A machine of a control without programs, which has executed nothing."""
+    """Return a machine of a control without programs, which has executed nothing."""
     return machine_with(_core.compile(control, [], False).with_mdi(""), -1, **options)

@@ -1,4 +1,4 @@
-"""What was set at the machine before the run: zero points, offsets, tools, rapid rates, travel
+"""The settings of the machine before the run: zero points, offsets, tools, rapid rates, travel
 limits.
 """
 
@@ -17,10 +17,10 @@ from cncsub.controls import did_you_mean
 AXES = "XYZABCUVW"
 MACHINES = ("mill", "lathe-a", "lathe-b")
 
-SMALLEST = 1e-9  # of what must be more than 0: a rapid rate, an increment
+SMALLEST = 1e-9  # the least of what must be more than 0: a rapid rate, an increment
 REFERENCES = 4  # G28 and G30 P2 to P4
 
-# A key of so many parts takes TOML the square of them.
+# A key of n parts takes TOML a time of n squared.
 _DEEP = re.compile(r"(?:\.[^.,=\[\]{}#\n]{0,80}){100}")
 _SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)")
 _TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
@@ -78,13 +78,15 @@ class Setup:
             R = 0.4
             tip = 3
 
-        Raises `FileNotFoundError`, and `ValueError` with the file's name for anything that is no
+        Raises `FileNotFoundError`, and `ValueError` with the file's name for a file that holds no
         setup.
         """
         return from_toml(path, setup_from)
 
     def to_core(self) -> dict[str, Any]:
-        """The setup as the engine takes it: only what was given, every name and number checked."""
+        """Return the setup as the engine takes it: only what was given, every name and number
+        checked.
+        """
         core: dict[str, Any] = {
             "start": _point("start", self.start),
             "work_offsets": _checked("work_offsets", self.work_offsets, work_system, _point),
@@ -107,7 +109,9 @@ class Setup:
 
 
 def toml_of(text: str) -> dict[str, Any]:
-    """What a text of TOML says; `RecursionError` where it nests so deep that reading has no end."""
+    """Return what a text of TOML says; raise `RecursionError` where it nests too deep to
+    be read.
+    """
     import tomllib
 
     if _DEEP.search(text):
@@ -116,7 +120,7 @@ def toml_of(text: str) -> dict[str, Any]:
 
 
 def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T]) -> T:
-    """What `read` makes of a TOML file; what is wrong with it is told with the file's name."""
+    """Return what `read` makes of a TOML file; an error names the file."""
     name = os.fspath(path)
     if Path(path).exists() and not Path(path).is_file():
         raise ValueError(f"{name}: not a regular file")
@@ -132,7 +136,7 @@ def from_toml(path: str | os.PathLike[str], read: Callable[[dict[str, Any]], T])
 
 
 def setup_of(setup: Setup | Mapping[str, Any] | None) -> dict[str, Any] | None:
-    """What the engine takes for `setup=`: a `Setup`, or a mapping with the same keys."""
+    """Return what the engine takes for `setup=`: a `Setup`, or a mapping with the same keys."""
     if setup is None:
         return None
     if isinstance(setup, Setup):
@@ -169,7 +173,9 @@ def _checked(
     key: Callable[[str, object], Any],
     value: Callable[[str, object], Any],
 ) -> dict[Any, Any]:
-    """A mapping with checked keys and values; two ways to write the same key are an error."""
+    """Return a mapping with checked keys and values; two ways to write the same key are
+    an error.
+    """
     checked: dict[Any, Any] = {}
     for written, given in _mapping(what, values).items():
         name = key(what, written)
@@ -210,7 +216,7 @@ def _point(what: str, point: object) -> dict[str, float]:
 
 
 def work_system(what: str, name: object) -> str:
-    """The name of a work coordinate system as it is written: `g54.1p3` is `G54.1 P3`."""
+    """Return the name of a work coordinate system in its full form: `g54.1p3` is `G54.1 P3`."""
     system = re.sub(r"\s*P\s*", " P", str(name).upper().strip())
     if not _SYSTEM.fullmatch(system):
         raise ValueError(

@@ -1,4 +1,4 @@
-"""Files beside a program that are called as what it calls: a control has them in its memory too."""
+"""Files beside a program with the names of what it calls: a control has them in its memory too."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ MOST_ROUNDS = 100  # files that call files that call files
 
 
 def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]) -> Library:
-    """The program of a file, with the files beside it that its calls lead to. A name that several
-    files have leads to none of them.
+    """Load the program of a file, with the files beside it that its calls lead to. A name that
+    several files have leads to none of them.
 
     `load` takes the file and those beside it. They are files of a folder that was not named: what
     is left out of a folder, such as a link that leads out of it, is left out here.
@@ -48,13 +48,15 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
 
 
 def folders_of(path: str) -> list[Path]:
-    """The folder of a file, and of a link that of the file it leads to."""
+    """Return the folder of a file, and for a link also the folder of the file it leads to."""
     folder, real = Path(path).parent, Path(os.path.realpath(path)).parent
     return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
 
 
 def _entries(folder: Path) -> list[os.DirEntry[str]]:
-    """What lies in a folder, the first of many, by name; nothing where nobody may list it."""
+    """Return at most `MOST_FILES` entries of a folder, by name; nothing where nobody may
+    list it.
+    """
     try:
         with os.scandir(folder) as entries:
             return sorted(itertools.islice(entries, MOST_FILES), key=lambda entry: entry.name)
@@ -63,7 +65,7 @@ def _entries(folder: Path) -> list[os.DirEntry[str]]:
 
 
 def folders_in(folder: Path) -> list[Path]:
-    """The folders in a folder, the first of many, without those that are left alone."""
+    """Return at most `MOST_FOLDERS` folders in a folder, without those that are left alone."""
     root = Path(os.path.realpath(folder))
     inner = (folder / entry.name for entry in _entries(folder))
     return [path for path in inner if refused_entry(path, root) is None and path.is_dir()][
@@ -72,7 +74,7 @@ def folders_in(folder: Path) -> list[Path]:
 
 
 def missing_programs(library: Library) -> list[str]:
-    """What calls of the memory name and the memory has not."""
+    """Return the programs that calls of the memory name and the memory has not."""
     names: dict[str, None] = {}
     for _, _, (_, name, found, external, *_) in _core.all_calls(library.code):
         if name and found is None and not external:
@@ -81,8 +83,8 @@ def missing_programs(library: Library) -> list[str]:
 
 
 def files_named(folder: Path, name: str, library: Library) -> Iterator[tuple[str, str | None]]:
-    """Files of a folder that are called as a program is, and are not in the library; each with the
-    reason for which it is left alone, if there is one.
+    """Yield the files of a folder that have the name of a program and are not in the library, each
+    with the reason for which it is left alone, if there is one.
     """
     digits = name.lstrip("Oo:%").lstrip("0")
     if not name:

@@ -10,13 +10,16 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 
 def with_options(function: F, options: Iterable[inspect.Parameter]) -> F:
-    """In place of `**options` the signature shows these, but for those it names itself."""
+    """Show these options in the signature in place of `**options`, but for those it names
+    itself.
+    """
     signature = inspect.signature(function)
     own = [p for p in signature.parameters.values() if p.kind is not p.VAR_KEYWORD]
     names = {p.name for p in own}
     more = [option for option in options if option.name not in names]
     function.__signature__ = signature.replace(parameters=[*own, *more])  # type: ignore[attr-defined]
-    # Python itself asks these of named parameters alone; whoever looks finds them, as ever.
+    # Python itself uses these for named parameters alone; tools that read them find the options
+    # too.
     function.__kwdefaults__ = {
         **(getattr(function, "__kwdefaults__", None) or {}),
         **{option.name: option.default for option in more},
@@ -25,7 +28,7 @@ def with_options(function: F, options: Iterable[inspect.Parameter]) -> F:
 
 
 def spelled_out(like: Callable[..., Any], *without: str) -> Callable[[F], F]:
-    """In place of `**options` the signature shows the keyword options of `like`."""
+    """Return a decorator that shows the keyword options of `like` in place of `**options`."""
     options = [
         option
         for name, option in inspect.signature(like).parameters.items()

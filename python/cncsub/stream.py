@@ -26,11 +26,11 @@ def _tables(trace: _core.Trace) -> tuple[str, ...]:
 
 
 class Part(Recorded):
-    """What one stretch of a stream recorded.
+    """The record of one stretch of a stream.
 
-    The tables are those of a run, and so are the numbers in them: all parts one behind the other
-    are the tables of the run. A call is a row of the part in which it ended. The columns are the
-    same in every part: `moves` has those of all axes that the programs in memory name.
+    The tables and the numbers in them are those of a run: all parts in order are the tables of the
+    run. A call is a row of the part in which it ended. The columns are the same in every part:
+    `moves` has those of all axes that the programs in memory name.
     """
 
     _instead = "send its tables: moves.to_arrow(), steps.to_arrow()"
@@ -41,7 +41,7 @@ class Part(Recorded):
 
 
 class Stream(State):
-    """A run that hands over what it did while it runs, part by part; it keeps none of them.
+    """A run that hands over its record part by part while it runs, and keeps no part.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2 L9999\\nN20 M30\\nO2\\nN30 G91 G0 X1.\\nN40 M99\\n"
@@ -83,17 +83,18 @@ class Stream(State):
         return Variables(self.core, 0)
 
     def to_parquet(self, folder: StrPath) -> None:
-        """Run to the end and write what comes into Parquet files in a folder, which is made: the
-        files `steps-000000.parquet`, `steps-000001.parquet` ... and so `calls`, `moves` and, where
-        variables are watched, `watch`, a million rows and more in each. A table without rows, as
+        """Run to the end and write the tables as Parquet files into `folder`, which is made:
+        `steps-000000.parquet`, `steps-000001.parquet` ..., and likewise `calls`, `moves` and, where
+        variables are watched, `watch`. A file has a million rows and more. A table without rows, as
         `moves` is with `trace="blocks"`, is one file without rows. Needs `cncsub[arrow]`.
 
-        Ctrl-C ends the run as `Stop.INTERRUPTED`. A file has its name when it is whole: whatever
-        stops the run, a power cut too, every file in the folder can be read, and
+        Ctrl-C ends the run as `Stop.INTERRUPTED`. A file gets its name when it is complete.
+        Whatever stops the run, even a power cut, every file in the folder can be read, and
         `pandas.read_parquet(sorted(folder.glob("moves-*.parquet")))` or
-        `duckdb.sql("from 'folder/moves-*.parquet'")` is what was written so far. `FileExistsError`
-        where the folder holds such files already; `ValueError` where parts of the stream were taken
-        before, and with `trace="none"` and nothing watched, which leaves nothing to write.
+        `duckdb.sql("from 'folder/moves-*.parquet'")` gives what was written so far. Raises
+        `FileExistsError` where the folder holds such files already; `ValueError` where parts of the
+        stream were taken before, and with `trace="none"` and nothing watched, which leaves nothing
+        to write.
         """
         if self._begun:
             raise ValueError(
@@ -114,12 +115,12 @@ class Stream(State):
                 for part in self:
                     for name, table in files.items():
                         table.write(getattr(part, name))
-            except KeyboardInterrupt:  # it came while the part was written
+            except KeyboardInterrupt:  # Ctrl-C while the part was written
                 self.core.interrupt()
 
     def coverage(self) -> NoReturn:
-        """A stream keeps no blocks to count, and a part of it does not know how the calls and loops
-        began that are open in it: always a `ValueError`, which says what to do instead.
+        """Raise `ValueError`, which says what to do instead. A stream keeps no blocks to count, and
+        a part does not know how the calls and loops that are open in it began.
         """
         raise ValueError(
             "a stream gives away the blocks that coverage counts: take the coverage of"
@@ -127,7 +128,7 @@ class Stream(State):
         )
 
     def __copy__(self) -> Stream:
-        """A stream in the same state that goes its own way."""
+        """Return a stream in the same state that runs on its own."""
         twin = Stream(self.core.copy(), self._rows, self._trace)
         twin._begun = self._begun
         return twin
@@ -140,7 +141,7 @@ class Stream(State):
 
 
 class _Files:
-    """One table of a stream as Parquet files, one behind the other."""
+    """One table of a stream as numbered Parquet files."""
 
     _FULL = 1 << 20  # rows of a file
 
@@ -174,7 +175,7 @@ class _Files:
             return
         self._writer.close()
         part = self._path(whole=False)
-        if part.exists():  # Ctrl-C may have come behind the line below
+        if part.exists():  # Ctrl-C may have come after the line below
             part.replace(self._path(whole=True))
         self._writer = None
         self._number += 1

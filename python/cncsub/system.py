@@ -1,4 +1,4 @@
-"""What differs from one operating system to the next: the one file that names it.
+"""The differences between operating systems: no other file names one.
 
 Everything else in the package works with paths, text and numbers, which Python makes alike. The
 engine's part of this is `cpp/cncsub/system`.
@@ -21,7 +21,9 @@ WINDOWS = sys.platform == "win32"
 
 
 def may_be_entered(folder: str | os.PathLike[str]) -> bool:
-    """Whether what lies in a folder can be reached; Windows says so only when it is tried."""
+    """Return whether the entries of a folder can be reached; Windows says so only when it
+    is tried.
+    """
     return os.access(folder, os.X_OK)
 
 
@@ -38,8 +40,8 @@ def cores() -> int:
 
 
 def leads_elsewhere(path: Path) -> bool:
-    """Whether a path stands for another place: a symbolic link, or a junction, which
-    is what Windows calls a link to a folder that anybody may make.
+    """Return whether a path stands for another place: a symbolic link, or a junction, which is what
+    Windows calls a link to a folder that anybody may make.
     """
     if path.is_symlink():
         return True
@@ -51,7 +53,9 @@ def leads_elsewhere(path: Path) -> bool:
 
 
 def is_hidden(path: Path) -> bool:
-    """By its name, as everywhere, or by its mark, as on Windows, where the folder tells it."""
+    """Return whether a file is hidden: by its name, as everywhere, or by its mark, as on
+    Windows.
+    """
     if path.name.startswith("."):
         return True
     if not WINDOWS:
@@ -61,41 +65,43 @@ def is_hidden(path: Path) -> bool:
 
 
 def is_ours(path: Path) -> bool:
-    """Whether a file belongs to who runs this, or to who runs the system; Windows is not asked."""
+    """Return whether a file belongs to the user who runs this, or to the system's; Windows is not
+    asked.
+    """
     if WINDOWS:
         return True
     return path.stat().st_uid in (os.geteuid(), 0)
 
 
 def same_names(names: list[str]) -> list[str]:
-    """What the names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
+    """Return what the names of one file in a folder have in common: on Windows O1.NC is o1.nc."""
     return [os.path.normcase(name) for name in names] if WINDOWS else names
 
 
 def nobody_reads(error: BaseException) -> bool:
-    """Whether writing failed because whoever read the output has enough of it."""
+    """Return whether writing failed because the reader of the output has enough of it."""
     if isinstance(error, BrokenPipeError):
         return True
     if not (WINDOWS and isinstance(error, OSError)) or error.filename is not None:
         return False
-    # The C library of Windows says so in words that are meant for something else.
+    # The C library of Windows reports it with errors that are meant for something else.
     return error.errno in (errno.EINVAL, errno.EPIPE)
 
 
-# What the system says where a disk, a quota or a table of its own is full, or a device fails.
+# The errors of a full disk, quota or table of the system, or of a failing device.
 _LIMITS = {"ENOSPC", "EFBIG", "EDQUOT", "EIO", "EMFILE", "ENFILE", "ENOMEM", "ENOBUFS", "EAGAIN"}
 _AT_LIMIT = {getattr(errno, name) for name in _LIMITS if hasattr(errno, name)}
 
 
 def at_its_limit(error: BaseException) -> bool:
-    """Whether the system could not do what was rightly asked: no room, no memory, no more files."""
+    """Return whether the system could not do what was rightly asked: no room, memory or files."""
     if isinstance(error, MemoryError):
         return True
     return isinstance(error, OSError) and error.errno in _AT_LIMIT
 
 
 def say_nothing_more() -> None:
-    """Lets what is still to be written to the standard output go nowhere."""
+    """Discard what is still to be written to the standard output."""
     with contextlib.suppress(OSError, ValueError):  # it is no file of the system
         nowhere = os.open(os.devnull, os.O_WRONLY)
         os.dup2(nowhere, sys.stdout.fileno())
@@ -103,7 +109,7 @@ def say_nothing_more() -> None:
 
 
 def takes_any_text(file: IO[Any]) -> bool:
-    """Whether a stream takes every character: its encoding is one of Unicode.
+    """Return whether a stream takes every character: its encoding is one of Unicode.
 
     >>> import io
     >>> from cncsub import system
@@ -115,9 +121,9 @@ def takes_any_text(file: IO[Any]) -> bool:
 
 
 def write_what_can_be() -> None:
-    """Characters that the terminal or the pipe does not hold are written as escapes, where Python
-    would refuse the whole line: a Chinese name in a window of Western Europe. Where the standard
-    output or the error stream is closed, what is written there goes nowhere.
+    """Write characters that the terminal or the pipe does not hold as escapes, where Python would
+    refuse the whole line: a Chinese name in a window of Western Europe. Where the standard output
+    or the error stream is closed, discard what is written there.
     """
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
@@ -129,8 +135,8 @@ def write_what_can_be() -> None:
 
 @contextlib.contextmanager
 def started_without_main() -> Iterator[None]:
-    """Processes that are spawned meanwhile do not run the main module again: it is a launcher of
-    our command, and not every launcher asks whether it is the main module.
+    """Keep processes that are spawned meanwhile from running the main module again. It is a
+    launcher of our command, and not every launcher asks whether it is the main module.
     """
     known = sys.modules["__main__"]
     sys.modules["__main__"] = ModuleType("__main__")

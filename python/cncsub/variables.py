@@ -15,9 +15,9 @@ class Variables(NotPicklable, Mapping[int, float | None]):
     """Variables by number: a mapping of those that hold a value. `variables[100]` of any other
     number that the control has is `None`, the vacant value.
 
-    Iteration and `len` tell each under one number (the HNC shows the locals of the open levels
-    under `#200` and so on besides). Reading a number the control does not have, or that cannot be
-    read, is a `KeyError`.
+    Iteration and `len` count each variable under one number (the HNC also shows the locals of the
+    open levels under `#200` and so on). Reading a number the control does not have, or that cannot
+    be read, is a `KeyError`.
 
     >>> import cncsub
     >>> run = cncsub.loads("O1\\n#100=5\\nM30\\n", control="fanuc-0i-f").run()
@@ -52,7 +52,7 @@ class Variables(NotPicklable, Mapping[int, float | None]):
             return False
 
     def get(self, number: int, default: Any = None) -> Any:
-        """The value, or `default` where the variable is vacant or there is none."""
+        """Return the value, or `default` where the variable is vacant or there is none."""
         try:
             value = self[number]
         except KeyError:
@@ -81,7 +81,7 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
     """The variables of a machine, to read and to set; `None` makes one vacant. `#1` and so on are
     those of one level.
 
-    What takes a variable out of the mapping (`del`, `pop`, `popitem`, `clear`) makes it vacant. The
+    Taking a variable out of the mapping (`del`, `pop`, `popitem`, `clear`) makes it vacant. The
     control's own variables, such as the work offsets, always have a value: `del` and `pop` of one
     are a `KeyError`, `popitem` and `clear` leave them.
     """
@@ -101,14 +101,14 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         self[number] = None
 
     def setdefault(self, number: int, default: float | None = None) -> float | None:
-        """The value; where the variable is vacant it is set to `default` first."""
+        """Return the value; a vacant variable is set to `default` first."""
         if number not in self:
             self[number] = default
         return self[number]
 
     def pop(self, number: int, *default: Any) -> Any:
-        """The value of a variable that is made vacant. Where it is vacant already, `default`, or a
-        `KeyError`.
+        """Make a variable vacant and return its value. Where it is vacant already, return `default`
+        or raise `KeyError`.
         """
         if default and number not in self:
             return default[0]
@@ -131,7 +131,9 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         return [number for number in self if self._core.can_be_vacant(number)]
 
     def level(self, level: int) -> MachineVariables:
-        """The same variables with the locals of another level, 0 for those of the main program."""
+        """Return the same variables with the locals of another level, 0 for those of the main
+        program.
+        """
         if isinstance(level, bool) or not hasattr(level, "__index__"):
             raise TypeError(f"a level is a whole number, not {level!r}")
         if not 0 <= level <= self._core.level:
@@ -140,8 +142,8 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
 
 
 class Signals(NotPicklable, MutableMapping[int, float]):
-    """The interface inputs of a machine by variable number, to read and to set. One that nobody set
-    is 0; iteration tells those that were set.
+    """The interface inputs of a machine by variable number, to read and to set. A signal that was
+    never set is 0; iteration gives those that were set.
 
     A number that is no signal of the control is a `KeyError`.
 

@@ -25,13 +25,14 @@ _COMMENT = re.compile(r"\([^()]*\)")
 
 
 def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
-    """The variables of a file by number, `None` where one is vacant, for `run(variables=...)`.
+    """Return the variables of a file by number, `None` where one is vacant, for
+    `run(variables=...)`.
 
     A file that ends in `.toml` has numbers for keys, `500 = 1.5`, in a table `variables` or without
-    one; one that ends in `.csv` a row for each variable, its number and its value, between commas,
-    semicolons or tabs, behind a head or not. Any other file is what a control punched out:
-    `G10L85P500(407F400000000000)`, the bits of a FANUC, or statements `#500=1.234`. `vacant`, `#0`
-    and an empty cell are vacant.
+    one; one that ends in `.csv` has a row for each variable, its number and its value, separated by
+    commas, semicolons or tabs, with a head line or without. Any other file is what a control
+    punched out: `G10L85P500(407F400000000000)`, the bits of a FANUC, or statements `#500=1.234`.
+    `vacant`, `#0` and an empty cell are vacant.
 
     Raises `FileNotFoundError`, and `ValueError` with the file and the line for anything else: no
     line is passed over in silence. A variable that stands there twice is refused as well.

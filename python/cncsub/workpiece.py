@@ -1,4 +1,4 @@
-"""What stands in the machine for a probe to touch: planes, boxes, cylinders and spheres."""
+"""Bodies in the machine for a probe to touch: planes, boxes, cylinders and spheres."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Ends = tuple[float | None, float | None]
 class Plane:
     """A flat face without end: `Plane({"X": 40}, faces="-X")` is met by a probe that moves in +X.
 
-    `at`: a point of the face, mm by axis; an axis left out is 0. `faces`: the way out of the
+    `at`: a point of the face, mm by axis; an axis left out is 0. `faces`: the direction out of the
     material, a sign and an axis, or the components of a direction, such as `{"X": 1, "Z": 1}`.
     `signal`: see `Workpiece`, which raises `ValueError` for what is no face.
 
@@ -38,7 +38,7 @@ class Plane:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
-        """The body as the engine takes it; `where` begins the message of an error."""
+        """Return the body as the engine takes it; `where` begins the message of an error."""
         return {
             "shape": "plane",
             "signal": _signal(where, self.signal),
@@ -67,7 +67,7 @@ class Box:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
-        """The body as the engine takes it; `where` begins the message of an error."""
+        """Return the body as the engine takes it; `where` begins the message of an error."""
         low, high = [-math.inf] * 3, [math.inf] * 3
         for axis, ends in _by_axis(f"{where}: sides", self.sides).items():
             place = AXES.index(axis)
@@ -85,10 +85,10 @@ class Box:
 class Cylinder:
     """A boss, or with `inside=True` a bore; a solid of a `Workpiece`.
 
-    `at`: a point of its middle line, mm by axis. `radius`: mm. `axis`: the way of that line, as
-    `faces` of a `Plane`. `ends`: how far it reaches from `at` along the axis, mm, such as
-    `(-20, 0)`; `None` is without end. `signal`: see `Workpiece`, which raises `ValueError` for what
-    is no cylinder.
+    `at`: a point of its middle line, mm by axis. `radius`: mm. `axis`: the direction of that line,
+    given as `faces` of a `Plane` are. `ends`: how far it reaches from `at` along the axis, mm, such
+    as `(-20, 0)`; `None` is without end. `signal`: see `Workpiece`, which raises `ValueError` for
+    what is no cylinder.
 
     >>> import cncsub
     >>> cncsub.Cylinder({"X": 40, "Y": 25}, radius=10, ends=(-20, 0), inside=True).axis
@@ -103,7 +103,7 @@ class Cylinder:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
-        """The body as the engine takes it; `where` begins the message of an error."""
+        """Return the body as the engine takes it; `where` begins the message of an error."""
         first, last = _ends(f"{where}: ends", self.ends)
         return {
             "shape": "cylinder",
@@ -135,7 +135,7 @@ class Sphere:
     signal: int | str | None = None
 
     def to_core(self, where: str) -> dict[str, Any]:
-        """The body as the engine takes it; `where` begins the message of an error."""
+        """Return the body as the engine takes it; `where` begins the message of an error."""
         return {
             "shape": "sphere",
             "signal": _signal(where, self.signal),
@@ -147,7 +147,7 @@ class Sphere:
 
 Solid = Plane | Box | Cylinder | Sphere
 
-# A solid as a mapping names its shape, and gives there what its first field is.
+# A mapping for a solid names its shape; the value there is the first field of the shape.
 SHAPES: dict[str, type[Solid]] = {
     "plane": Plane,
     "box": Box,
@@ -158,8 +158,8 @@ SHAPES: dict[str, type[Solid]] = {
 
 @dataclass(frozen=True)
 class Workpiece:
-    """What a probe touches. A G31 stops where the ball of its stylus does. Lengths in mm, X of a
-    lathe as a diameter.
+    """The bodies that a probe touches. A G31 stops where the ball of its stylus touches one.
+    Lengths in mm, X of a lathe as a diameter.
 
     `solids`: in any order; those with `inside=True` are holes in the others, and holes alone are
     holes in something without end. A hole that ends at a surface is open there. Each may be a
@@ -171,8 +171,8 @@ class Workpiece:
     is when the run starts, `"G54"`: what a program does to it later does not move the workpiece.
 
     Nothing turns with rotary axes. A ball that begins inside a solid touches at once; one that only
-    grazes it, slides along it or leaves it does not. A solid with a `signal`, 1 to 8, stops those
-    blocks alone that watch this skip signal (P of G31), such as a tool setter beside the part.
+    grazes it, slides along it or leaves it does not. A solid with a `signal`, 1 to 8, stops only
+    the blocks that watch this skip signal (P of G31), such as a tool setter beside the part.
 
     Raises `TypeError` and `ValueError` that name the solid.
 
@@ -194,7 +194,7 @@ class Workpiece:
         self.to_core()
 
     def to_core(self) -> dict[str, Any]:
-        """The workpiece as the engine takes it."""
+        """Return the workpiece as the engine takes it."""
         if isinstance(self.solids, str | bytes | Mapping) or not isinstance(self.solids, Sequence):
             raise TypeError(f"workpiece: solids is a list, not {type(self.solids).__name__}")
         if len(self.solids) > MOST_SOLIDS:
@@ -216,7 +216,7 @@ class Workpiece:
 
 
 def workpiece_of(workpiece: object) -> dict[str, Any]:
-    """What the engine takes for a `Workpiece`, or a mapping with the same keys."""
+    """Return what the engine takes for a `Workpiece`, or a mapping with the same keys."""
     if isinstance(workpiece, Workpiece):
         return workpiece.to_core()
     if not isinstance(workpiece, Mapping):
@@ -230,7 +230,7 @@ def workpiece_of(workpiece: object) -> dict[str, Any]:
 
 
 def skip_signal(where: str, signal: object) -> int:
-    """The number of a skip signal; those of G36 and G37 have names."""
+    """Return the number of a skip signal; those of G36 and G37 have names."""
     if signal in ARRIVALS:
         return MOST_SIGNALS + 1 + ARRIVALS.index(str(signal))
     if isinstance(signal, bool) or not hasattr(signal, "__index__"):

@@ -1,4 +1,4 @@
-"""Files that are written: what goes wrong names the file, and what was there before survives it."""
+"""Files that are written: an error names the file, and what was there before survives it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import IO, Any
 def opened(path: str | os.PathLike[str], mode: str) -> Iterator[IO[Any]]:
     """Open a file to write, `"w"` as UTF-8 or `"wb"`; an error while writing names it too."""
     try:
-        # Line ends are those that are written: a file is the same on every system.
+        # Line ends are written as given: a file is the same on every system.
         text: dict[str, Any] = (
             {}
             if "b" in mode
@@ -41,8 +41,8 @@ def write_whole(path: str | os.PathLike[str], data: str | bytes) -> None:
 def replace_whole(path: str | os.PathLike[str], data: bytes) -> None:
     """Write over a file: it holds the new bytes or the old ones, whatever happens meanwhile.
 
-    A link stays, and so do the permissions; a file of several hard links becomes one of its own.
-    What is no regular file, such as /dev/null or a pipe, is written to and stays what it is.
+    A link stays, and so do the permissions; a file of several hard links becomes one of its own. A
+    target that is no regular file, such as /dev/null or a pipe, is written to and stays as it is.
     """
     real = Path(os.path.realpath(path))
     if real.exists() and not real.is_file():
@@ -56,7 +56,8 @@ def replace_whole(path: str | os.PathLike[str], data: bytes) -> None:
 
 
 def put_whole(target: Path, data: Any, made: Path, *, like: Path | None = None) -> None:
-    """Write bytes to `made` beside a file, and only when they are on the disk put it in its place.
+    """Write bytes to `made` beside a file, and put it in the file's place once they are on the
+    disk.
 
     `like`: the file whose permissions it gets.
     """

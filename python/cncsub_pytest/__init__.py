@@ -1,5 +1,6 @@
-"""What pytest gets from cncsub: the fixture `cnc`, `--control`, snapshots, coverage, and tables in
-TOML (`*.nctest.toml`) as tests."""
+"""The plugin of cncsub for pytest: the fixture `cnc`, `--control`, snapshots, coverage, and tables
+in TOML (`*.nctest.toml`) as tests.
+"""
 
 from __future__ import annotations
 
@@ -52,7 +53,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def _controls(config: pytest.Config, marker: pytest.Mark | None) -> list[str]:
-    """Those of the command line, else of the marker, else of the settings."""
+    """Return the controls of the command line, else of the marker, else of the settings."""
     asked: Any = config.getoption("--control")
     if not asked and marker is not None:
         asked = marker.kwargs.get("control", marker.args[0] if marker.args else ())
@@ -68,7 +69,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 
 
 def _control_named(name: str, folder: Path) -> cncsub.Control:
-    """The control of a name: a built-in one, or that of the project a folder belongs to."""
+    """Return the control of a name: a built-in one, or one of the project a folder belongs to."""
     from cncsub.cli.project import find_project
 
     return find_project(folder).control_named(name)
@@ -76,7 +77,7 @@ def _control_named(name: str, folder: Path) -> cncsub.Control:
 
 @pytest.fixture
 def cnc(request: pytest.FixtureRequest) -> Cnc:
-    """Loads and runs programs on the control of `--control`."""
+    """Load and run programs on the control of `--control`."""
     return Cnc(request.param, request)
 
 
@@ -105,14 +106,14 @@ class Cnc:
         return self._known().name
 
     def load(self, *paths: Any, **options: Any) -> cncsub.Library:
-        """Files and folders, named from the folder of the test; see `cncsub.load`."""
+        """Load files and folders, named from the folder of the test; see `cncsub.load`."""
         import cncsub
 
         folder = self._request.path.parent
         return cncsub.load(*(folder / path for path in paths), control=self._known(), **options)
 
     def loads(self, text: str | bytes, **options: Any) -> cncsub.Library:
-        """A text; see `cncsub.loads`."""
+        """Load a text; see `cncsub.loads`."""
         import cncsub
 
         return cncsub.loads(text, control=self._known(), **options)
@@ -213,7 +214,7 @@ def _wants_coverage(config: pytest.Config) -> bool:
 
 
 def _reports(config: pytest.Config) -> dict[str, str | None]:
-    """The files to write, by their form."""
+    """Return the files to write, by their form."""
     return {name: config.getoption(f"--cncsub-cov-{name}") for name in _REPORTS}
 
 

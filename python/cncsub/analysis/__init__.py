@@ -1,1 +1,1 @@
-"""What is told of programs and of runs: references checked, blocks listed, one flat program."""
+"""Analysis of programs and runs: references checked, blocks listed, one flat program."""

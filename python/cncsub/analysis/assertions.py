@@ -1,4 +1,4 @@
-"""What a test expects of a run, and what its failure shows."""
+"""Assertions on a run, and what their failure shows."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _WORD = re.compile(r"N(\d{1,9})", re.IGNORECASE)
 
 
 class Stopped(Protocol):
-    """What is looked at of a run."""
+    """The part of a run that is read here."""
 
     core: Machine
 
@@ -65,7 +65,7 @@ def assert_alarm(run: Stopped, expected: str, at: str | None) -> None:
 
 
 def _place(run: Stopped, at: object) -> tuple[int | None, int | None]:
-    """The place of the program among those of the library, and N."""
+    """Return the place of the program among those of the library, and N."""
     words = at.split() if isinstance(at, str) else []
     n = _WORD.fullmatch(words[-1]) if words else None
     names = words[:-1] if n else words
@@ -100,7 +100,7 @@ def _lines(run: Stopped) -> Iterator[str]:
         step = run.steps[i]
         text = step.text.strip()
         yield f"  {place_of(step)}, depth {step.depth}" + (f": {text}" if text else "")
-    if count and run.alarm is None:  # an alarm tells its calls
+    if count and run.alarm is None:  # an alarm names its calls
         yield from (f"  {line}" for line in calls_to(run, run.steps[count - 1]))
     values = [(number, value) for number, value in run.variables.items() if value is not None]
     if values:

@@ -7,7 +7,7 @@ from typing import Any
 
 class BlockError(ValueError):
     """An error with its `.reason`, and the block that it is about: `.program`, `.n` and `.line`,
-    `None` where it is no single one.
+    `None` where no single block is the cause.
     """
 
     def __init__(

@@ -11,9 +11,9 @@ MOST_BLOCKS = 12  # of a loop, in a text
 
 
 class Why(enum.StrEnum):
-    """What kind of program it is that does not end: `REPEATS` (by design: M99 of the main program
-    starts it over), `LOOP` (the whole state came back exactly, so that it never ends), `WAITING`
-    (for an input nobody gave), `LONG` (nothing is proven: it may end).
+    """The kind of program that does not end: `REPEATS` (by design: M99 of the main program starts
+    it over), `LOOP` (the whole state came back exactly, so that it never ends), `WAITING` (for an
+    input nobody gave), `LONG` (nothing is proven: it may end).
     """
 
     REPEATS = "repeats"  # by design: M99 of the main program starts it over
@@ -43,11 +43,11 @@ class Endless:
 
     `proven`: the whole state of the control came back exactly (variables of all levels, open calls
     with their passes, open loops, modes, position, what inputs are left), so that the program never
-    ends. `period` counts the blocks from then to then, 0 where the state did not come back. Where
-    it did, but the loop reads what the world outside may change, `outside` names that (`#3012`,
-    `#1000`, `the skip signal`), and nothing is proven. `blocks` are those of the loop, each once,
-    in the order in which they run, from the outermost program's first one on; the block that starts
-    the program over where it `repeats`; the block that waits.
+    ends. `period` counts the blocks between the two equal states, 0 where the state did not come
+    back. Where it did, but the loop reads what the world outside may change, `outside` names that
+    (`#3012`, `#1000`, `the skip signal`), and nothing is proven. `blocks` are those of the loop,
+    each once, in the order in which they run, from the outermost program's first one on; the block
+    that starts the program over where it `repeats`; the block that waits.
 
     `looked` is the number of blocks that were run on to find out. Where nothing is proven,
     `changing` names what differs when the program comes to a block again (`#100`, `X`), and `then`
@@ -114,8 +114,8 @@ def _blocks(count: int) -> str:
 
 
 def endless_of(core: _core.Machine) -> Endless | None:
-    """Why the program had not ended, `None` where it ended, runs, or was stopped by an alarm or by
-    Ctrl-C.
+    """Return why the program had not ended, `None` where it ended, runs, or was stopped by an alarm
+    or by Ctrl-C.
     """
     if core.stop not in {"limit", "cycles", "waiting"}:
         return None

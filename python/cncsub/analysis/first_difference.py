@@ -1,4 +1,4 @@
-"""Tables of two runs beside each other: their columns, and the first row that differs."""
+"""Tables of two runs side by side: their columns, and the first row that differs."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ NEAR = 1e-9  # mm, degrees, mm/min: values that differ by less are alike
 
 
 def alike(a: float | None, b: float | None) -> bool:
-    """Whether two values of a variable are the same."""
+    """Return whether two values of a variable are the same."""
     return a == b or (a is not None and b is not None and abs(a - b) < NEAR)
 
 
 def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) -> Column:
-    """A column with its texts written out, those that are `called` otherwise so; NaN where the
-    table has no such column.
+    """Return a column with its texts written out; NaN where the table has no such column. `called`
+    has other words for some texts.
     """
     import numpy as np
 
@@ -36,7 +36,7 @@ def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) ->
 
 
 def first_difference(pairs: Sequence[tuple[Column, Column]]) -> int | None:
-    """The first row in which one of the columns differs, or the end of the shorter table."""
+    """Return the first row in which one of the columns differs, or the end of the shorter table."""
     import numpy as np
 
     a, b = pairs[0]

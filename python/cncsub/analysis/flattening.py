@@ -1,4 +1,4 @@
-"""What a run executed, as one program without calls, jumps and loops."""
+"""A run written as one program without calls, jumps and loops."""
 
 from __future__ import annotations
 
@@ -27,18 +27,18 @@ if TYPE_CHECKING:
     Columns = Mapping[str, np.ndarray[Any, Any]]
 
 _NEAR = 1e-9  # s
-_KEPT = 1 << 24  # bytes of text that are kept; of a longer one each look runs the program again
+_KEPT = 1 << 24  # bytes of text that are kept; a longer text is written anew at each look
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
 
 class FlattenError(BlockError):
-    """Raised where no flat program exists or none can be written. `.reason`; `.program`, `.n` and
-    `.line` tell the block, `None` where it is no single one.
+    """The error where no flat program exists or none can be written. `.reason`; `.program`, `.n`
+    and `.line` give the block, `None` where no single block is the cause.
     """
 
 
 class Origins(Table[Origin]):
-    """Where the blocks of a flat program come from, a row for each in order.
+    """The origins of the blocks of a flat program, one row each, in order.
 
     Columns: `program` (codes of `programs`), `n` (-1: none), `line`, `call` (the row of
     `run.calls`, -1: the main program) and `pass` (of its call, from 1).
@@ -66,7 +66,7 @@ class Origins(Table[Origin]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self._programs
 
     def _rows(self) -> int:
@@ -84,14 +84,14 @@ class Origins(Table[Origin]):
 
 
 class _FlatPair(Pair):
-    """A program and its flat one: variables, calls and steps are not to be the same."""
+    """A program and its flat program: variables, calls and steps need not be the same."""
 
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
         yield from self._of_moves(a, b)
         for name in ("m_codes", "t_codes", "messages"):
             yield from self._of_list(a, b, name)
         if len(a.moves) == len(b.moves):
-            apart = abs(a.moves.time - b.moves.time) > _NEAR  # dwells are time and no way
+            apart = abs(a.moves.time - b.moves.time) > _NEAR  # dwells have a time and no length
             if apart.any():
                 at = int(apart.argmax())
                 steps = (int(a.moves.step[at]), int(b.moves.step[at]))
@@ -102,7 +102,7 @@ class _FlatPair(Pair):
 
 
 class Flat:
-    """A flat program: `text`, and `origins` with a row for each block of it (an `Origin`).
+    """A flat program: its `text`, and `origins` with a row (an `Origin`) for each block.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2\\nN20 M30\\nO2\\nN30 G0 X5.\\nN40 M99\\n"
@@ -110,8 +110,8 @@ class Flat:
     >>> flat.text.splitlines(), flat.origins[0].program, flat.origins[0].n
     (['O1', 'G0 X5.', 'M30'], 'O2', 30)
 
-    A text of more than 16 MB is not kept: whoever asks for `text`, `origins`, `pieces()` or
-    `write()` has the program run again.
+    A text of more than 16 MB is not kept: each use of `text`, `origins`, `pieces()` or `write()`
+    runs the program again.
     """
 
     def __init__(
@@ -134,8 +134,8 @@ class Flat:
                 self._kept = None
 
     def _written(self) -> Iterator[tuple[bytes, Columns]]:
-        """The pieces as the engine writes them, and behind them what keeps the text from being
-        whole.
+        """Yield the pieces as the engine writes them; raise at the end what keeps the text from
+        being whole.
         """
         core = self._begin()
         while (piece := core.next()) is not None:
@@ -146,8 +146,8 @@ class Flat:
             raise _does_not_end(core)
 
     def pieces(self) -> Iterator[str]:
-        """The text in pieces of about a megabyte, which end with a block. A text that was set comes
-        in one piece.
+        """Yield the text in pieces of about a megabyte, each of which ends with a block. A text
+        that was set comes in one piece.
         """
         if self._edited is not None:
             yield self._edited
@@ -157,7 +157,7 @@ class Flat:
 
     @property
     def text(self) -> str:
-        """The flat program. It may be set, to see by `verify` what an edit changes."""
+        """The flat program. Set it to see with `verify` what an edit changes."""
         return "".join(self.pieces())
 
     @text.setter
@@ -166,7 +166,7 @@ class Flat:
 
     @cached_property
     def origins(self) -> Origins:
-        """Where each block of the text comes from: see `Origins`."""
+        """The origin of each block of the text: see `Origins`."""
         import numpy as np
 
         pieces = self._kept if self._kept is not None else list(self._columns_again())
@@ -178,8 +178,8 @@ class Flat:
             yield b"", columns
 
     def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the text to a file, piece by piece: memory stays what one piece needs. Raises
-        `OSError` where the file cannot be written.
+        """Write the text to a file piece by piece; memory holds one piece. Raises `OSError` where
+        the file cannot be written.
         """
         with opened(path, "wb") as file:
             for piece in self.pieces():
@@ -195,7 +195,9 @@ class Flat:
             raise AssertionError(parting.what)
 
     def parting(self) -> Parting | None:
-        """The first difference between the program and the text, when both are run."""
+        """Return the first difference between the runs of the program and of the text,
+        or `None`.
+        """
         return self._parts(self.text)
 
     def __repr__(self) -> str:
@@ -213,19 +215,18 @@ def flatten(
 ) -> Flat:
     """Write what `main` executes as one program without calls, jumps and loops.
 
-    The words of the blocks stand as they are written, computed values as numbers that the control
-    takes for the same (in brackets where it takes no plain number so). Offsets, outputs and
-    messages that statements set are set by statements without variables; what DPRNT prints stands
-    in locals.
+    The words of the blocks stand as they are written. Computed values stand as numbers that the
+    control reads as the same value (in brackets where it accepts no plain number). Offsets, outputs
+    and messages that statements set are set by statements without variables; what DPRNT prints
+    stands in local variables.
 
     `control`: the one that the flat program is for, the library's where it is not given; for
-    another one the flat program is run and compared before it is returned. `comments`: the origin
-    of each block behind it. The other options are those of `Library.run`.
+    another one the flat program is run and compared before it is returned. `comments`: whether the
+    origin of each block is written after it. The other options are those of `Library.run`.
 
-    Raises `FlattenError`, which is a `ValueError`, with the reason and the block where there is no
-    such program: a run that does not end or ends by an alarm that is not the program's own, a value
-    that the control has no way to write, for another control a program that does not run alike
-    there.
+    Raises `FlattenError`, a `ValueError` with the reason and the block, where there is no such
+    program: the run does not end or ends by an alarm that is not the program's own, the control
+    cannot write a value, or the program does not run alike on the other control.
 
     >>> import cncsub
     >>> text = "O1\\nG90 G0\\nM98 P2 L2\\nM30\\nO2\\nX#100\\n#100=#100+5\\nM99\\n"
@@ -265,7 +266,7 @@ def flatten(
 def _refuse(
     parting: Parting, library: Library, main: str | int | None, options: FlattenOptions
 ) -> NoReturn:
-    """Refuses a program for another control that does not run alike."""
+    """Refuse a flat program for another control that does not run alike."""
     run = uninterrupted(library.run(main, **options))
     reason = f"the flat program would not run alike\n{parting.what}"
     if not len(run.steps):
@@ -277,7 +278,7 @@ def _refuse(
 def _parts(
     library: Library, main: str | int | None, control: Control, options: FlattenOptions, text: str
 ) -> Parting | None:
-    """Where the flat program parts from the run."""
+    """Return the first difference between the runs of the program and of its flat program."""
     again: FlattenOptions = {
         **options,
         "max_cycles": 1,
@@ -291,7 +292,7 @@ def _parts(
     pair = kind((library, flat), ("program", "flat"), main, options)
     try:
         run, other = map(uninterrupted, (library.run(main, **options), flat.run(**again)))
-    except KeyError as error:  # read so, there is no program
+    except KeyError as error:  # read by this control, the text has no such program
         raise FlattenError(
             f"{control.name} reads the flat text otherwise: {error.args[0]}"
         ) from None

@@ -1,4 +1,4 @@
-"""What ran, block by block: each executed block with its text and what it did."""
+"""The executed blocks of a run, each with its text and what it did."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ class Listed:
 
     `step` is its row in `run.steps`; `text` the block as it is written; `depth` how many calls are
     open, 0 in the main program; `repeat` the pass of its call, from 1. `calls`: the programs that
-    it entered. `moves`: its motions, those that were recorded. `changes`: what it made of the
-    variables that are watched. `codes`: the M, T and S codes it sent to the machine.
+    it entered. `moves`: its motions, those that were recorded. `changes`: its changes of the
+    watched variables. `codes`: the M, T and S codes it sent to the machine.
     """
 
     step: int
@@ -73,7 +73,7 @@ def _move(move: Move) -> str:
 
 
 class Tables(Protocol):
-    """What a listing is made of."""
+    """The tables that a listing is made of."""
 
     recorded: _core.Trace
     core: _core.Machine
@@ -98,7 +98,7 @@ class _Joined:
         self._steps = steps
 
     def of(self, steps: Any) -> Iterator[tuple[Any, ...]]:
-        """Those of each of some steps."""
+        """Yield the rows of each of some steps."""
         firsts = self._steps.searchsorted(steps, side="left").tolist()
         lasts = self._steps.searchsorted(steps, side="right").tolist()
         for first, last in zip(firsts, lasts, strict=True):
@@ -124,7 +124,7 @@ def listing_of(
 
 
 def _wanted(run: Tables, program: str | int | None) -> int | None:
-    """The code of a program in the column of steps."""
+    """Return the code of a program in the column of steps."""
     if program is None:
         return None
     found = find_program(run.core.code, program)
@@ -173,7 +173,7 @@ _COLUMNS = ("step", "program", "n", "line", "depth", "repeat")
 
 
 def _chosen(steps: Steps, first: int, last: int, asked: Mapping[str, int | None]) -> list[int]:
-    """The rows of a stretch that are asked for."""
+    """Return the rows of a stretch that are asked for."""
     chosen = steps.step[first:last] >= 0
     for name, value in asked.items():
         if value is not None:

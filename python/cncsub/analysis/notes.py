@@ -1,4 +1,4 @@
-"""What a memory holds that is easily overlooked: told, so that nothing happens in silence."""
+"""Notes on what is easily overlooked in a memory, so that nothing happens in silence."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_LOOKED_AT = 1_000  # programs, for one that may have been meant
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """Something about a memory that nobody asked for and that its user should know.
+    """A fact about a memory that nobody asked for and that its user should know.
 
     `kind`: `"conflict"`, a program that does not count, because another one of its name with other
     blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
@@ -41,7 +41,7 @@ class Note:
 
 
 def notes_of(library: Library) -> Iterator[Note]:
-    """The notes of a memory, those about programs first."""
+    """Yield the notes of a memory, those about programs first."""
     if (note := _no_head(library)) is not None:
         yield note
     for program in library.duplicates:
@@ -60,7 +60,7 @@ def notes_of(library: Library) -> Iterator[Note]:
 
 
 def _unused_parameters(control: Control) -> Iterator[Note]:
-    """The parameters that were set and from which nothing is computed."""
+    """Yield notes on the parameters that were set and from which nothing is computed."""
     delivered = controls[control.base].parameters
     for name, parameter in control.parameters.items():
         if not parameter.used and parameter.value != delivered[name].value:
@@ -69,7 +69,9 @@ def _unused_parameters(control: Control) -> Iterator[Note]:
 
 
 def _no_head(library: Library) -> Note | None:
-    """A text that is no program runs as one where its file comes first and others have heads."""
+    """Return a note where the first file has no head and others have: it may be a text that is no
+    program.
+    """
     main = library.main
     if main is None or _has_head(main):
         return None
@@ -77,7 +79,7 @@ def _no_head(library: Library) -> Note | None:
     first = list(itertools.islice(others, MOST_LOOKED_AT))
     edges = library.call_graph().edges if first else ()
     called = {edge.called for edge in edges if isinstance(edge.called, str)}
-    # Rather one that nobody calls: it may be what was meant.
+    # Rather a program that nobody calls: it may be what was meant.
     headed = next((p for p in first if p.name not in called), first[0] if first else None)
     if headed is None:
         return None
@@ -92,8 +94,8 @@ def _no_head(library: Library) -> Note | None:
 
 
 def _has_head(program: Program) -> bool:
-    """Whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
-    # Of a large program no more than its head.
+    """Return whether the text of a program begins with its name, as O1, :1, %1 and <NAME> do."""
+    # Only the head of a large program is read.
     text = program.beginning(4 * len(program.name) + 256).lstrip()
     first = program.blocks[0].text if len(program.blocks) else ""
     if first and text.startswith(first):  # `o100 sub` is a block: it begins a part of the file
@@ -102,7 +104,7 @@ def _has_head(program: Program) -> bool:
 
 
 def program_in_its_place(library: Library, duplicate: Program) -> Program:
-    """The program that the control calls in place of a duplicate."""
+    """Return the program that the control calls in place of a duplicate."""
     found = library[duplicate.name]
     digits = duplicate.name.lstrip("Oo:%")
     if found is duplicate and digits.isdecimal():  # O0002, where O2 counts
@@ -111,12 +113,12 @@ def program_in_its_place(library: Library, duplicate: Program) -> Program:
 
 
 def same_blocks(one: Program, other: Program) -> bool:
-    """Whether two programs are the same but for their heads, blanks and empty lines."""
+    """Return whether two programs are the same but for their heads, blanks and empty lines."""
     return _blocks(one) == _blocks(other)
 
 
 def _blocks(program: Program) -> list[str]:
-    """The lines of a program without what makes no difference to a reader."""
+    """Return the lines of a program without what makes no difference to a reader."""
     text = program.text.lstrip()
     if text.startswith(program.name):
         text = text[len(program.name) :]

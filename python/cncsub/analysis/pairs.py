@@ -1,4 +1,4 @@
-"""Two runs beside each other: the first difference between them, and what each does there."""
+"""Two runs side by side: the first difference between them, and what each does there."""
 
 from __future__ import annotations
 
@@ -23,13 +23,14 @@ _NEAR = 1e-9  # s
 _NEAR_LENGTH = 1e-6  # mm
 _CUTS = ("feed", "cw", "ccw", "thread")
 _ONLY_OF = {"feed": _CUTS, "feed_mode": _CUTS, "plane": ("cw", "ccw")}  # kinds of moves
-# Of moves: which block makes them, and what follows from the others where X means the same.
+# Not compared of moves: the block that makes them, and what follows from the other columns where X
+# means the same.
 _NOT_COMPARED = ("move", "step", "length", "time", "program", "n", "line")
 _END_CODE = re.compile(r"\bM0*(\d+)=end\b")
 
 
 class Parting(NamedTuple):
-    """Where two runs part: a step of each, the count of steps where it has none."""
+    """The point where two runs part: a step of each, or the count of steps where a run has none."""
 
     first: int
     second: int
@@ -37,7 +38,7 @@ class Parting(NamedTuple):
 
 
 def _side(run: Run, at: int, does: str) -> str:
-    """What a run does at a step, or that it has stopped without doing it."""
+    """Return what a run does at a step, or that it has stopped without doing it."""
     if at >= len(run.steps):
         stopped = f"{run.summary()}" if does else f"stopped: {run.summary()}"
         return f"{does} before: {stopped}" if does else stopped
@@ -70,12 +71,12 @@ class Pair:
         return self.run(self.libraries[0]), self.run(self.libraries[1])
 
     def parting(self, a: Run, b: Run) -> Parting | None:
-        """The earliest of all differences."""
+        """Return the earliest of all differences."""
         found = list(self._partings(a, b))
         return min(found, key=lambda p: (min(p.first, p.second), p.first, p.second), default=None)
 
     def watched(self, a: Run, b: Run) -> tuple[Run, Run]:
-        """Both once more, with the variables watched that hold a value in one of them."""
+        """Run both once more, with the variables watched that hold a value in one of them."""
         numbers = self._shared_variables(a, b)[:_WATCHED]
         one, other = (self.run(library, watch=numbers) for library in self.libraries)
         return one, other
@@ -115,15 +116,17 @@ class Pair:
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
     def _called(self, run: Run, library: Library) -> dict[str, str] | None:
-        """What the programs that a run calls are compared by, where it is not their names."""
+        """Return what the programs that a run calls are compared by, where it is not
+        their names.
+        """
         return None
 
     def _moved(self, run: Run, name: str) -> Column:
-        """A column of the moves, as it is compared."""
+        """Return a column of the moves, as it is compared."""
         return column_of(run.moves, name)
 
     def _sent(self, run: Run, library: Library, name: str) -> Sequence[object]:
-        """One of the lists of a run, as it is compared."""
+        """Return one of the lists of a run, as it is compared."""
         return list(getattr(run, name))
 
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
@@ -147,7 +150,9 @@ class Pair:
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
     def _of_list(self, a: Run, b: Run, name: str) -> Iterator[Parting]:
-        """Lists that grow while a run goes on: the step is found by shorter and shorter runs."""
+        """Yield the first difference of lists that grow during a run. The step is found by shorter
+        and shorter runs.
+        """
         both = self.libraries
         lists = (self._sent(a, both[0], name), self._sent(b, both[1], name))
         count = min(len(lists[0]), len(lists[1]))
@@ -178,8 +183,9 @@ class Pair:
         return low
 
     def _shared_variables(self, a: Run, b: Run) -> list[int]:
-        """The numbers that both have and that hold a value in one of them. Where a control lists a
-        variable by a number that the other has not, those that the programs write count too.
+        """Return the numbers that both have and that hold a value in one of them. Where a control
+        lists a variable by a number that the other has not, the numbers that the programs write
+        count too.
         """
         held = {n for run in (a, b) for n, value in run.variables.items() if value is not None}
         if not all(_has(a, n) and _has(b, n) for n in held):
@@ -197,7 +203,7 @@ class Pair:
         watched = [self.run(library, watch=numbers[:_WATCHED]).watch for library in self.libraries]
         names = ("variable", "value")
         at = first_difference([(watched[0][name], watched[1][name]) for name in names])
-        if at is None:  # what they began with differs
+        if at is None:  # the values at the beginning differ
             at = 0
         steps, does = [], []
         for run, rows in zip((a, b), watched, strict=True):
@@ -218,18 +224,18 @@ class Pair:
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
     def _place(self, alarm: Alarm) -> tuple[object, ...]:
-        """Where an alarm was raised, as it is compared."""
+        """Return where an alarm was raised, as it is compared."""
         return (alarm.program,)
 
 
 class OtherControlPair(Pair):
-    """A program and what it became for another control: it may be other blocks and another program,
-    whose moves, codes, messages and stop have to stay.
+    """A program and its rewriting for another control. Blocks and programs may differ; moves,
+    codes, messages and stop have to stay.
     """
 
     def _moved(self, run: Run, name: str) -> Column:
-        """Without what makes no difference to a move, and is not the same at power-on: the feed of
-        a rapid, the plane of a straight move.
+        """Return a column without what makes no difference to a move and is not the same at
+        power-on: the feed of a rapid, the plane of a straight move.
         """
         column = super()._moved(run, name)
         if name not in _ONLY_OF or not len(column):
@@ -241,8 +247,8 @@ class OtherControlPair(Pair):
         return taken
 
     def _sent(self, run: Run, library: Library, name: str) -> Sequence[object]:
-        """Without the codes that end a program: the stop is compared, and which of them are sent to
-        the machine is each control's own.
+        """Return a list without the codes that end a program. The stop is compared, and controls
+        differ in which of these codes they send to the machine.
         """
         sent = super()._sent(run, library, name)
         if name != "m_codes":
@@ -251,8 +257,8 @@ class OtherControlPair(Pair):
         return [code for code in sent if code not in ends]
 
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
-        """Where coordinates are the same and ways are not, X counts otherwise: a diameter is none
-        of a mill.
+        """Yield the differences of the moves. Where coordinates are the same and lengths are not, X
+        counts otherwise: X of a mill is no diameter.
         """
         found = list(super()._of_moves(a, b))
         yield from found
@@ -282,23 +288,25 @@ class OtherControlPair(Pair):
 
 
 def _end_codes(control: Control) -> frozenset[int]:
-    """The M codes that end a program."""
+    """Return the M codes that end a program."""
     roles = next((str(rule.value) for rule in control.rules if rule.name == "roles"), "")
     return frozenset(int(found) for found in _END_CODE.findall(roles))
 
 
 def _other_dwell(a: Run, b: Run) -> int | None:
-    """The first dwell that is not as long: it is time and no way, which rapid rates are not."""
+    """Return the first dwell that is not as long. A dwell has a time and no length, unlike
+    a rapid.
+    """
     moves = [run.moves for run in (a, b)]
     if len(moves[0]) != len(moves[1]) or not all("dwell" in table.kinds for table in moves):
-        return None  # or they are not the same moves, which is told before
+        return None  # or the moves differ, which is reported before
     apart = abs(moves[0].time - moves[1].time) > _NEAR
     apart &= moves[0].kind == moves[0].kinds.index("dwell")
     return int(apart.argmax()) if apart.any() else None
 
 
 def variables_lacking(control: Control, given: Mapping[int, float | None]) -> list[int]:
-    """The variables of a control that would be given values and that it does not have."""
+    """Return the given variables that a control does not have."""
 
     def lacks(number: int) -> bool:
         try:
@@ -315,7 +323,7 @@ def _start(n: int | None) -> str:
 
 
 def _written(library: Library) -> Iterator[int]:
-    """The numbers of the variables that blocks write."""
+    """Yield the numbers of the variables that blocks write."""
     for program in library.values():
         for block in program.blocks:
             for use in block.writes:
@@ -324,7 +332,7 @@ def _written(library: Library) -> Iterator[int]:
 
 
 def _has(run: Run, number: int) -> bool:
-    """Whether the control has the variable."""
+    """Return whether the control has the variable."""
     try:
         run.variables[number]
     except KeyError:

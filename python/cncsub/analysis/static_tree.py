@@ -19,7 +19,7 @@ _LETTERS = dict(zip((*range(1, 10), 11, 13, *range(17, 27)), "ABCIJKDEFHMQRSTUVW
 
 
 def letters(arguments: Mapping[int, float | None]) -> str:
-    """`{1: 30.0, 150: 2.0}` as `A=30 #150=2`."""
+    """Return arguments in words: `{1: 30.0, 150: 2.0}` as `A=30 #150=2`."""
     return " ".join(
         f"{_LETTERS.get(number, f'#{number}')}={'vacant' if value is None else f'{value:.10g}'}"
         for number, value in arguments.items()
@@ -28,9 +28,9 @@ def letters(arguments: Mapping[int, float | None]) -> str:
 
 @dataclass
 class StaticCall:
-    """A call as it is written. `program` is `None` where it is computed, by `expression`; `again`
-    tells that what it calls is not repeated: `"cycle"` where the program is open already, `"above"`
-    where its calls were told before.
+    """A call as it is written. `program` is `None` where it is computed, by `expression`. `again`
+    says why the calls of the called program do not follow: `"cycle"` where the program is open
+    already, `"above"` where its calls were given before.
     """
 
     caller: str
@@ -55,13 +55,15 @@ class StaticCall:
         return f"{self.kind} {to}{given}{passes}{missing}{again}, from {self.caller} {at}"
 
     def facts(self) -> dict[str, Any]:
-        """The call as plain values, without those it makes."""
+        """Return the call as plain values, without the calls it makes."""
         kept = {name: value for name, value in vars(self).items() if name != "calls"}
         return {**kept, "arguments": list(self.arguments), "again": self.again or None}
 
 
 def static_tree(library: Library, main: str | int | None = None) -> tuple[list[StaticCall], bool]:
-    """The calls of a program in the order of its blocks, and whether all of them were taken."""
+    """Return the calls of a program in the order of its blocks, and whether all of them
+    were taken.
+    """
     out: dict[str, list[Edge]] = {}
     for each in library.call_graph().edges:
         out.setdefault(each.caller, []).append(each)
@@ -114,7 +116,7 @@ def _call(library: Library, edge: Edge) -> StaticCall:
 
 
 def _arguments(library: Library, edge: Edge) -> tuple[str, ...]:
-    """The words of the block that may be arguments, as they are written."""
+    """Return the words of the block that may be arguments, as they are written."""
     programs = (*_held(library, edge.caller),)
     block = next((b for p in programs if (b := _block_at(p, edge.line)) is not None), None)
     if block is None:
@@ -130,7 +132,7 @@ def _held(library: Library, name: str) -> Iterator[Program]:
 
 
 def _block_at(program: Program, line: int) -> Block | None:
-    """The first block of a line: blocks stand in the order of their lines."""
+    """Return the first block of a line. Blocks stand in the order of their lines."""
     low, high = 0, len(program.blocks)
     while low < high:
         middle = (low + high) // 2

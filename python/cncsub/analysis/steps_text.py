@@ -1,4 +1,4 @@
-"""Where a step of a run stands: its block as it is written, and the calls that led there."""
+"""The place of a step of a run: its block as it is written, and the calls that led there."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from cncsub.tables.rows import Dropped, Step
 
 
 class Ran(Protocol):
-    """What is looked at of a run."""
+    """The part of a run that is read here."""
 
     core: Machine
 
@@ -22,13 +22,13 @@ class Ran(Protocol):
 
 
 def place_of(step: Step | Dropped) -> str:
-    """`O2 N30, line 6`."""
+    """Return the place of a step, such as `O2 N30, line 6`."""
     n = "" if step.n is None else f" N{step.n}"
     return f"{step.program}{n}, line {step.line}"
 
 
 def calls_to(run: Ran, step: Step) -> Iterator[str]:
-    """The open calls at a step, the innermost first, a line for each."""
+    """Yield the open calls at a step, the innermost first, a line for each."""
     frame: int | None = step.frame
     while frame is not None and 0 <= frame < len(run.calls):
         call = run.calls[frame]
@@ -43,7 +43,7 @@ def calls_to(run: Ran, step: Step) -> Iterator[str]:
 
 
 def step_lines(run: Ran, index: int) -> Iterator[str]:
-    """A step with its block and its calls."""
+    """Yield the lines of a step: its block and its calls."""
     step = run.steps[index]
     text = step.text.strip()
     yield place_of(step) + (f": {text}" if text else "")

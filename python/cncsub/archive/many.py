@@ -33,7 +33,7 @@ LIMITS: MdiOptions = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory"
 _LARGEST_CHUNK, _FIRST_CHUNK = 256, 8  # jobs
 _MOST_JOBS = 1024
 _MOST_UNKNOWN = 64  # chunks under way on an executor that does not tell its workers
-# What the walk leaves alone and somebody may have meant to be run.
+# Reasons for which the walk leaves entries alone that may have been meant to be run.
 _UNREADABLE = ("a link that leads nowhere", "cannot be opened")
 
 Paths = StrPath | Iterable[StrPath]
@@ -65,10 +65,10 @@ def run_many(
     are spawned: a script calls this below `if __name__ == "__main__":`. A chunk whose worker dies
     is done again in a process of this machine, by halves, and a `RuntimeWarning` tells why.
 
-    Returns a `pyarrow.Table`, or with `out` a `pyarrow.dataset.Dataset` on that folder: a call
-    that was ended is taken up again by the same call, and only new and changed files are run
-    (by size and time; what is outside their folder, as `external`, is not looked at). Rows of
-    files that are no longer there stay in it, and what was taken up again stands at its end.
+    Returns a `pyarrow.Table`, or with `out` a `pyarrow.dataset.Dataset` on that folder: the same
+    call resumes one that was ended, and only new and changed files are run (by size and time; what
+    is outside their folder, as `external`, is not looked at). Rows of files that are no longer
+    there stay in it, and resumed rows stand at its end.
 
     Columns: `path`, `control`, `status`, `stop`; `cause`, `number`, `text` of the alarm;
     `program`, `n`, `line`, `column` where it stopped; `blocks`, `calls`, `moves`; `length` in mm,
@@ -108,7 +108,7 @@ def check_many(
     setup: Setup | Mapping[str, Any] | None = None,
 ) -> Any:
     """Check every program file of some files and folders: a row for each finding, and one for each
-    file that cannot be read. A file without findings has no row, but where it is `foreign`.
+    file that cannot be read. A file without findings has no row, unless it is `foreign`.
 
     `rules` and `setup` are those of `Library.check`, the other arguments those of `run_many`, and
     so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`,
@@ -176,7 +176,7 @@ def _listed(paths: Paths) -> Iterable[StrPath]:
 def _jobs(
     paths: Iterable[StrPath], each: str, skipped: dict[str, int], *, marks: bool
 ) -> Iterator[Job]:
-    """The jobs in the order of the paths, each file and folder once."""
+    """Yield the jobs in the order of the paths, each file and folder once."""
     reading = Reading()
     for given in paths:
         path = Path(given)
@@ -218,7 +218,7 @@ def _folder_jobs(
 
 
 def _mark(before: str, names: Sequence[str]) -> str:
-    """What changes when one of these files does."""
+    """Return a text that changes when one of these files does."""
     marks = []
     for name in names:
         try:
@@ -230,7 +230,7 @@ def _mark(before: str, names: Sequence[str]) -> str:
 
 
 def _hash_of(names: Sequence[str], marks: Sequence[str]) -> str:
-    """A short text for the marks of many files."""
+    """Return a short text for the marks of many files."""
     import hashlib
 
     text = "\n".join(f"{name}\0{mark}" for name, mark in zip(names, marks))
@@ -238,10 +238,10 @@ def _hash_of(names: Sequence[str], marks: Sequence[str]) -> str:
 
 
 def _left_out(reading: Reading, skipped: dict[str, int]) -> Iterator[Job]:
-    """Rows for what cannot be read; the rest is counted by its reason."""
+    """Yield a job for each entry that cannot be read; count the others by their reasons."""
     told, reading.skipped = reading.skipped, []
     for path, reason in told:
-        # What the system says of a folder begins with a capital: "Permission denied".
+        # The system's words for a folder begin with a capital: "Permission denied".
         if reason in _UNREADABLE or reason[:1].isupper():
             yield Job(clean(path), "", (), reason)
         else:
@@ -268,7 +268,7 @@ class Crew:
     def done(
         self, work: Work, task: Task, jobs: Iterator[Job]
     ) -> Iterator[tuple[int, list[Job], list[list[Row]]]]:
-        """Each chunk when it is done: its number, its jobs and their rows."""
+        """Yield each chunk when it is done: its number, its jobs and their rows."""
         waiting: dict[Future[list[list[Row]]], tuple[int, list[Job]]] = {}
         number = 0
         try:
@@ -284,7 +284,9 @@ class Crew:
                 future.cancel()
 
     def _size(self, number: int) -> int:
-        """Small chunks first, so that few jobs keep all workers busy too."""
+        """Return the size of a chunk. The first chunks are small, so that few jobs keep all workers
+        busy too.
+        """
         return min(_LARGEST_CHUNK, _FIRST_CHUNK << min(number // self._most, 10))
 
     def _submit(self, work: Work, task: Task, chunk: list[Job]) -> Future[list[list[Row]]]:
@@ -309,7 +311,8 @@ class Crew:
             try:
                 rows = future.result()
             except Exception as error:
-                # Whatever went wrong, the worker's end or the cluster's, is met again or not.
+                # The fault may lie with the worker or the cluster: the chunk is done again here,
+                # and meets it again or not.
                 _warn_of(error)
                 rows = done_apart(work, task, chunk)
             yield number, chunk, rows
@@ -322,7 +325,7 @@ class Crew:
 
 
 def _warn_of(error: Exception) -> None:
-    """A cluster that can do nothing must not look like one that is slow."""
+    """Warn of an error: a cluster that can do nothing must not look like one that is slow."""
     warnings.warn(
         f"a chunk is done again in a process of this machine: {type(error).__name__}: {error}",
         RuntimeWarning,

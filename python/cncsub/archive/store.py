@@ -1,8 +1,8 @@
 """The rows of a batch: one Arrow table, or a folder of Parquet files that can be resumed.
 
-Each Parquet file holds the rows of one chunk and, in its schema, which jobs these are: path and
-mark (size and time of the last change). It is written under another name first, so that what is
-there is whole. What is done is known from these files alone.
+Each Parquet file holds the rows of one chunk and, in its schema, the path and mark (size and time
+of the last change) of its jobs. It is written under another name first, so that every file that is
+there is whole. These files alone tell what is done.
 """
 
 from __future__ import annotations
@@ -24,17 +24,17 @@ if TYPE_CHECKING:
 
 SKIPPED = "cncsub.skipped"  # metadata of the result: reason to count of what was left out
 _DONE = b"cncsub.done"
-_ABOUT = "_cncsub.json"  # Arrow takes no file whose name begins so for data
+_ABOUT = "_cncsub.json"  # Arrow reads no file whose name begins so as data
 
 
 def arrow_schema(kind: str) -> pa.Schema:
-    """The columns of a batch as Arrow has them."""
+    """Return the columns of a batch as Arrow has them."""
     arrow = optional_module("pyarrow")
     return arrow.schema([(name, getattr(arrow, t)()) for name, t in COLUMNS[kind].items()])
 
 
 def arrow_table(kind: str, jobs: Sequence[Sequence[Row]]) -> pa.Table:
-    """The rows of a chunk."""
+    """Return the rows of a chunk as an Arrow table."""
     arrow = optional_module("pyarrow")
     rows = [row for of_job in jobs for row in of_job]
     schema = arrow_schema(kind)
@@ -44,7 +44,7 @@ def arrow_table(kind: str, jobs: Sequence[Sequence[Row]]) -> pa.Table:
 
 
 def _plain(value: Any) -> Any:
-    """A text without what Arrow refuses in one; anything else as it is."""
+    """Return a text without what Arrow refuses in one; anything else as it is."""
     return clean(value) if isinstance(value, str) else value
 
 
@@ -105,16 +105,16 @@ class Folder:
 
     def _read_done(self) -> None:
         for left in self._out.glob(".part-*"):
-            left.unlink()  # of a batch that was ended while it wrote
+            left.unlink()  # left by a batch that was ended while it wrote
         for file in sorted(self._out.glob("part-*.parquet")):
             self._first = max(self._first, int(file.stem.partition("-")[2]) + 1)
             for path, mark in json.loads(self._parquet.read_schema(file).metadata[_DONE]):
-                if path in self._done:  # done again, and ended before the old rows went
+                if path in self._done:  # done again, and ended before the old rows were removed
                     self._changed.setdefault(self._done[path][1], set()).add(path)
                 self._done[path] = mark, file
 
     def is_done(self, job: Job) -> bool:
-        """Whether the rows of this job are there and its files are as they were."""
+        """Return whether the rows of this job are there and its files are as they were."""
         return job.path in self._done and self._done[job.path][0] == job.mark
 
     def add(self, number: int, jobs: Sequence[Job], rows: list[list[Row]]) -> None:
@@ -134,7 +134,7 @@ class Folder:
         _put(name, sink.getvalue())
 
     def result(self, skipped: dict[str, int]) -> Any:
-        """The folder as a data set, read when somebody asks for rows."""
+        """Return the folder as a data set, which is read when rows are asked for."""
         for file, paths in self._changed.items():
             self._forget(file, paths)
         self._changed = {}
@@ -158,7 +158,7 @@ class Folder:
 
 
 def _about(task: Task) -> dict[str, str]:
-    """What a batch is, to tell it from another one."""
+    """Return what tells a batch from another one."""
     options = repr((task.each, str(task.external), task.encoding, sorted(task.options.items())))
     control = repr(task.control.__reduce__()[1])
     return {
@@ -174,5 +174,5 @@ def _digest(text: str) -> str:
 
 
 def _put(file: Path, data: Any) -> None:
-    """Write a file that is there whole or not at all."""
+    """Write a file so that it is there whole or not at all."""
     put_whole(file, data, file.with_name(f".{file.name}"))

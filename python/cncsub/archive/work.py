@@ -1,4 +1,4 @@
-"""What a worker does with a chunk of jobs: each becomes rows, whatever its files are."""
+"""The work on a chunk of jobs: each job becomes rows, whatever its files are."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Job(NamedTuple):
 
 
 class Task(NamedTuple):
-    """What is done with every job of a batch."""
+    """The work that is done with every job of a batch."""
 
     kind: str  # "run" or "check"
     control: Control
@@ -88,7 +88,7 @@ Work = Callable[[Task, Sequence[Job]], list[list[Row]]]
 
 
 def do_chunk(task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
-    """The rows of each job, in order."""
+    """Return the rows of each job, in order."""
     return [_rows(task, job) for job in jobs]
 
 
@@ -142,12 +142,14 @@ def _library(task: Task, job: Job) -> Library:
 
 
 def _own_files(job: Job, library: Library) -> list[str]:
-    """The files of a job, without those that lie beside them."""
+    """Return the files of a job, without those that lie beside them."""
     return list(library.files)[: len(job.names)]
 
 
 def _left_out(task: Task, library: Library) -> str:
-    """The files of a folder that could not be read, and why; beside others each is its own row."""
+    """Return the files of a folder that could not be read, and why. In other batches each such file
+    has a row of its own.
+    """
     return "; ".join(f"{file}: {why}" for file, why in library.skipped if task.each == "folder")
 
 
@@ -159,7 +161,7 @@ def _run_row(
     told += [left_out] if left_out else []
     told += [language] if language else []
     ended = run.stop in (Stop.END, Stop.CYCLES)
-    # Where a run that waits or met a limit stood: its last block.
+    # The place where a run stopped that waits or met a limit is its last block.
     place = alarm or (None if ended or not len(run.steps) else run.steps[-1])
     return (
         job.path,
@@ -186,7 +188,9 @@ def _run_row(
 def finding_rows(
     task: Task, job: Job, findings: Sequence[Any], language: str | None = None
 ) -> list[Row]:
-    """A row for each finding of one job; the first tells a language that no control here reads."""
+    """Return a row for each finding of one job; the first names a language that no control here
+    reads.
+    """
     names = list(CHECK_COLUMNS)[3:-2]
     return [
         (
@@ -202,13 +206,13 @@ def finding_rows(
 
 
 def _number(alarm: Any) -> str | None:
-    """The number of an alarm that is told as one, or as its number."""
+    """Return the number of an alarm, which is given as an alarm or as its number."""
     found = getattr(alarm, "number", alarm)
     return None if found is None else str(found)
 
 
 def bad_row(task: Task, job: Job, status: str, error: str) -> Row:
-    """The row of a job that cannot be done, with the reason."""
+    """Return the row of a job that cannot be done, with the reason."""
     known = {
         "path": job.path,
         "control": task.control.name,
@@ -222,7 +226,7 @@ def bad_row(task: Task, job: Job, status: str, error: str) -> Row:
 
 
 class WorkersError(RuntimeError):
-    """Raised where the worker processes cannot start."""
+    """The error where the worker processes cannot start."""
 
 
 def _ready() -> bool:
@@ -230,8 +234,8 @@ def _ready() -> bool:
 
 
 def _end_with_parent() -> None:
-    """A worker ends with the process that started it, even where that is killed: nothing else would
-    tell it that no work comes any more.
+    """End a worker with the process that started it, even where that is killed: nothing else would
+    tell the worker that no work comes any more.
     """
     import multiprocessing
     import threading
@@ -248,7 +252,8 @@ def _end_with_parent() -> None:
 
 
 def new_pool(workers: int) -> Executor:
-    """Processes of our own. Spawned, because a fork of a process with threads may hang.
+    """Start processes of our own. They are spawned, because a fork of a process with threads may
+    hang.
 
     Raises `WorkersError` where they cannot start.
     """
@@ -290,8 +295,8 @@ def end_pool(pool: Executor) -> None:
 
 
 def done_apart(work: Work, task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
-    """The rows of a chunk whose worker died, done in a process of its own; where that dies too, by
-    halves, so that only the job that kills it is marked `crashed`.
+    """Return the rows of a chunk whose worker died, done in a process of its own. Where that dies
+    too, the chunk is halved, so that only the job that kills it is marked `crashed`.
     """
     pool = new_pool(1)
     try:

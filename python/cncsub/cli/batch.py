@@ -1,4 +1,4 @@
-"""The command `cncsub batch`: every program of some folders, and how each stopped or what is wrong
+"""The command `cncsub batch`: every program of some folders, with how each stopped or what is wrong
 with it.
 """
 
@@ -36,7 +36,7 @@ FINE = ("ran", "cycles", "note", "foreign")
 
 
 class BatchFormat(enum.StrEnum):
-    """How `cncsub batch` tells its rows."""
+    """The formats in which `cncsub batch` writes its rows."""
 
     TEXT = "text"
     JSON = "json"
@@ -93,7 +93,7 @@ def batch(
 
 
 def _rows(options: Mapping[str, Any], project: Project) -> Any:
-    """The rows of the runs or the findings."""
+    """Return the rows of the runs or the findings."""
     from cncsub.archive.many import check_many, run_many
 
     paths = options["paths"] or list(project.folders)

@@ -90,7 +90,7 @@ def check(
         found = [finding for part in parts for finding in part.findings]
         if fix or diff:
             _mend(found, any("<text>" in part.library.files for part in parts), diff)
-        if fix and not diff:  # what is found in the files as they are now
+        if fix and not diff:  # the findings in the files as they are now
             parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
             found = [finding for part in parts for finding in part.findings]
     _write(found, parts, format, output)
@@ -125,7 +125,7 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
 
 
 def _mend(found: list[Finding], typed: bool, diff: bool) -> None:
-    """Writes or shows the edits."""
+    """Write or show the edits."""
     from cncsub.reports import findings
 
     if typed:

@@ -2,9 +2,9 @@
 `flatten`, `report`, `plot`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
-is the same, 1 for an alarm and for a difference, 2 for wrong
-use, which is told in one line, 3 where the run waits for an input nobody gave, 4 at a limit, 5
-where the system has no room left (a full disk, a limit of files or memory), 130 for Ctrl-C.
+is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
+where the run waits for an input nobody gave, 4 at a limit, 5 where the system has no room left (a
+full disk, a limit of files or memory), 130 for Ctrl-C.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ from cncsub.cli.options import WrongUseError, told_of
 from cncsub.controls import did_you_mean
 from cncsub.escapes import shown
 
-# The function of each command and its module, which is imported when the command is asked for, and
-# what the list of commands says of it.
+# Each command with its function and module, which is imported when the command is asked for, and
+# its line in the list of commands.
 COMMANDS = {
     "run": ("cli.run.run", "Run a program: its calls, and how it stopped."),
     "tree": ("cli.run.tree", "Draw its calls, with arguments and callers."),
@@ -51,7 +51,9 @@ LOOK: dict[str, Any] = {
 
 
 class OneLineGroup(typer.core.TyperGroup):
-    """Wrong use is one line on the error stream and exit status 2, never a traceback."""
+    """A group that reports wrong use in one line on the error stream, never with a traceback. The
+    exit status is then 2.
+    """
 
     def main(self, *args: Any, **options: Any) -> Any:
         options["standalone_mode"] = False
@@ -86,7 +88,7 @@ class OneLineGroup(typer.core.TyperGroup):
 
 
 def _each_option_once(command: Any) -> Any:
-    """Of an option that takes one value, a second one is told: none is dropped in silence."""
+    """Report an option that takes one value and is given twice: none is dropped in silence."""
     make = command.make_parser
 
     def make_parser(context: Any) -> Any:
@@ -113,9 +115,11 @@ def _each_option_once(command: Any) -> Any:
 
 
 def _status_after(error: BaseException) -> int:
-    """Tell in one line what ended a command; its exit status. A mistake of cncsub goes on."""
+    """Report in one line what ended a command, and return its exit status. A mistake of cncsub is
+    raised again.
+    """
     if isinstance(error, typer.Abort | KeyboardInterrupt) or interrupts.pressed():
-        system.say_nothing_more()  # a pipe that nobody empties would hold it up
+        system.say_nothing_more()  # a full pipe that nobody reads would block it
         return interrupts.STATUS
     if system.nobody_reads(error):
         system.say_nothing_more()
@@ -129,7 +133,7 @@ def _status_after(error: BaseException) -> int:
 
 
 def _names_wrong_file(error: BaseException) -> bool:
-    """Whether a file that was named is none that can be read or written."""
+    """Return whether the error is about a named file that cannot be read or written."""
     named = isinstance(error, OSError) and error.filename is not None
     return named and not system.at_its_limit(error)
 
@@ -147,8 +151,8 @@ def _tell(words: str) -> None:
 
 
 def _one_line(error: BaseException) -> str:
-    """The words for wrong use; any other exception goes on."""
-    # What typer finds wrong with a command line says so by this method, whatever its class is.
+    """Return the words for wrong use; raise any other exception again."""
+    # typer reports what is wrong with a command line by this method, whatever the class.
     words = getattr(error, "format_message", None)
     if words is None and not isinstance(error, WrongUseError):
         raise error
@@ -199,7 +203,7 @@ def _every_command(
 
 
 def main() -> None:
-    """What the command `cncsub` does."""
+    """Run the command `cncsub`."""
     interrupts.answer_in_time()
     try:
         app(prog_name="cncsub")

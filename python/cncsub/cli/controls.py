@@ -22,7 +22,7 @@ from cncsub.reports.control_text import print_control, print_summary
 from cncsub.reports.facts import control_facts
 from cncsub.reports.printing import Console, console_on, print_pairs, print_wrapped
 
-_LISTS = {  # and what one of them is called
+_LISTS = {  # the lists, and the word for one entry
     "rules": "rule",
     "parameters": "parameter",
     "variable_options": "variables by option",
@@ -99,7 +99,7 @@ class _Held(io.StringIO):
 
 
 def _paged(output: Path | None, write: Callable[[Console], None]) -> None:
-    """Text that is longer than the terminal goes through a pager: `PAGER`, or what there is."""
+    """Send text that is longer than the terminal through a pager: `PAGER`, or what there is."""
     if output is not None or not (sys.stdout.isatty() and sys.stdin.isatty()):
         write_text(output, write)
         return
@@ -129,7 +129,7 @@ def _tell(facts: dict[str, Any], format: Format, output: Any, lines: Any) -> Non
 
 
 def _chosen(facts: dict[str, Any], words: Iterable[str]) -> dict[str, Any]:
-    """The facts that hold all of the words, anywhere in them, in capitals or not."""
+    """Return the facts that hold all of the words, anywhere in them, in capitals or not."""
     wanted = [word.casefold() for word in words]
 
     def holds(fact: object) -> bool:
@@ -208,7 +208,7 @@ MOST_WORDS = 8  # of a list that is shown whole
 
 
 def _told_apart(*values: Any) -> list[str]:
-    """Two values, of long lists what the other has not."""
+    """Return two values as texts; of long lists only what the other has not."""
     lists = [str(value).split() for value in values]
     if None in values or max(map(len, lists)) <= MOST_WORDS:
         return ["is not there" if value is None else _shown_value(value) for value in values]

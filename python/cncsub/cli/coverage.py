@@ -70,7 +70,7 @@ def coverage(
 
 
 def _tell_stop(run: cncsub.Run, name: str | None) -> None:
-    """What ended before its end covers less than it seems: said, whatever the limit is."""
+    """Report a run that stopped early, whatever the limit is: it covers less than it seems."""
     if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES):
         reason = str(run.alarm) if run.alarm is not None else str(run.stop)
         typer.echo(shown(f"{name or 'the main program'} stopped early: {reason}"), err=True)

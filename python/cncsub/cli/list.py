@@ -1,4 +1,4 @@
-"""`cncsub list`: the programs of a memory, what their heads say, and who calls whom."""
+"""`cncsub list`: the programs of a memory, what their heads say, and the calls between them."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def _named(call: dict[str, Any]) -> str:
 
 
 def _names(names: Iterable[str]) -> str:
-    """Each once, with how often; of many the first."""
+    """Return each name once, with how often it occurs; of many names the first."""
     counted = Counter(names)
     told = [
         shown(name) + (f" ({times} times)" if times > 1 else "")

@@ -33,7 +33,7 @@ _NUMBERS = ("depth", "n", "variable")
 
 
 def filters(texts: Iterable[str]) -> dict[str, Any]:
-    """`depth=1` as an option of `Run.listing`."""
+    """Return texts such as `depth=1` as options of `Run.listing`."""
     asked: dict[str, Any] = {}
     for text in texts:
         name, equals, value = text.partition("=")
@@ -53,7 +53,7 @@ def filters(texts: Iterable[str]) -> dict[str, Any]:
 
 
 def write_listing(blocks: Iterator[cncsub.Listed], output: Path | None, *, as_json: bool) -> None:
-    """Writes a line for each block, as they are made: a run may have millions."""
+    """Write a line for each block, as they are made: a run may have millions."""
     lines = _lines(blocks, as_json=as_json)
     with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
         for line in lines:

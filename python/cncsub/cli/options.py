@@ -1,4 +1,6 @@
-"""What the commands share: their options, what they make of them, and how they write."""
+"""The common parts of the commands: their options, what is made of them, and how output is
+written.
+"""
 
 from __future__ import annotations
 
@@ -32,11 +34,11 @@ from cncsub.writing import opened
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-MOST_WATCHED = 1000  # variables of one range; the engine takes no more of all
+MOST_WATCHED = 1000  # variables of one range; the engine takes no more in all
 
 
 class WrongUseError(Exception):
-    """What the caller can mend; its text is the line that is printed."""
+    """An error that the caller can mend; its text is the line that is printed."""
 
 
 class Format(enum.StrEnum):
@@ -54,7 +56,7 @@ class RunFormat(enum.StrEnum):
 # ---- options ----
 
 Paths = Annotated[
-    list[str] | None,  # an empty path is not the folder one stands in
+    list[str] | None,  # an empty path is not the current folder
     typer.Argument(
         help="Files and folders: the memory of the control. The first program runs.",
         show_default=False,
@@ -123,7 +125,7 @@ Output = Annotated[
 ]
 
 
-# What every command that runs programs takes, beside the options of a run that have one value.
+# The options of every command that runs programs, beside the options of a run that have one value.
 _SHARED: dict[str, Any] = {
     "set": Set,
     "variables": VariablesFile,
@@ -137,7 +139,7 @@ _FILES: dict[str, Any] = {"setup": SetupFile, "inputs": InputsFile}
 
 
 def _asked() -> Iterator[tuple[str, Any, Any]]:
-    """The options of a run that are asked for by their own name: with type and default."""
+    """Yield the options of a run that are asked for by their own name, with type and default."""
     types = get_type_hints(RunOptions)
     for name, option in stated().items():
         if option.asked is None:
@@ -148,8 +150,9 @@ def _asked() -> Iterator[tuple[str, Any, Any]]:
 
 
 def runs_programs(*without: str, **defaults: Any) -> Callable[[F], F]:
-    """The command takes what every command that runs programs takes, after its `main`: those of
-    its parameters that stand in no other place, but for some, with other defaults for others.
+    """Return a decorator that gives a command, after its `main`, the options of every command that
+    runs programs. Options in `without`, and those that stand in another place, are left out;
+    `defaults` has other defaults.
     """
 
     def shown(function: F) -> F:
@@ -179,7 +182,7 @@ def runs_programs(*without: str, **defaults: Any) -> Callable[[F], F]:
     return shown
 
 
-# What the command line calls otherwise than Python.
+# Options that the command line calls otherwise than Python.
 _FLAGS = {
     "block_skip": "--skip",
     "coordinates": "--machine",
@@ -189,13 +192,13 @@ _FLAGS = {
 
 
 def flag_of(option: str) -> str:
-    """How the command line writes an option of Python."""
+    """Return how the command line writes an option of Python."""
     return _FLAGS.get(option, "--" + option.replace("_", "-"))
 
 
 @contextlib.contextmanager
 def wrong_use() -> Iterator[None]:
-    """Every wrong option is a usage error, which calls it as the command line does."""
+    """Make every wrong option a usage error, which names it as the command line does."""
     try:
         yield
     except KeyError as error:
@@ -209,13 +212,15 @@ def wrong_use() -> Iterator[None]:
 
 
 def told_of(error: OSError) -> str:
-    """What the system says of a file, by the file's name."""
+    """Return what the system says of a file, after the file's name."""
     named = f"{os.fsdecode(error.filename)}: " if error.filename is not None else ""
     return f"{named}{error.strerror or error}"
 
 
 def _by_option(error: Exception) -> str:
-    """What an error says; where it begins with the option that it is about, as it is written."""
+    """Return what an error says. Where it begins with its option, that is written as on the command
+    line.
+    """
     words = str(error.args[0]) if isinstance(error, KeyError) else str(error)
     option = option_of(error)
     if option is None or not words.startswith(option):
@@ -243,14 +248,14 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
 
 
 def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
-    """Those of the file, and above them those of `--set`."""
+    """Return the variables of the file, overridden by those of `--set`."""
     file = options.get("variables") or project_for(options.get("paths")).variables
     given = {} if file is None else dict(cncsub.read_variables(file))
     return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
 
 
 def watched_numbers(texts: Iterable[str]) -> list[int]:
-    """`100-102,500` as numbers, each once."""
+    """Return `100-102,500` as numbers, each once."""
     numbers: dict[int, None] = {}
     for text in ",".join(texts).split(",") if texts else ():
         first, dash, last = text.strip().replace("#", "").partition("-")
@@ -279,7 +284,9 @@ STATUS = {
 
 
 def whole_run(run: cncsub.Run) -> cncsub.Run:
-    """The run; where Ctrl-C broke it off, where it stood is told, and nothing is made of it."""
+    """Return the run. Where Ctrl-C broke it off, report where it stood and raise
+    `KeyboardInterrupt`.
+    """
     if run.stop is cncsub.Stop.INTERRUPTED:
         at = ""
         if len(run.steps):
@@ -292,12 +299,12 @@ def whole_run(run: cncsub.Run) -> cncsub.Run:
 
 
 def status_of(run: cncsub.Run | cncsub.Stream) -> int:
-    """The exit status of a run; 1 for a stream that was left before its end."""
+    """Return the exit status of a run; 1 for a stream that was left before its end."""
     return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
 
 
 _WRITTEN = ("output", "html", "lcov", "cobertura")  # options that name a file to write
-_READ = ("setup", "inputs", "variables")  # and one that is read beside the programs
+_READ = ("setup", "inputs", "variables")  # options that name a file to read beside the programs
 
 
 def library_of(options: Mapping[str, Any]) -> cncsub.Library:
@@ -312,8 +319,8 @@ def library_of(options: Mapping[str, Any]) -> cncsub.Library:
 
 
 def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list[Path]:
-    """The files of setup, inputs and variables that the options or the project name, and the file
-    of the project itself.
+    """Return the files of setup, inputs and variables that the options or the project name, and the
+    file of the project itself.
     """
     named = [options.get(name) or project.places.get(name) for name in _READ]
     return [Path(path) for path in (*named, project.file) if path is not None]
@@ -322,7 +329,9 @@ def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list
 def _refuse_to_overwrite(
     path: Path, read: Sequence[str | Path], written: Sequence[Path], external: Path | None
 ) -> None:
-    """Nothing that was read is written over, whatever name it goes by, and no file twice."""
+    """Refuse to write over a file that was read, whatever name it goes by, or to write
+    one twice.
+    """
     real = Path(os.path.realpath(path))
     if str(path) == "-":
         raise ValueError("- is no file to write; without -o the standard output is written")
@@ -367,7 +376,7 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
 
 
 def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
-    """Of `--mdi G65 P9100` the shell makes a text and a file."""
+    """Refuse words split off by the shell: it makes a text and a file of `--mdi G65 P9100`."""
     word = next((p for p in paths if re.fullmatch(r"[A-Z][-+.\d]+", p, re.I)), None)
     if mdi is not None and word is not None and not Path(word).exists():
         whole = f'--mdi "{mdi} {word}"'
@@ -375,7 +384,7 @@ def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
 
 
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
-    """The control of the options or the project, with the parameters of both."""
+    """Return the control of the options or the project, with the parameters of both."""
     named = options["control"] or project.control
     control = control_named(named, project)
     if named == project.control and project.parameters:
@@ -387,7 +396,7 @@ def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
 
 
 def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | None:
-    """The setup of the options or the project, where one of them names its file."""
+    """Return the setup of the options or the project, where one of them names its file."""
     file = options["setup"] or project.setup
     return None if file is None else cncsub.Setup.from_toml(file)
 
@@ -397,12 +406,12 @@ def _is_one_file(paths: Sequence[str]) -> bool:
 
 
 def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[str]:
-    """The files that were read because the one that was named calls their programs."""
+    """Return the files that were read because the named file calls their programs."""
     return list(library.files[1:]) if _is_one_file(options["paths"] or ()) else []
 
 
 def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
-    """What is easily overlooked of a memory, but for files that the options name themselves."""
+    """Return the notes on a memory, except on files that the options name themselves."""
     project = project_for(options.get("paths"))
     known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
     siblings = [
@@ -417,7 +426,7 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
 
 
 def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
-    """A note where the control is the project's, because no option named one."""
+    """Yield a note where the control is the project's, because no option named one."""
     project = project_for(options.get("paths"))
     if options["control"] is None and project.control is not None:
         told = f"the control is {project.control}, which the project names"
@@ -425,7 +434,7 @@ def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
 
 
 def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
-    """A note for each file and folder that the project names outside its own folder."""
+    """Yield a note for each file and folder that the project names outside its own folder."""
     places = [
         (name, place)
         for name in PLACES
@@ -441,7 +450,7 @@ def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
 def told_idle(
     library: cncsub.Library, asked: Mapping[str, Any], typed: cncsub.Program | None = None
 ) -> list[Note]:
-    """Tells which options no block asks for; `typed` is what was typed in MDI."""
+    """Report and return the options that no block asks for; `typed` is what was typed in MDI."""
     from cncsub.reports.hints import without_effect
 
     idle = list(without_effect(library, asked, typed))
@@ -450,7 +459,7 @@ def told_idle(
 
 
 def typed_in(run: cncsub.Run) -> cncsub.Program:
-    """What was typed in MDI, as a program: the last one of the memory."""
+    """Return what was typed in MDI, as a program: the last one of the memory."""
     code = run.core.code
     return cncsub.Program(code.program(len(code) - 1), len(code) - 1)
 
@@ -459,8 +468,9 @@ MOST_NOTES = 20
 
 
 def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
-    """As `library_of`, for what runs: the notes are told on the error stream, and of two different
-    programs of one number one has to be chosen, because a control's memory holds only one.
+    """Return the library as `library_of` does, for a run. The notes are reported on the error
+    stream. Of two different programs of one number one has to be chosen, because a control's memory
+    holds only one.
     """
     library = library_of(options)
     chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
@@ -475,7 +485,7 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
 
 
 def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsub.Program) -> str:
-    """What makes one of two programs of one name the only one."""
+    """Return what makes one of two programs of one name the only one."""
     from cncsub.reports.hints import other_reading
 
     if program.file != counts.file:
@@ -484,7 +494,7 @@ def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsu
 
 
 def tell_all(notes: Sequence[Note]) -> None:
-    """Tells notes on the error stream, the first of many."""
+    """Report the first of many notes on the error stream."""
     for note in notes[:MOST_NOTES]:
         typer.echo(f"note: {shown(str(note))}", err=True)
     if (left := len(notes) - MOST_NOTES) > 0:
@@ -492,7 +502,7 @@ def tell_all(notes: Sequence[Note]) -> None:
 
 
 def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
-    """Tells on the error stream that words were dropped, for commands that show none of them, and
+    """Report on the error stream that words were dropped, for commands that show none of them, and
     once what does not start because of that.
     """
     if dropped:
@@ -503,14 +513,14 @@ def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
 
 
 def tell_hints(hints: Iterable[str]) -> None:
-    """Tells on the error stream what leads on from an alarm."""
+    """Report on the error stream what leads on from an alarm."""
     for hint in hints:
         typer.echo(f"hint: {shown(hint)}", err=True)
 
 
 def control_named(name: str | None, project: Project | None = None) -> cncsub.Control:
-    """The control of a name, which may be that of the project: of the folder one stands in, where
-    no other is given.
+    """Return the control of a name, which may be the project's: of the current folder, where no
+    project is given.
     """
     if name is None:
         raise WrongUseError(
@@ -557,7 +567,7 @@ def _assignment(
 
 
 def _escaped(found: re.Match[str]) -> str:
-    """A character as JSON writes it in plain ASCII, where it cannot be seen."""
+    """Return a character as JSON writes it in plain ASCII, where it cannot be seen."""
     return found[0] if found[0].isprintable() else json.dumps(found[0]).strip('"')
 
 
@@ -570,7 +580,7 @@ def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
 
 
 def write_code(pieces: Iterable[str]) -> None:
-    """Write programs, or how they change: as they are, but for what would move a terminal."""
+    """Write programs, or their changes, as they are; on a terminal without what would move it."""
     if not sys.stdout.isatty():
         for piece in pieces:
             typer.echo(piece.encode(errors="surrogateescape"), nl=False)
@@ -584,7 +594,7 @@ def write_json(output: Path | None, facts: object) -> None:
     pieces = json.JSONEncoder(ensure_ascii=plain, indent=2, allow_nan=False).iterencode(facts)
     with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
         while piece := "".join(itertools.islice(pieces, 10_000)):
-            # What a terminal would obey is written as an escape; all beyond ASCII is in a string.
+            # Characters that a terminal would obey are escaped; all beyond ASCII is in a string.
             file.write(_BEYOND_ASCII.sub(_escaped, piece))
         file.write("\n")
 

@@ -54,7 +54,7 @@ Points = Annotated[
     int | None,
     typer.Option("--points", help="So many points of the path may be drawn: 60000.", metavar="N"),
 ]
-# What is asked of one drawing only.
+# Options of some drawings only.
 _ONLY = {
     "color": ("path",),
     "machine": ("path",),

@@ -1,5 +1,6 @@
-"""What a project says of itself, so that no command needs it again: `cncsub.toml`, or the table
-`[tool.cncsub]` of `pyproject.toml`."""
+"""The settings of a project, which no command then has to repeat: `cncsub.toml`, or the table
+`[tool.cncsub]` of `pyproject.toml`.
+"""
 
 from __future__ import annotations
 
@@ -16,19 +17,19 @@ from cncsub.controls import Control, control_of, controls, did_you_mean
 from cncsub.own_control import own_control
 from cncsub.setup import toml_of
 
-PLACES = ("setup", "inputs", "variables", "external")  # that a project names
+PLACES = ("setup", "inputs", "variables", "external")  # what a project names
 
 
 @dataclass(frozen=True)
 class Project:
-    """What `cncsub.toml` may hold; paths are relative to it.
+    """The contents of `cncsub.toml`; paths are relative to it.
 
     `control`: the name of the control; `own_control`: where a table describes it, the control that
-    it makes. `parameters`: those that differ. `places`: what it names of
-    `setup` and `inputs`, TOML files, of `variables`, a file of variables before the run, and of
-    `external`, the folder of the external device. `folders`: the programs, where a command names
-    none. `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`:
-    whether it is that of whoever asks, and may name what lies outside its folder.
+    it makes. `parameters`: those that differ. `places`: the paths it names for `setup` and
+    `inputs`, TOML files, for `variables`, a file of variables before the run, and for `external`,
+    the folder of the external device. `folders`: the programs, where a command names none.
+    `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`: whether
+    it is the user's own project, which may name what lies outside its folder.
     """
 
     file: Path | None = None
@@ -42,8 +43,8 @@ class Project:
     own: bool = True
 
     def control_named(self, name: str) -> Control:
-        """The control of this name: a built-in one, or that of the project's own. `ValueError`
-        names what is near.
+        """Return the control of this name: a built-in one, or the project's own. `ValueError` names
+        what is near.
         """
         if self.own_control is None or name in controls:
             return control_of(name)
@@ -60,7 +61,7 @@ class Project:
 
     @property
     def inputs(self) -> Path | None:
-        """The TOML file of what answers while a program runs."""
+        """The TOML file of the inputs, which answer while a program runs."""
         return self._place("inputs")
 
     @property
@@ -79,13 +80,13 @@ class Project:
         return tuple(str(self._allowed("folders", path)) for path in self.programs)
 
     def outside(self, name: str) -> Path | None:
-        """Where a place really lies that is not in the folder of the project."""
+        """Return where a place really lies that is outside the folder of the project."""
         path = self.places.get(name)
         return None if path is None or self._holds(path) else Path(os.path.realpath(path))
 
     @property
     def programs_outside(self) -> list[Path]:
-        """Where those of the programs really lie that are not in the folder of the project."""
+        """The real paths of the programs that are outside the folder of the project."""
         return [Path(os.path.realpath(path)) for path in self.programs if not self._holds(path)]
 
     def _place(self, name: str) -> Path | None:
@@ -102,13 +103,13 @@ class Project:
         )
 
     def _holds(self, path: Path) -> bool:
-        """Whether a path lies in the folder of the project, wherever its links lead."""
+        """Return whether a path, its links followed, lies in the folder of the project."""
         assert self.file is not None
         return Path(os.path.realpath(path)).is_relative_to(os.path.realpath(self.file.parent))
 
 
 def find_project(folder: Path) -> Project:
-    """That of the nearest folder above that has one; an empty one where none has.
+    """Return the project of the nearest folder above that has one; an empty project where none has.
 
     Raises `ValueError` for a file that says what no project can.
     """
@@ -135,9 +136,9 @@ def _found(folder: Path, *, own: bool) -> Project:
 
 
 def project_for(paths: Sequence[str] | None) -> Project:
-    """That of the folder one stands in; where there is none, that of the first path. Programs come
-    from strangers, and so may the file beside them: it is not one's own, nor is one that belongs to
-    another user.
+    """Return the project of the current folder; where it has none, that of the first path. Programs
+    come from strangers, and so may the file beside them: such a project is not the user's own, nor
+    is one that belongs to another user.
     """
     here = _found(Path.cwd(), own=True)
     if here.file is not None or not paths or paths[0] in ("", "-"):

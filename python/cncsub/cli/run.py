@@ -122,7 +122,7 @@ def tree(
 
 
 def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[str, Any]:
-    """With the variable watched that the listing asks for."""
+    """Return the options, with the variable watched that the listing asks for."""
     if "variable" not in asked:
         return options
     return {**options, "watch": [*(options["watch"] or ()), str(asked["variable"])]}
@@ -131,8 +131,8 @@ def _watching(options: Mapping[str, Any], asked: Mapping[str, Any]) -> Mapping[s
 def _run(
     options: Mapping[str, Any], *, trace: str
 ) -> tuple[cncsub.Run, str, list[dict[str, Any]], list[str]]:
-    """Run what the options say, name what ran, what is to be known of the memory and the options,
-    and what leads on from an alarm.
+    """Run what the options say. Return the run, the words for what ran, the notes on the memory and
+    the options, and what leads on from an alarm.
     """
     with wrong_use():
         library = memory_of(options)
@@ -151,7 +151,7 @@ def _run(
 
 
 def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
-    """What the options say, to be run while its moves are written."""
+    """Return a stream of what the options say, to be run while its moves are written."""
     with wrong_use():
         if options["watch"]:
             raise ValueError("csv and parquet write the moves; --watch takes text or json")
@@ -165,7 +165,7 @@ def _stream(options: Mapping[str, Any]) -> cncsub.Stream:
 def _write_moves(
     stream: cncsub.Stream, format: RunFormat, output: Path | None
 ) -> tuple[int, set[str | None]]:
-    """Writes the moves as they are made; how many words were dropped meanwhile, and of them the
+    """Write the moves as they are made. Return how many words were dropped meanwhile, and their
     warnings.
     """
     if format is RunFormat.CSV:

@@ -1,4 +1,4 @@
-"""What `cncsub tree --static` writes."""
+"""The output of `cncsub tree --static`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from cncsub.cli.options import Format, memory_of, notes_on, write_json, write_te
 from cncsub.escapes import shown
 from cncsub.reports.printing import Console
 
-# What only a run asks for: told where it is given without one.
+# Options that only a run uses: they are refused where nothing runs.
 _OF_RUNS = ("set", "variables", "skip", "setup", "inputs", "start", "optional_stop")
 
 
@@ -40,7 +40,7 @@ def draw_static_tree(
 
 
 def _facts(calls: list[StaticCall]) -> list[dict[str, Any]]:
-    """One row for each call, with its depth: programs nest deeper than JSON is read."""
+    """Return one row for each call, with its depth: programs nest deeper than JSON is read."""
     return [{**call.facts(), "depth": depth} for call, depth, _ in _walk(calls)]
 
 
@@ -55,7 +55,7 @@ def _print(console: Console, title: str, calls: list[StaticCall], whole: bool) -
 
 
 def _walk(calls: list[StaticCall]) -> Iterator[tuple[StaticCall, int, str]]:
-    """Each call with its depth and the branches before it."""
+    """Yield each call with its depth and the branches before it."""
     waiting = [(call, 0, "", call is calls[-1]) for call in reversed(calls)]
     while waiting:
         call, depth, stem, last = waiting.pop()

@@ -1,4 +1,4 @@
-"""What `cncsub compare --translate` prints and writes."""
+"""The output of `cncsub compare --translate`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Translate = Annotated[
 
 
 def tell_translation(made: Translation, output: Path | None, *, as_json: bool) -> None:
-    """Prints what changed, or writes all files to a folder; what no run proves is told."""
+    """Print what changed, or write all files to a folder; report what no run proves."""
     written = made.write(output) if output is not None else []
     if as_json:
         write_json(None, translation_facts(made))
@@ -39,7 +39,7 @@ def tell_translation(made: Translation, output: Path | None, *, as_json: bool) -
 
 
 def translation_facts(made: Translation) -> dict[str, Any]:
-    """What changed as JSON can hold it."""
+    """Return what changed as JSON can hold it."""
     return {
         "version": 1,
         "control": made.library.control.name,

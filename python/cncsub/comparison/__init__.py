@@ -1,1 +1,1 @@
-"""Programs beside each other: two controls, two versions, one program for another control."""
+"""Programs side by side: two controls, two versions, one program for another control."""

@@ -1,4 +1,4 @@
-"""What a new version of programs does otherwise, told by block."""
+"""The differences of a new version of programs, by block."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Place(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class BlockChange:
-    """What one block does otherwise.
+    """The difference in what one block does.
 
     `what`: `"calls"`, `"moves"`, `"codes"`, `"variables"` or `"runs"` (how often it is executed).
     `before`, `after`: the block in each version, `None` where that has no such block. `old`, `new`:
@@ -58,7 +58,7 @@ class BlockChange:
 
 
 _Key = tuple[str, int]  # program, line
-_Side = tuple[str, "Block"]  # of a program
+_Side = tuple[str, "Block"]  # name of the program, block
 
 
 class _Rows:
@@ -74,7 +74,7 @@ class _Rows:
         self._columns = {name: column_of(table, name) for name in names if name in table.columns}
 
     def of(self, block: int | None) -> dict[str, Column]:
-        """The columns of the rows of a block."""
+        """Return the columns of the rows of a block."""
         if block is None:
             return {name: column[:0] for name, column in self._columns.items()}
         first = self._ends[block - 1] if block else 0
@@ -83,7 +83,7 @@ class _Rows:
 
 
 class _Did:
-    """What the blocks of a run did."""
+    """The effects of the blocks of a run."""
 
     def __init__(self, run: Run, watched: Run) -> None:
         import numpy as np
@@ -107,7 +107,7 @@ class _Did:
         self.values = rows(watched.watch, watched.watch["step"], ["variable", "value"])
 
     def place(self, key: _Key | None) -> int | None:
-        """The number of a block, `None` where it was not executed."""
+        """Return the number of a block, `None` where it was not executed."""
         return None if key is None else self._blocks.get(key)
 
     def count(self, place: int | None) -> int:
@@ -115,7 +115,7 @@ class _Did:
 
 
 def _pairs(before: Library, after: Library) -> Iterator[tuple[Program | None, Program | None]]:
-    """The programs of one name, then those that have another name and the same blocks."""
+    """Yield the programs of one name, then the others, paired where they have the same blocks."""
     old, new = dict(before), dict(after)
     yield from ((old[name], new[name]) for name in old if name in new)
     gone = [program for name, program in old.items() if name not in new]
@@ -130,7 +130,9 @@ def _pairs(before: Library, after: Library) -> Iterator[tuple[Program | None, Pr
 
 
 def _aligned(a: Sequence[str], b: Sequence[str]) -> Iterator[tuple[int | None, int | None]]:
-    """The places of blocks that are each other's versions; `None` where there is none."""
+    """Yield the places of blocks that are each other's versions; `None` where there is no
+    version.
+    """
     head = 0
     while head < min(len(a), len(b)) and a[head] == b[head]:
         head += 1
@@ -158,7 +160,9 @@ def _in_order(a: range, b: range) -> Iterator[tuple[int | None, int | None]]:
 def block_changes(
     libraries: tuple[Library, Library], runs: tuple[Run, Run], watched: tuple[Run, Run]
 ) -> tuple[BlockChange, ...]:
-    """By the blocks of the programs, those that are gone where they stood."""
+    """Return the changes by the blocks of the programs; blocks that are gone stand where they
+    stood.
+    """
     did = _Did(runs[0], watched[0]), _Did(runs[1], watched[1])
     found: list[BlockChange] = []
     for one, other in _pairs(*libraries):
@@ -174,7 +178,7 @@ def block_changes(
 def _changes(
     sides: tuple[_Side | None, _Side | None], did: tuple[_Did, _Did]
 ) -> Iterator[BlockChange]:
-    """Of a block and its new version, or of one that has none."""
+    """Yield the changes of a block and its new version, or of a block that has none."""
     before, after = (
         None if side is None else Place(side[0], side[1].n, side[1].line) for side in sides
     )
@@ -249,7 +253,7 @@ def _value(row: Mapping[str, Any]) -> str:
 def _some(
     columns: Mapping[str, Column], first: int, text: Callable[[Mapping[str, Any]], str]
 ) -> str:
-    """Rows from the first that differs on."""
+    """Return the rows from the first that differs on, as text."""
     count = len(next(iter(columns.values())))
     told = [
         text({name: column[i] for name, column in columns.items()})
@@ -260,7 +264,9 @@ def _some(
 
 
 def _moves(old: Mapping[str, Column], new: Mapping[str, Column]) -> tuple[str, str] | None:
-    """The first move that differs, by the values that do; how many there are where that differs."""
+    """Return the first move that differs, by the values that differ; or the numbers of moves where
+    these differ.
+    """
     at = _parting(old, new)
     if at is None:
         return None
@@ -289,7 +295,7 @@ def _shown(value: Any) -> str:
 
 
 def changed_lines(changes: Iterable[BlockChange], most: int) -> Iterator[str]:
-    """A line for each, the first of many."""
+    """Yield a line for each of the first `most` changes."""
     every = list(changes)
     yield from map(str, every[:most])
     if len(every) > most:

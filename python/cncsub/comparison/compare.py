@@ -23,13 +23,13 @@ from cncsub.tables.rows import Step
 
 @dataclass(frozen=True)
 class Comparison:
-    """How two runs compare.
+    """The comparison of two runs.
 
     `same`: whether they make the same calls, moves, codes, messages and variables and stop alike;
     of the same programs in one language, whether they execute the same blocks too. Of two controls,
     codes that end a program are compared by the stop: one sends them to the machine and another
     does not; of two languages what they do is compared, not by which blocks and calls. Moves are
-    the same where the tool goes the same way: X of a lathe is a diameter. An alarm is the same by
+    the same where the tool goes the same path: X of a lathe is a diameter. An alarm is the same by
     its cause and place: its number is each control's own. `where`: the first step of each that the
     other does not do likewise, `None` for one that has stopped before. `what`: what each does.
     `rules`: names of rules that make the difference: the first control with the second one's values
@@ -83,7 +83,7 @@ def compare(
     main: str | int | None = None,
     **options: Unpack[MdiOptions],
 ) -> Comparison:
-    """Run the same programs on two `controls`, or two versions of programs, and tell where they
+    """Run the same programs on two `controls`, or two versions of programs, and return where they
     part.
 
     `first`, `second`: libraries, or paths, which `control` reads. `controls`: two of them, names or
@@ -153,7 +153,7 @@ def _compare_controls(
         try:
             exchanged = library.read_for(control)
             tried = pair.run(exchanged, max_blocks=limit)
-        except (KeyError, ValueError):  # read so, there is no such main program, or no variable
+        except (KeyError, ValueError):  # read so, there is no such main program or variable
             return False
         other = _ControlPair((exchanged, texts[1]), names, main, options)
         return other.parting(tried, wanted) is None
@@ -179,9 +179,9 @@ def _told(
 
 
 class _ControlPair(OtherControlPair):
-    """The same texts on two controls. What a control calls the program that has no name of its own
-    is no difference: programs are compared by their files and lines. Nor is a level of locals that
-    one of them opens for a call: what stands in them is compared where it does something.
+    """The same texts on two controls. Programs are compared by their files and lines: what a
+    control calls a program without a name of its own is no difference. Nor is a level of locals
+    that one control opens for a call: the locals are compared where they do something.
     """
 
     _of_a_call = ("kind", "program", "start_n", "repeats")
@@ -193,8 +193,9 @@ class _ControlPair(OtherControlPair):
         return (alarm.file, alarm.line)
 
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        """Blocks and calls of one language; another one counts heads of programs as blocks, or a
-        call once for each pass, and what they do is the same.
+        """Yield the differences. Blocks and calls are compared within one language only: another
+        language counts heads of programs as blocks, or a call once for each pass, and does the
+        same.
         """
         yield from self._of_moves(a, b)
         for name in LISTS:
@@ -219,13 +220,13 @@ class _ControlPair(OtherControlPair):
 
 
 def _files_of(library: Library) -> dict[str, str]:
-    """The files of the programs, by their names."""
+    """Return the files of the programs, by their names."""
     return {of.name: of.file for of in (*library.external.values(), *library.values())}
 
 
 def _ends_of(run: Run, library: Library) -> dict[str, str]:
-    """The programs that a run has called, by their names: their files and last lines, which are the
-    same whatever a control calls them.
+    """Return by name the files and last lines of the programs that a run has called. These are the
+    same whatever a control calls the programs.
     """
     found = {}
     for name in run.calls.programs:

@@ -8,7 +8,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.program import Block, Program
 
-# What G codes mean to the engine: those that begin a drilling cycle, and those that end one.
+# The engine's names for G codes: those that begin a drilling cycle, and those that end one.
 _BEGIN = {
     "PeckFast",
     "LeftTap",
@@ -27,7 +27,7 @@ _END = {"CycleOff", "Rapid", "Line", "Cw", "Ccw", "Thread"}
 
 
 class CycleCounts:
-    """Finds the counts of a control's drilling cycles."""
+    """The counts of a control's drilling cycles."""
 
     def __init__(self, control: Control, machine: str) -> None:
         codes = _core.g_codes(control, machine)
@@ -35,7 +35,9 @@ class CycleCounts:
         self._letters = letters_of(control)
 
     def words(self, program: Program) -> Iterator[tuple[Block, str]]:
-        """The blocks of a program that have a count where a cycle is in force, and its letter."""
+        """Yield the blocks of a program that have a count where a cycle is in force, and its
+        letter.
+        """
         active = False
         for block in program.blocks:
             words = block.words
@@ -51,6 +53,6 @@ class CycleCounts:
 
 
 def letters_of(control: Control) -> tuple[str, ...]:
-    """The addresses that repeat a drilling cycle, the one that counts first."""
+    """Return the addresses that repeat a drilling cycle, the one that takes precedence first."""
     written = next((rule.value for rule in control.rules if rule.name == "cycle_repeats"), "")
     return tuple(str(written))

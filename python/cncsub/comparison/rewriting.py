@@ -18,8 +18,8 @@ from cncsub.program import Block, Program, Token, tokens_of
 from cncsub.references import CallTo, Computed, JumpTo
 
 _CODES = ("M97", "M98", "M198", "M99")
-_CALL_WORDS = "PLHQ"  # what belongs to a call and not to its block
-_MOST_CALLS = 20  # that stand for one
+_CALL_WORDS = "PLHQ"  # the words that belong to a call and not to the rest of its block
+_MOST_CALLS = 20  # calls that may replace one call
 _FIRST_FREE = 9001  # number of the first program that is made
 # What decides how a control takes words of a call that are computed.
 _OF_COMPUTED = ("program_word", "count_and_l", "max_program_digits", "call_values", "start_word")
@@ -27,17 +27,17 @@ _OF_COUNTS = ("zero_repeats", "max_repeats", "too_many_repeats", "return_with_p"
 
 
 class TranslateError(BlockError):
-    """Raised where a program cannot be rewritten so that the other control does the same.
-    `.reason`; `.program`, `.n` and `.line` tell the block, `None` where it is no single one.
+    """The error where a program cannot be rewritten to do the same on the other control. `.reason`;
+    `.program`, `.n` and `.line` give the block, `None` where no single block is the cause.
     """
 
 
 class _Tail(NamedTuple):
-    """A program that is made of the blocks of another one from a block on."""
+    """A program made of another program's blocks, from one block on."""
 
     number: int
     file: str
-    first: int  # lines
+    first: int  # line numbers
     last: int
 
 
@@ -46,13 +46,13 @@ def rule(control: Control, name: str) -> object:
 
 
 def _number(program: str) -> int | None:
-    """The number that P names a program by; `None` for one with a name of another kind."""
+    """Return the number by which P names a program; `None` for a name of another kind."""
     found = re.fullmatch(r"[O%:]?0*(\d+)", program)
     return int(found[1]) if found else None
 
 
 class Rewriting:
-    """The texts of a library, and what has to change in them."""
+    """The texts of a library and the edits that they need for another control."""
 
     def __init__(self, library: Library, target: Control, machine: str = "") -> None:
         self.library = library
@@ -76,19 +76,19 @@ class Rewriting:
         self._returns = _Returns(self)
 
     def _rules(self, name: str) -> tuple[object, object]:
-        """The values of a rule on both controls."""
+        """Return the values of a rule on both controls."""
         return rule(self.library.control, name), rule(self.target, name)
 
     # ---- what changes ----
 
     def rewrite(self) -> None:
-        """Finds all edits; `TranslateError` for what cannot be said on the other control."""
+        """Find all edits; raise `TranslateError` for what the other control cannot express."""
         self._main_head()
         self._returns.look()
         for program in self.library.values():
             there = self.read[program.name].blocks if program.name in self.read else ()
             for index, block in enumerate(program.blocks):
-                # Read by the target: another block at this place means another program.
+                # The block as the target reads it; on another line it belongs to another program.
                 own = there[index] if index < len(there) else None
                 same = own is not None and own.line == block.line
                 self._block(block, own if same else None)
@@ -96,7 +96,7 @@ class Rewriting:
         self._external()
 
     def _cycle_counts(self) -> None:
-        """K3 of a drilling cycle is L3 where the other control counts by L."""
+        """Write K3 of a drilling cycle as L3 where the other control counts by L."""
         letters = letters_of(self.target)
         counts = CycleCounts(self.library.control, self._machine)
         done: set[tuple[str, int]] = set()
@@ -111,8 +111,10 @@ class Rewriting:
                     self.replace(block, counts_of, letters[0] + counts_of[0].text[1:])
 
     def _external(self) -> None:
-        """The external device is not written to: what would have to change there is refused."""
-        # By their places: a control may name a program by its file.
+        """Refuse a program of the external device that would have to change: it is not
+        written to.
+        """
+        # Programs are matched by position: a control may name a program by its file.
         there = list(self.read.external.values())
         for place, program in enumerate(self.library.external.values()):
             blocks = there[place].blocks if place < len(there) else ()
@@ -126,7 +128,9 @@ class Rewriting:
                     raise self.refused(block, "a program of the external device is not rewritten")
 
     def _main_head(self) -> None:
-        """A control whose main program has no head takes one for the head of a subprogram."""
+        """Remove the head of the main program where the target, whose main program has no head,
+        reads it as the head of a subprogram.
+        """
         main, read = self.library.main, self.read.main
         if main is None or read is None or main.name in self._called_programs:
             return
@@ -140,12 +144,12 @@ class Rewriting:
         self.edits.setdefault(main.name, []).append(edit)
 
     def _block(self, block: Block, read: Block | None) -> None:
-        # A program may hold the blocks of others, which are theirs too: each is looked at once.
+        # A program may contain the blocks of other programs: each block is looked at once.
         place = (block.program.file, block.line)
         if place in self._seen:
             return
         self._seen.add(place)
-        # A return may be told as a call of nothing.
+        # A return may be reported as a call without a program.
         calls = [call for call in block.calls if call.kind in _CODES and call.program != ""]
         jumps = [jump for jump in block.jumps if jump.kind in _CODES]
         if not self._called_programs & {block.program.name}:  # M99 P of a main program
@@ -201,7 +205,9 @@ class Rewriting:
     def _split(
         self, number: int, start: int | None, call: CallTo, most: int
     ) -> tuple[str | None, list[str]]:
-        """The words of several calls that make more passes than one can; none where one fails."""
+        """Return the words of several calls that together make the passes; none where one cannot be
+        written.
+        """
         assert isinstance(call.repeats, int)
         full, rest = divmod(call.repeats, most)
         counts = [most] * full + ([rest] if rest else [])
@@ -214,7 +220,9 @@ class Rewriting:
     def written(
         self, number: int, start: int | None, repeats: int, *, external: bool
     ) -> str | None:
-        """The words by which the target makes a call, found by reading them as it does."""
+        """Return the words by which the target makes a call, or `None`. Each candidate is read as
+        the target reads it.
+        """
         key = (-number if external else number, start, repeats)
         if key not in self._written:
             self._written[key] = next(self._candidates(number, start, repeats, external), None)
@@ -241,7 +249,7 @@ class Rewriting:
                 yield words
 
     def _tail(self, block: Block, program: str, start: int) -> int:
-        """The number of a program that holds the blocks of another one from N`start` on."""
+        """Return the number of a new program with the blocks of `program` from N`start` on."""
         key = (program, start)
         if key not in self._tails:
             whole = self.library[program]
@@ -278,7 +286,7 @@ class Rewriting:
         self.replace(block, spans, words)
 
     def jump_words(self, n: int) -> str | None:
-        """How the target jumps to a block of the same program."""
+        """Return the words by which the target jumps to a block of the same program, or `None`."""
         for words in (f"GOTO {n}", f"M99 P{n}", f"M97 P{n}"):
             text = f"O1\n{words}\nN{n}\nM30\nO2\nM98 P1\nM30\n"
             program = next(iter(loads(text, control=self.target).values()), None)
@@ -288,7 +296,9 @@ class Rewriting:
         return None
 
     def _return_count(self, block: Block) -> None:
-        """M99 L: one control sets the count of passes by it, another does not look at it."""
+        """Remove the L of M99 where the library's control ignores it and the target does not;
+        refuse it where the library's control counts passes by it.
+        """
         is_return = any(word.address == "M" and word.value == 99 for word in block.words)
         spans = _words(block, "L") if is_return else []
         if not spans:
@@ -353,7 +363,7 @@ class Rewriting:
         return {name: "\n".join(lines) for name, lines in self._lines.items()}
 
     def texts(self) -> dict[str, str]:
-        """The files that change."""
+        """Return the files that change, with their new texts."""
         before = self.before()
         return {name: text for name, text in self._texts().items() if text != before[name]}
 
@@ -361,12 +371,14 @@ class Rewriting:
         return [f"O{tail.number:04d}" for tail in self._tails.values()]
 
     def made(self) -> Library:
-        """The programs on the other control."""
+        """Return the library with the rewritten programs on the other control."""
         return self.library.with_texts(self.target, self._texts())
 
 
 def _called(call: CallTo) -> tuple[object, object, object]:
-    """What a call does: by number, for a program has one name on each control."""
+    """Return what a call does. The program is given by number: its name differs between
+    controls.
+    """
     named = call.program if isinstance(call.program, str) else None
     number = _number(named) if named is not None else None
     return (number if number is not None else named, call.repeats, call.start)
@@ -381,7 +393,7 @@ def _computed(call: CallTo) -> bool:
 
 
 def _code(block: Block, of: CallTo | JumpTo) -> Token:
-    """The word that calls or jumps."""
+    """Return the word that calls or jumps."""
     for token in block.tokens:
         if token.word is not None and token.word[:2] == (of.kind[0], int(of.kind[1:])):
             return token
@@ -390,18 +402,18 @@ def _code(block: Block, of: CallTo | JumpTo) -> Token:
 
 
 def _words(block: Block, addresses: str) -> list[Token]:
-    """The words of a block that have one of these addresses."""
+    """Return the words of a block that have one of these addresses."""
     return [t for t in block.tokens if t.word is not None and t.word.address in tuple(addresses)]
 
 
 class _Returns:
-    """M99 P, where the other control has none or takes it at another pass: it becomes M99, and the
-    jump stands behind the call.
+    """The blocks M99 P that the other control does not read, or reads in another pass. Each becomes
+    M99, and the jump is written after the call.
     """
 
     def __init__(self, rewriting: Rewriting) -> None:
         self._rewriting = rewriting
-        self._to: dict[int | None, int] = {}  # program by its number: N that it returns to
+        self._to: dict[int | None, int] = {}  # from a program's number to the N it returns to
         self._rule = rule(rewriting.library.control, "return_with_p")
 
     def look(self) -> None:
@@ -425,12 +437,12 @@ class _Returns:
 
     @staticmethod
     def _known(target: Control) -> bool:
-        """Whether a control reads M99 P as a way back."""
+        """Return whether a control reads M99 P as a return to a block of the caller."""
         read = loads("O1\nM98 P2\nN7\nM30\nO2\nM99 P7\n", control=target)
         return any(j.in_caller for p in read.values() for b in p.blocks for j in b.jumps)
 
     def _only(self, program: Program, back: list[tuple[Block, JumpTo]], computed: bool) -> int:
-        """The block that a program returns to, whatever it does."""
+        """Return the one block to which a program always returns; refuse a program with several."""
         block, jump = back[0]
         refused = self._rewriting.refused
         returns = [b for b in program.blocks if any(w[:2] == ("M", 99) for w in b.words)]
@@ -443,18 +455,18 @@ class _Returns:
         return jump.n
 
     def rewrites(self, block: Block) -> bool:
-        """Whether the block is an M99 P that loses its P."""
+        """Return whether the block is an M99 P that loses its P."""
         own = _number(block.program.name) in self._to
         return own and any(jump.in_caller for jump in block.jumps)
 
     def counted(self, call: CallTo) -> CallTo:
-        """The call with the passes that it makes: the first M99 P may end them."""
+        """Return the call with the passes that it makes: the first M99 P may end them."""
         if isinstance(call.program, str) and _number(call.program) in self._to:
             return call._replace(repeats=1) if self._rule == "at-once" else call
         return call
 
     def behind(self, block: Block) -> str:
-        """The jump that stands behind a call."""
+        """Return the jump that is written after a call; empty where none is needed."""
         for call in block.calls:
             n = self._to.get(_number(call.program)) if isinstance(call.program, str) else None
             if n is None:

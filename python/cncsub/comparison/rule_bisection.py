@@ -1,4 +1,4 @@
-"""Which rules of two controls make a difference: found by exchanging them until it goes."""
+"""The rules of two controls that make a difference, found by exchanging them until it goes."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ Value = bool | int | str
 def rules_between(
     one: Control, other: Control, explains: Callable[[Control], bool]
 ) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """The fewest rules, and parameters that are no rules, of `other` with which `one` is a control
-    that `explains`, and rules whose values could not be given to it. None where even all of them do
-    not.
+    """Return the fewest rules of `other`, and parameters that are no rules, with which `one`
+    becomes a control that `explains`; and the rules whose values could not be given to it. The
+    first are none where even all of them do not explain.
     """
     values = {rule.name: rule.value for rule in other.rules}
     changes: dict[str, Value] = {}
@@ -43,7 +43,9 @@ def rules_between(
 
 
 def _other_parameters(one: Control, other: Control) -> dict[str, float]:
-    """Those of one family of controls that differ and are no rules, with the other's values."""
+    """Return the parameters of one family of controls that differ and are no rules, with the
+    other's values.
+    """
     if one.parameters.keys() != other.parameters.keys():
         return {}
     return {
@@ -54,7 +56,7 @@ def _other_parameters(one: Control, other: Control) -> dict[str, float]:
 
 
 def _written(control: Control, name: str, value: Value) -> Value | None:
-    """How a rule is given this value: a set is merged, unless = is before it."""
+    """Return how a rule is given this value: a set is merged, unless = stands before it."""
     for written in (value, f"= {value}"):
         try:
             changed = control.replace(**{name: written})
@@ -66,7 +68,9 @@ def _written(control: Control, name: str, value: Value) -> Value | None:
 
 
 def _fewest(names: list[str], explains: Callable[[Sequence[str]], bool]) -> list[str]:
-    """A set of names that explains and of which none can be left out; none where all do not."""
+    """Return a set of names that explains and of which none can be left out; none where all of them
+    do not explain.
+    """
     if not explains(names):
         return []
     parts = 2

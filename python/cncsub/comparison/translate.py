@@ -1,4 +1,4 @@
-"""Programs for another control, so that it does what the first one did, proved by running both."""
+"""Programs rewritten for another control so that they do the same, proved by running both."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from cncsub.writing import write_whole
 
 
 class _TranslatedPair(OtherControlPair):
-    """What was rewritten may be another block and another program: what it does has to stay."""
+    """A program and its translation: blocks and programs may differ, what they do may not."""
 
     def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
         yield from super()._partings(a, b)
@@ -50,7 +50,7 @@ class Translation:
     _before: Mapping[str, str] = field(repr=False)
 
     def diff(self) -> str:
-        """What changed, as a unified diff; empty where nothing had to."""
+        """Return the changes as a unified diff; empty where nothing had to change."""
         parts: list[str] = []
         for file, text in self.texts.items():
             before = lines_of(self._before[file])
@@ -58,9 +58,9 @@ class Translation:
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:
-        """Write all files, changed or not, into a folder, which is made where it is missing, as
-        UTF-8 and with a line feed behind each line; their paths. Raises `ValueError` where that
-        would write over what was read.
+        """Write all files, changed or not, into a folder, which is made where it is missing; return
+        their paths. The files are UTF-8 with a line feed after each line. Raises `ValueError` where
+        a file that was read would be overwritten.
         """
         into = Path(folder)
         whole = {**self._before, **self.texts}
@@ -89,14 +89,13 @@ def translate(
 ) -> Translation:
     """Rewrite calls of programs so that control `to` does what the control of `of` did.
 
-    Rewritten are the count in P and in L, the start block in H and in Q, calls of a block of the
-    same program (M97, M98 H) as programs of their own, M99 P, and how often a drilling cycle is
-    repeated, in K and in L. `of`: a library, or a path, which
-    `control` reads. `main` and `options` are those of `Library.run`; both programs are run with
-    them, and have to make the same moves, codes, messages and variables and to stop alike. The
-    proof holds for this run. Raises `TranslateError` for what cannot be rewritten, does not do the
-    same, or does not come to its end, with the block and the reason; and what `load` and `run`
-    raise.
+    The rewriting covers the count in P and in L, the start block in H and in Q, calls of a block of
+    the same program (M97, M98 H) as programs of their own, M99 P, and how often a drilling cycle is
+    repeated, in K and in L. `of`: a library, or a path, which `control` reads. `main` and `options`
+    are those of `Library.run`; both programs are run with them, and have to make the same moves,
+    codes, messages and variables and to stop alike. The proof holds for this run. Raises
+    `TranslateError` for what cannot be rewritten, does not do the same, or does not come to its
+    end, with the block and the reason; and what `load` and `run` raise.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P30002\\nN20 M30\\nO2\\nN30 G91 G0 X1.\\nN40 M99\\n"
@@ -121,7 +120,7 @@ def translate(
 
 
 def _machine_of(options: MdiOptions) -> str:
-    """The kind of machine that the setup tells; empty for the control's own."""
+    """Return the kind of machine that the setup gives; empty for the control's own."""
     setup = options.get("setup")
     if setup is None:
         return ""

@@ -1,4 +1,4 @@
-"""Which blocks, branches and calls of the programs were executed."""
+"""The blocks, branches and calls of the programs that were executed."""
 
 from cncsub.coverage.summary import Coverage, collecting
 

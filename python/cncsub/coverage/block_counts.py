@@ -1,4 +1,4 @@
-"""What is counted of the programs of a memory while they run, by their blocks."""
+"""The counts of the programs of a memory while they run, by their blocks."""
 
 from __future__ import annotations
 
@@ -54,14 +54,14 @@ class _Blocks(Sequence[_Block]):
         return map(_Block, self.n, self.line, self.text, self.branch, self.skip)
 
     def deciding(self) -> Iterator[int]:
-        """The places of blocks that decide where the program goes on."""
+        """Yield the places of blocks that decide where the program goes on."""
         decides = map(operator.or_, map(bool, self.branch), self.skip)
         return itertools.compress(range(len(self)), decides)
 
 
 @dataclass
 class Counted:
-    """One program and what was counted of it; blocks are numbered from 0."""
+    """One program and its counts; blocks are numbered from 0."""
 
     name: str
     file: str
@@ -96,7 +96,7 @@ class Counted:
         return ((outcome, count) for _, outcome, count in self.decisions(block))
 
     def decisions(self, block: int) -> Iterator[tuple[str, str, int]]:
-        """Kind, outcome, count."""
+        """Yield kind, outcome and count of each decision of a block."""
         kind = self.blocks.branch[block]
         if self.blocks.skip[block]:
             yield "block-skip", "skipped", self.skipped[block]
@@ -109,12 +109,16 @@ class Counted:
             yield kind, "not taken", self.failed[block]
 
     def never_given(self) -> list[str]:
-        """The arguments that it reads and no call gave, where it was given some: `B (#2)`."""
+        """Return the arguments that the program reads and no call gave, where calls gave it some:
+        `B (#2)`.
+        """
         numbers = sorted(v for v in self.reads if not self.given[v]) if self.given else []
         return [f"{LETTER_OF[v]} (#{v})" if v in LETTER_OF else f"#{v}" for v in numbers]
 
     def calls_of(self) -> Iterator[tuple[int, str, str, int]]:
-        """Block, kind, called, count: those that were made, and sites that made none."""
+        """Yield block, kind, called and count: calls that were made, and calls as written that made
+        none.
+        """
         made = {block for block, _, _ in self.calls}
         left = [(*site, called, 0) for site, called in self.sites.items() if site[0] not in made]
         yield from sorted([*left, *((*key, count) for key, count in self.calls.items())])
@@ -122,7 +126,7 @@ class Counted:
 
 @dataclass
 class Raw:
-    """What was counted of the programs of one memory, by the addresses of their blocks."""
+    """The counts of the programs of one memory, by the addresses of their blocks."""
 
     code: _core.Code
     held: Any
@@ -144,7 +148,7 @@ class Raw:
         )
 
     def outcomes(self) -> tuple[int, int]:
-        """How many blocks and outcomes of branches are covered, and how many there are."""
+        """Return how many blocks and outcomes of branches are covered, and how many there are."""
         blocks, deciding = _core.coverage_deciding(self.code)
         executed = (self.held + self.failed) > 0
         counts: list[int] = []
@@ -160,7 +164,7 @@ class Raw:
 
 
 def percent_text(percent: float) -> str:
-    """With one decimal; 100.0 % is all of it.
+    """Return a percentage with one decimal; 100.0 % is all of it.
 
     >>> from cncsub.coverage.block_counts import percent_text
     >>> percent_text(99.96), percent_text(100.0)
@@ -170,7 +174,7 @@ def percent_text(percent: float) -> str:
 
 
 def programs_of(raw: Raw) -> Iterator[Counted]:
-    """Each program of the memory with what was counted of it."""
+    """Yield each program of the memory with its counts."""
     import numpy as np
 
     code = raw.code
@@ -228,7 +232,7 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
 
 
 def _locals_read(data: _core.ProgramData, blocks: Iterable[int]) -> set[int]:
-    """The locals 1 to 26 that stand for arguments and are read."""
+    """Return the locals 1 to 26 that stand for arguments and are read."""
     if "#" not in data.text:
         return set()
     found = {use.variable for block in blocks for use in references_of(data, block).reads}
@@ -236,7 +240,7 @@ def _locals_read(data: _core.ProgramData, blocks: Iterable[int]) -> set[int]:
 
 
 def raw_of(trace: _core.Trace, code: _core.Code) -> Raw:
-    """What a run recorded."""
+    """Return the counts of a run."""
     held, failed, skipped, loops, calls, given = _core.coverage(trace)
     return Raw(
         code,

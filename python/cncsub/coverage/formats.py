@@ -1,4 +1,4 @@
-"""Coverage as other programs read it: HTML, lcov, Cobertura."""
+"""Coverage in the formats of other programs: HTML, lcov, Cobertura."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _by_file(coverage: Coverage) -> dict[str, list[Counted]]:
 
 
 def _lines(programs: list[Counted]) -> dict[int, tuple[int, list[tuple[str, int]]]]:
-    """By line of the file: executions, and the outcomes of its branch."""
+    """Return by line of the file the executions, and the outcomes of its branch."""
     found: dict[int, tuple[int, list[tuple[str, int]]]] = {}
     for program in programs:
         for index, block in enumerate(program.blocks):
@@ -45,7 +45,7 @@ def _lines(programs: list[Counted]) -> dict[int, tuple[int, list[tuple[str, int]
 
 
 def lcov(coverage: Coverage) -> str:
-    """One record for each file."""
+    """Return one record for each file."""
     return "".join(f"{line}\n" for line in _lcov_lines(coverage))
 
 
@@ -82,7 +82,7 @@ def _rates(lines: dict[int, tuple[int, list[tuple[str, int]]]]) -> dict[str, str
 
 
 def cobertura(coverage: Coverage) -> str:
-    """A package with a class for each file."""
+    """Return a package with a class for each file."""
     by_file = {file: _lines(programs) for file, programs in _by_file(coverage).items()}
     everything = dict(enumerate(each for lines in by_file.values() for each in lines.values()))
     counts = [count for count, _ in everything.values()]
@@ -118,7 +118,7 @@ def cobertura(coverage: Coverage) -> str:
 
 
 def html(coverage: Coverage) -> str:
-    """The programs, each to be folded in and out; colours are told in words as well."""
+    """Return the programs, each to be folded in and out; colours are given in words as well."""
     programs = "".join(_program(program) for program in coverage.programs)
     blocks, branches = coverage.blocks, coverage.branches
     done = (
@@ -157,12 +157,12 @@ def _program(program: Counted) -> str:
     )
 
 
-# What is said of the passes of a loop.
+# The words for outcomes of a loop that no run had.
 _MISSED = {"none": "left out", "once": "one pass", "many": "several passes"}
 
 
 def _not_used(program: Counted) -> str:
-    """Calls that were not made, arguments that no call gave."""
+    """Return the calls that were not made, and the arguments that no call gave."""
     lines = [
         f"line {program.blocks.line[block]}: {kind} {called} was not called"
         for block, kind, called, count in program.calls_of()
@@ -175,8 +175,9 @@ def _not_used(program: Counted) -> str:
 
 
 def coverage_lines(coverage: Coverage) -> Iterator[str]:
-    """A line for each program: covered blocks and outcomes, and the lines that are missing; at last
-    the sum."""
+    """Yield a line for each program: covered blocks and outcomes, and the lines that are missing.
+    The sum comes last.
+    """
     for program in coverage.programs:
         counts = [program.count(index) for index in range(len(program.blocks))]
         outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
@@ -196,7 +197,7 @@ def _part(counts: list[int]) -> str:
 
 
 def _ranges(lines: list[int]) -> str:
-    """3-5, 9"""
+    """Return lines as `3-5, 9`."""
     found: list[list[int]] = []
     for line in lines:
         if found and line == found[-1][1] + 1:

@@ -119,11 +119,11 @@ class Blocks(Sequence[BlockRow]):
 
     @property
     def covered(self) -> int:
-        """How many were executed."""
+        """How many blocks were executed."""
         return sum(program.blocks_covered() for program in self._programs)
 
     def to_pandas(self) -> Any:
-        """The rows as a pandas `DataFrame`."""
+        """Return the rows as a pandas `DataFrame`."""
         import pandas as pd
 
         return pd.DataFrame([asdict(row) for row in self])
@@ -146,14 +146,14 @@ class Table(tuple[Row, ...], Generic[Row]):
     """Rows in the order of the programs: a tuple of them with `to_pandas`."""
 
     def to_pandas(self) -> Any:
-        """The rows as a pandas `DataFrame`."""
+        """Return the rows as a pandas `DataFrame`."""
         import pandas as pd
 
         return pd.DataFrame([asdict(row) for row in self])  # type: ignore[call-overload]
 
     @property
     def covered(self) -> int:
-        """How many are covered."""
+        """How many rows are covered."""
         return sum(row.covered for row in self)  # type: ignore[attr-defined]
 
     def _repr_html_(self) -> str:
@@ -166,14 +166,15 @@ class Table(tuple[Row, ...], Generic[Row]):
 
 
 class Coverage:
-    """What runs went through; `run.coverage()` makes it and `+` and `sum` add them up.
+    """The blocks, branches, calls and arguments that runs went through; `run.coverage()` makes it,
+    and `+` and `sum` add several up.
 
     Blocks are those that can be executed: no comments, empty lines and heads of programs. A block
     is covered where it was executed, once at least. A block that raised an alarm is covered only
-    where the control did some of it before (words before a call, #3000, which is meant to alarm);
-    one that a skip switch passed over, and one that cannot be read, is not. Branches: every
-    condition and every block-skip slash both ways, every WHILE and repeat entered with no pass,
-    one, and many. What a slash passed over is told from the blocks around it, and not where only a
+    where the control did some of it before (words before a call, #3000, which is meant to alarm); a
+    block that a switch skipped, and one that cannot be read, is not. Branches: every condition and
+    every block-skip slash both ways, every WHILE and repeat entered with no pass, one, and many.
+    What a slash skipped is inferred from the blocks around it, and is not seen where only a
     computed jump led there.
 
     Runs of different libraries are added by the file and the name of their programs. Programs that
@@ -205,7 +206,7 @@ class Coverage:
                 parts[id(part.code)] = parts[id(part.code)].plus(part)
         added = Coverage([*parts.values(), *new])
         if new and self._parts:
-            added.programs  # noqa: B018  # other texts under the same names are told here
+            added.programs  # other texts under the same names are refused here
         return added
 
     def __radd__(self, other: object) -> Coverage:
@@ -259,8 +260,8 @@ class Coverage:
 
     @functools.cached_property
     def percent(self) -> float:
-        """Covered blocks and covered outcomes of branches, of all of them together; 100 where there
-        are none. Calls and arguments do not count.
+        """The percentage of blocks and of outcomes of branches together that are covered; 100 where
+        there are none. Calls and arguments do not count.
         """
         if self._made is None and len(self._parts) == 1:  # no program is looked at for it
             covered, known = self._parts[0].outcomes()
@@ -276,8 +277,8 @@ class Coverage:
         return 100.0 * covered / known if known else 100.0
 
     def to_html(self, path: str | Path | None = None) -> str:
-        """The programs with what was executed, as one page that needs nothing else; written to
-        `path` where one is given.
+        """Return the programs with what was executed, as one page that needs nothing else, and
+        write it to `path` where one is given.
         """
         from cncsub.coverage.formats import html
 
@@ -287,13 +288,13 @@ class Coverage:
         return page
 
     def to_lcov(self) -> str:
-        """The counts as an lcov tracefile."""
+        """Return the counts as an lcov tracefile."""
         from cncsub.coverage.formats import lcov
 
         return lcov(self)
 
     def to_cobertura(self) -> str:
-        """The counts as XML of Cobertura (coverage-04.dtd)."""
+        """Return the counts as XML of Cobertura (coverage-04.dtd)."""
         from cncsub.coverage.formats import cobertura
 
         return cobertura(self)
@@ -314,14 +315,16 @@ class Coverage:
 
 
 class _Merged:
-    """Programs of several memories: those of one file and name that have one text are one."""
+    """The programs of several memories: those of one file, name and text are one."""
 
     def __init__(self) -> None:
         self.programs: list[Counted] = []
         self._known: dict[tuple[str, str, int], list[Counted]] = {}  # by file, name, place of it
 
     def add(self, programs: Iterable[Counted]) -> None:
-        """Raises `ValueError`, before anything is added, for another text of a file's program."""
+        """Add programs. Raises `ValueError`, before anything is added, for another text of a file's
+        program.
+        """
         placed = [(key, program, self._same(key, program)) for key, program in _keyed(programs)]
         for key, program, old in placed:
             if old is not None:
@@ -360,7 +363,7 @@ def _has_no_file(file: str) -> bool:
 
 
 def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
-    """Counts what a run recorded. Raises `ValueError` where it did not keep its blocks."""
+    """Count what a run recorded. Raises `ValueError` where it did not keep its blocks."""
     if not _core.keeps_blocks(trace):
         raise ValueError(
             'a run with trace="none" or "calls" keeps no blocks to count: run it with'
@@ -405,7 +408,9 @@ class Collected:
                 self._total = None
 
     def _add(self, found: Raw) -> bool:
-        """Adds it to the part that has read the same, so that no program is looked at twice."""
+        """Add a run to the part that has read the same, so that no program is looked at twice.
+        Return whether the run was counted.
+        """
         read = self._reads.get(id(found.code))
         if read is None:
             read = _what_is_read(found.code)
@@ -419,8 +424,8 @@ class Collected:
         return True
 
     def _fits(self, found: Raw, control: object) -> bool:
-        """Whether no file's program has another text; only where the control differs its blocks are
-        looked at.
+        """Return whether no file's program has another text. Its blocks are looked at only where
+        the control differs.
         """
         new: dict[tuple[str, str, int], tuple[str, object]] = {}
         seen: Counter[tuple[str, str]] = Counter()
@@ -450,7 +455,7 @@ class Collected:
 
 
 def _what_is_read(code: _core.Code) -> _Read:
-    """Codes for which this is the same have the same blocks at the same addresses."""
+    """Return a key: codes with the same key have the same blocks at the same addresses."""
     control = code.control
     rules = tuple((rule.name, rule.value) for rule in control.rules)
     parameters = tuple((name, each.value) for name, each in control.parameters.items())
@@ -459,7 +464,7 @@ def _what_is_read(code: _core.Code) -> _Read:
 
 @contextmanager
 def collecting() -> Iterator[Collected]:
-    """Adds up every `run` and `mdi` of this process that finishes meanwhile, in any thread. Runs
+    """Add up every `run` and `mdi` of this process that finishes meanwhile, in any thread. Runs
     that keep no blocks, by their `trace`, and those whose programs have another text than those of
     the same file and name before, are left out and counted in `left_out`; machines and streams are
     not collected.

@@ -49,7 +49,7 @@ class _Icicle:
         self.program = np.asarray(calls.program).view(np.ndarray)
 
     def _span(self, over: str) -> tuple[Numbers, Numbers]:
-        """Where each call begins and ends on the axis."""
+        """Return where each call begins and ends on the axis."""
         first = self.calls.first_step
         last = self.calls.last_step
         end = max(int(first.max()), int(last.max())) + 1
@@ -163,7 +163,9 @@ class _Icicle:
     def _together(
         self, rows: Numbers, least: float
     ) -> list[tuple[int, float, float, int, dict[str, int]]]:
-        """Short calls that lie side by side: depth, where, how many, and of which programs."""
+        """Return groups of short calls side by side: depth, begin, end, how many, and of which
+        programs.
+        """
         if not len(rows):
             return []
         bins = np.floor(self.begun[rows] / least).astype(np.int64)
@@ -212,7 +214,7 @@ class _Icicle:
 
 
 def _times(core: _core.Trace) -> tuple[Numbers, Numbers] | None:
-    """The steps of the moves and when each ends; `None` where nothing takes time."""
+    """Return the steps of the moves and when each ends; `None` where nothing takes time."""
     if not core.moves:
         return None
     columns = core.move_columns(["step", "time"])
@@ -221,8 +223,8 @@ def _times(core: _core.Trace) -> tuple[Numbers, Numbers] | None:
 
 
 def _depths(numbers: Numbers, parents: Numbers) -> Numbers:
-    """How many calls are open around each. A call stands behind its parent, or the parent is of an
-    earlier part.
+    """Return how many calls are open around each call. A call stands after its parent, or the
+    parent is in an earlier part.
     """
     row_of = {number: row for row, number in enumerate(numbers.tolist())}
     depths: list[int] = []

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     Numbers = np.ndarray[Any, np.dtype[Any]]
 
-BANDS = 24  # of colours that go over into each other
+BANDS = 24  # of colours that blend into each other
 MOST_NAMES = 11  # colours beside that of the rest
 FAMILIES = {  # and their colours
     "rapid": "#d9534f",
@@ -28,7 +28,7 @@ _BY_NAME = ("kind", "program", "call", "tool", "depth")
 _COLUMNS = {"call": "frame"}
 WORDS = {"feed": "feed, mm/min or mm/rev", "time": "time, s", "z": "Z, mm"}
 COLOURED_BY = (*_BY_NAME, *WORDS)
-# From blue over green to orange: as dark at one end as at the other, and told apart by most eyes.
+# From blue over green to orange: both ends are equally dark, and most eyes tell the colours apart.
 SCALE = [(0.0, "#3b5bdb"), (0.33, "#1c9c8f"), (0.66, "#c9a227"), (1.0, "#e8590c")]
 
 
@@ -48,7 +48,7 @@ class Colouring:
 
 
 class Moved:
-    """The moves of some rows of a run, and what colours them."""
+    """The moves of some rows of a run, and their colours."""
 
     def __init__(self, run: Recorded, coordinates: str, first: int, last: int) -> None:
         self.run = run
@@ -62,7 +62,7 @@ class Moved:
         return column[self.first : self.last]
 
     def _families(self) -> Numbers:
-        """By move: rapid, feed, cycle, compensation."""
+        """Return the family of each move: rapid, feed, cycle, compensation."""
         families = np.where(self.column("compensated"), np.int32(COMPENSATION), np.int32(FEED))
         families[self.column("cycle") != 0] = CYCLE
         families[self.column("kind") == self.core.move_kinds.index("rapid")] = RAPID
@@ -99,7 +99,7 @@ class Moved:
         found = np.flatnonzero(moves)
         if len(found) <= MOST_NAMES + 1:
             kept, rest = found, []
-        else:  # the names with the longest way have colours, the rest shares one
+        else:  # the names with the longest path have colours, the rest shares one
             way = np.bincount(codes, weights=self.column("length"), minlength=len(known))
             least = np.partition(way[found], -MOST_NAMES)[-MOST_NAMES]
             longer, as_long = found[way[found] > least], found[way[found] == least]
@@ -127,7 +127,7 @@ class Moved:
 
 
 def mixed(share: float) -> str:
-    """The colour of a share of the scale, from 0 to 1."""
+    """Return the colour at a share of the scale, from 0 to 1."""
     for (low, one), (high, other) in itertools.pairwise(SCALE):
         if share <= high:
             part = (share - low) / (high - low)

@@ -1,5 +1,5 @@
-"""What the plots have in common: the look, which is legible on dark and on light pages, what is
-told under a picture, and the words of blocks and calls.
+"""The common parts of the plots: the look, which is legible on dark and on light pages, the notes
+under a picture, and the words of blocks and calls.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 TEXT = "#7a858e"  # legible on white and on black
 GRID = "rgba(127,137,145,0.3)"
 SOLID_GRID = "#99a2a8"  # WebGL knows no transparent lines
-# Apart from each other for most eyes, and on white as on black.
+# Colours that most eyes tell apart, on white as on black.
 COLOURS = [
     *("#3d8fd6", "#e8833a", "#2fa36b", "#b565d8", "#c9a227", "#d9534f"),
     *("#1aa6a6", "#8a7a5c", "#7c83e0", "#e06c9f", "#6d9b2f", "#5f8fa0"),
@@ -32,7 +32,7 @@ _MOST_CALLERS = 8
 
 
 def graph_objects() -> Any:
-    """`plotly.graph_objects`; `ImportError` says how to install it."""
+    """Return `plotly.graph_objects`; `ImportError` says how to install it."""
     return optional_module("plotly.graph_objects")
 
 
@@ -46,8 +46,8 @@ def figure(
     frames: Iterable[Mapping[str, Any]] = (),
     below: int = 0,
 ) -> Any:
-    """A figure with its title and its legend, `height` pixels of picture, and what is told of it
-    `below` pixels under that.
+    """Return a figure with its title and its legend, `height` pixels of picture, and the notes
+    `told`, `below` pixels under the picture.
     """
     data = list(data)
     listed = sum(1 for one in data if one.get("showlegend", True) and one.get("name"))
@@ -110,7 +110,7 @@ def figure(
 
 
 def axis(title: str, **more: Any) -> dict[str, Any]:
-    """An axis in the colours of the plots."""
+    """Return an axis in the colours of the plots."""
     return {
         "title": {"text": title, "font": {"size": 12}},
         "gridcolor": GRID,
@@ -123,13 +123,13 @@ def axis(title: str, **more: Any) -> dict[str, Any]:
 
 
 def empty(why: str, title: str) -> Any:
-    """A figure that tells why it is none."""
+    """Return a figure that says why it is empty."""
     hidden = {"visible": False}
     return figure([], {"xaxis": hidden, "yaxis": hidden}, title=title, told=[why], height=20)
 
 
 def shown_text(text: str) -> str:
-    """A block as a hover shows it: cut, and safe beside the tags that plotly knows."""
+    """Return a block as a hover shows it: cut, and escaped because plotly knows some tags."""
     cut = text if len(text) <= _MOST_LETTERS else text[: _MOST_LETTERS - 3] + "..."
     return escape(cut, quote=False)
 
@@ -153,7 +153,7 @@ class Places:
         self._rows: dict[int, int] | None = None
 
     def of(self, step: int) -> str:
-        """The block of a step, its text, and who called."""
+        """Return the block of a step, its text, and who called."""
         known = self._blocks.get(step)
         if known is None:
             known = self._blocks[step] = self._made(step)
@@ -171,7 +171,7 @@ class Places:
         return f"{head}<br>{stack}" if stack else head
 
     def _stack(self, call: int) -> str:
-        """The open calls, innermost first."""
+        """Return the open calls, innermost first."""
         known = self._stacks.get(call)
         if known is not None:
             return known
@@ -209,14 +209,14 @@ def _place(step: Any) -> str:
 
 
 def seconds(core: _core.Trace) -> np.ndarray[Any, Any]:
-    """When each move ends, s."""
+    """Return when each move ends, s."""
     import numpy as np
 
     return np.cumsum(core.move_columns(["time"])["time"])
 
 
 def clock(seconds: float) -> str:
-    """A time as people say it: 3.2 s, 4:05, 1:02:03."""
+    """Return a time as people say it: 3.2 s, 4:05, 1:02:03."""
     if seconds < 60:
         return f"{seconds:.1f} s"
     whole = round(seconds)

@@ -1,4 +1,4 @@
-"""`library.plot()`: who calls whom, as a picture."""
+"""`library.plot()`: the calls between programs, as a picture."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 _MOST = 250  # programs
 _SWEEPS = 6  # to lay programs near those that call them
-_MOST_EDGES = 6  # told of one arrow
+_MOST_EDGES = 6  # named on one arrow
 _STATES = {
     "main": (COLOURS[0], "main program"),
     "called": (COLOURS[2], "called"),
@@ -50,8 +50,8 @@ class _Graph:
         self.at = _placed(self.layers, self.arrows)
 
     def _layers(self, main: str | None, graph: CallGraph) -> dict[str, int]:
-        """How many calls away from the main program each is; others from the roots that lead to
-        them.
+        """Return how many calls away from the main program each program is; others are counted from
+        the roots that lead to them.
         """
         after: dict[str, list[str]] = {}
         for caller, called in self.arrows:
@@ -71,7 +71,7 @@ class _Graph:
         return layers
 
     def _cut(self) -> None:
-        """No more programs than a picture can show, those near the main program first."""
+        """Keep no more programs than a picture can show, those near the main program first."""
         rank = {name: row for row, name in enumerate(self.layers)}
         reached = ("main", "called", "missing", "computed")
         order = sorted(
@@ -117,7 +117,7 @@ class _Graph:
                 "x": [self.at[name][0] for name in names],
                 "y": [self.at[name][1] for name in names],
                 "text": [_label(name) for name in names],
-                # Not where arrows come in from the left, or go on to the right.
+                # The text is not where arrows come in from the left, or go on to the right.
                 "textposition": [
                     "top center" if name in calling else "middle right" for name in names
                 ],
@@ -149,8 +149,8 @@ class _Graph:
         return "<br>".join(words)
 
     def _curve(self, pair: tuple[str, str]) -> list[tuple[float, float]]:
-        """From program to program: straight to the next layer, else with a bow that goes round what
-        lies between.
+        """Return the points from program to program: straight to the next layer, else with a bow
+        around what lies between.
         """
         (x0, y0), (x1, y1) = self.at[pair[0]], self.at[pair[1]]
         if pair[0] == pair[1]:
@@ -186,7 +186,7 @@ class _Graph:
         ]
 
     def _middles(self) -> dict[str, Any]:
-        """A point on each arrow that tells its calls."""
+        """Return a point on each arrow that names its calls."""
         x, y, told = [], [], []
         for pair, edges in self.arrows.items():
             curve = self._curve(pair)
@@ -210,7 +210,7 @@ class _Graph:
         }
 
     def _heads(self) -> Iterator[dict[str, Any]]:
-        """The heads of the arrows."""
+        """Yield the heads of the arrows."""
         for pair in self.arrows:
             curve = self._curve(pair)
             (ax, ay), (x, y) = curve[-2], curve[-1]
@@ -234,7 +234,7 @@ class _Graph:
 
 
 def _key(edge: Edge) -> str:
-    """What an arrow leads to: a program, or the expression that tells it."""
+    """Return what an arrow leads to: a program, or the expression that computes it."""
     return edge.called.expression if isinstance(edge.called, Computed) else edge.called
 
 
@@ -256,8 +256,8 @@ def _states(graph: CallGraph, main: str | None) -> dict[str, str]:
 def _placed(
     layers: dict[str, int], arrows: dict[tuple[str, str], list[Edge]]
 ) -> dict[str, tuple[float, float]]:
-    """Each layer a column; in it each program as near to those it has arrows with as there is
-    room.
+    """Return the place of each program. Each layer is a column; in it each program is as near to
+    those it has arrows with as there is room.
     """
     columns: dict[int, list[str]] = {}
     for name, layer in layers.items():

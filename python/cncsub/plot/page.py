@@ -16,8 +16,8 @@ html, body { margin: 0; height: 100%; background: #fff; }
 @media (prefers-color-scheme: dark) { html, body { background: #14181b; } }
 #picture { width: 100%; min-height: 100vh; }
 """
-# A scene fills the window; where that is narrow it is drawn smaller, and what is told under a
-# picture gets shorter lines.
+# A scene fills the window. In a narrow window it is drawn smaller, and the text under a picture
+# gets shorter lines.
 _SCRIPT = """
 function unpacked(name) {
   var packed = atob(document.getElementById(name).textContent);

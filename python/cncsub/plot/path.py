@@ -43,8 +43,8 @@ if TYPE_CHECKING:
 
 MOST = 60_000  # points of a picture
 _DENSE = 4_000  # points from which lines are thin
-_WIDE, _HIGH = 2.2, 1.7  # how large it may be as it is seen, in the units of a camera
-_CODES = BANDS + MOST_NAMES  # of colours: more than there are
+_WIDE, _HIGH = 2.2, 1.7  # the largest size as it is seen, in the units of a camera
+_CODES = BANDS + MOST_NAMES  # not fewer than the codes of colours
 
 
 def path_figure(
@@ -83,16 +83,16 @@ def _title(run: Recorded, first: int, last: int) -> str:
 class _Stretches:
     """Some of the lines of a path, as one trace of a figure."""
 
-    places: Numbers  # of its points in the path; -1 between two lines
+    places: Numbers  # places of the points in the path; -1 between two lines
     starts: Numbers  # whether a line begins at a point
     name: str
     colours: Sequence[str]
-    codes: Numbers | int = 0  # of the points: which of the colours
+    codes: Numbers | int = 0  # which of the colours each point has
     dash: str | None = None
     width: float = 4
     group: str | None = None
     listed: bool = False
-    told: bool = True  # what stands under the pointer
+    told: bool = True  # whether the pointer shows a text
 
 
 class _Picture:
@@ -103,7 +103,7 @@ class _Picture:
         self.core: _core.Trace = run.recorded
         self.coordinates = coordinates
         self.first, self.last, self.most = first, last, most
-        self.number = run.moves[0].move  # of the first row
+        self.number = run.moves[0].move  # the number of the first move
         self.moved = Moved(run, coordinates, first, last)
         self.families = self.moved.families
         self.colouring = self.moved.coloured(color)
@@ -113,7 +113,7 @@ class _Picture:
 
     def _key_of_moves(self) -> Numbers:
         keys = self.families * np.int32(_CODES) + self.colouring.codes
-        # What stands still draws no line; its point goes with the line before.
+        # A dwell draws no line; its point goes with the line before it.
         dwell = self.moved.column("kind") == self.core.move_kinds.index("dwell")
         if dwell.any():
             rows = np.where(dwell, 0, np.arange(len(keys)))
@@ -148,7 +148,7 @@ class _Picture:
     def _data(
         self, drawn: Drawn, tool: Drawn | None, instants: Instants | None
     ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-        """The traces; and the instants of the slider."""
+        """Return the traces, and the instants of the slider."""
         hover = self._hover(drawn)
         paths = [(drawn, some) for some in self._stretches(drawn)]
         if tool is not None:
@@ -279,15 +279,15 @@ class _Picture:
     # ---- what is coloured by a value ----
 
     def _plain(self, drawn: Drawn, some: _Stretches) -> dict[str, Any]:
-        """The colour of lines that nothing plays."""
+        """Return the colour of lines in a figure without a slider."""
         if len(some.colours) == 1:
             return {"color": some.colours[0]}
         colours = self._shown(drawn, some.places, some.starts)
         return {"color": colours, **self._whole_scale(drawn), "showscale": True}
 
     def _shown(self, drawn: Drawn, places: Numbers, starts: Numbers) -> Numbers:
-        """A value for each point: that of the line that leads there, at its start that which it
-        begins with.
+        """Return a value for each point: that of the line that leads to it, or of the line that
+        begins at it.
         """
         values = self.colouring.values
         assert values is not None
@@ -330,7 +330,9 @@ class _Picture:
         }
 
     def _scale_beside(self, drawn: Drawn) -> dict[str, Any]:
-        """The scale of the colours, whose line shows how far the path has come."""
+        """Return a trace with the scale of the colours, for a line whose own colours show
+        progress.
+        """
         beside = {"color": [0.0], **self._whole_scale(drawn), "showscale": True}
         return {**_nowhere("markers"), "marker": beside, "showlegend": False}
 
@@ -363,9 +365,9 @@ class _Picture:
             }
             for letter in "xyz"
         }
-        if turning or flat_z:  # one looks along it
+        if turning or flat_z:  # the view is along this axis
             axes["yaxis" if turning else "zaxis"]["visible"] = False
-        # As long as it is, whatever its shape: one millimetre is as long on every axis.
+        # True to scale: one millimetre is as long on every axis.
         sides = np.maximum(np.ptp(drawn.xyz, axis=0), 1e-3)
         sides = np.maximum(sides, sides.max() / 50)
         wide, high = _seen(sides, np.array(eye), np.array(up))
@@ -381,7 +383,7 @@ class _Picture:
 
 
 def _seen(sides: Numbers, eye: Numbers, up: Numbers) -> tuple[float, float]:
-    """How wide and how high a box is as it is seen from there."""
+    """Return how wide and how high a box looks from `eye`."""
     right = np.cross(up, eye) / float(np.linalg.norm(np.cross(up, eye)))
     above = np.cross(eye, right) / float(np.linalg.norm(eye))
     return float(sides @ abs(right)), float(sides @ abs(above))
@@ -398,13 +400,13 @@ def _left_out(drawn: Drawn) -> list[str]:
 
 
 def _nowhere(mode: str) -> dict[str, Any]:
-    """A trace that draws nothing."""
+    """Return a trace that draws nothing."""
     none = {axis: [None] for axis in "xyz"}
     return {"type": "scatter3d", "mode": mode, **none, "hoverinfo": "skip"}
 
 
 def _entry(some: _Stretches) -> dict[str, Any]:
-    """A line of the legend, for a line whose own colours tell how far the path has come."""
+    """Return an entry of the legend for a line whose own colours show how far the path has come."""
     return {
         **_nowhere("lines"),
         "name": shown_text(some.name),

@@ -1,8 +1,8 @@
 """The slider of `run.plot()`: the path up to an instant, and the tool at its end.
 
-A line is drawn in its colour as far as the path has come, and not at all behind that. So that an
-instant costs no points of its own, the colour of each point tells its place in the path, and an
-instant is a scale of colours that ends there.
+A line is drawn in its colour up to the instant and not at all after it. The colour of each point
+encodes its place in the path, and an instant is a scale of colours that ends there. An instant thus
+needs no points of its own.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 from cncsub.plot.figure import GRID, TEXT, clock
 from cncsub.plot.points import Drawn, Numbers, Points
 
-_INSTANTS = 120  # of the slider
+_INSTANTS = 120  # at most, on the slider
 _NONE = "rgba(0,0,0,0)"
 
 
@@ -30,11 +30,11 @@ class Instants:
         self.at = at if self.timed else np.round(at)
 
     def times_of(self, points: Points) -> Numbers:
-        """When each point is reached; what takes no time goes from point to point."""
+        """Return when each point is reached; its number where the path takes no time."""
         return points.time if self.timed else np.arange(len(points), dtype=float)
 
     def marked(self, drawn: Drawn) -> Drawn:
-        """With a point on the line where the tool is at each instant."""
+        """Return the path with a point on the line where the tool is at each instant."""
         points, times = drawn.points, self.times_of(drawn.points)
         behind = np.searchsorted(times, self.at, side="left")
         inside = (behind > 0) & (behind < len(times))
@@ -54,14 +54,14 @@ class Instants:
         return replace(drawn, points=Points(x, y, z, move, key, time))
 
     def reached(self, points: Points) -> Numbers:
-        """The last point that is reached at each instant."""
+        """Return the last point that is reached at each instant."""
         found = np.searchsorted(self.times_of(points), self.at, side="right") - 1
         return np.maximum(found, 0)
 
 
 class Line:
-    """A line of some colours, each its share of the numbers from 0 to 1, which the points of a path
-    go through in it.
+    """A line of some colours. Each colour has an equal share of the numbers from 0 to 1, and the
+    points of the path go through that share in order.
     """
 
     def __init__(self, points: int, colours: Sequence[str]) -> None:
@@ -69,11 +69,13 @@ class Line:
         self._colours = colours
 
     def numbers(self, places: Numbers, codes: Numbers | int) -> Numbers:
-        """Of points at these places of the path, in the colours of these codes."""
+        """Return the numbers of points at these places of the path, in the colours of
+        these codes.
+        """
         return (codes + (places + 0.5) / self._points) / len(self._colours)
 
     def scale(self, reached: int | None = None) -> list[tuple[float, str]]:
-        """The colours as far as a point is reached; all of them without one."""
+        """Return the scale of colours up to the point `reached`, or all of it without one."""
         whole = reached is None or reached >= self._points - 1
         part = 1.0 if reached is None else (reached + 1) / self._points
         stops: list[tuple[float, str]] = []
@@ -88,7 +90,7 @@ class Line:
         return stops
 
     def as_whole(self) -> dict[str, Any]:
-        """What a line of plotly needs besides its numbers."""
+        """Return what a line of plotly needs besides its numbers."""
         return {"cmin": 0, "cmax": 1, "colorscale": self.scale()}
 
 
@@ -110,8 +112,9 @@ def marker(drawn: Drawn) -> dict[str, Any]:
 def player(
     instants: Instants, drawn: Drawn, lines: Sequence[tuple[int, Line, Numbers]], tool: int
 ) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-    """The picture at each instant, and the keys to go along. `lines`: the place of a line in the
-    figure, and the points it has reached at each instant; `tool`: the place of the marker.
+    """Return the pictures at the instants, and the slider and keys that show them. `lines`: the
+    place of a line in the figure, and the points it has reached at each instant; `tool`: the place
+    of the marker.
     """
     at = drawn.xyz[instants.reached(drawn.points)].tolist()
     frames, steps = [], []

@@ -1,4 +1,4 @@
-"""The points of a path that a picture draws: as many as it may, and what is told of the rest."""
+"""The points of a path that a picture draws: as many as it may, and notes on the rest."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from cncsub.tables.polyline import STRETCH, points_about, rough_size, sampling, 
 Numbers = np.ndarray[Any, np.dtype[Any]]
 
 _FINEST, _WIDEST = 1 / 20_000, 1 / 250  # of the size of the picture: first and last tolerance
-_MOST_LOOKS = 4_000_000  # whether a line runs where another does
+_MOST_LOOKS = 4_000_000  # places looked at to find lines that run over each other
 
 
 @dataclass(frozen=True)
 class Points:
-    """Points of a path, one behind the other."""
+    """Points of a path, in order."""
 
     x: Numbers
     y: Numbers
     z: Numbers
     move: Numbers
-    key: Numbers  # of the line that leads to the point; -1: none does
-    time: Numbers  # s until it is reached
+    key: Numbers  # the line that leads to the point; -1: no line does
+    time: Numbers  # s until the point is reached
 
     def __len__(self) -> int:
         return len(self.x)
@@ -41,12 +41,12 @@ class Points:
 
 @dataclass(frozen=True)
 class Drawn:
-    """The points that are drawn, and what is told of the rest."""
+    """The points that are drawn, and notes on the rest."""
 
     points: Points
     told: list[str]
-    breaks: int  # where other coordinates came into force
-    behind: int | None = None  # the move behind which nothing is drawn, where it is cut
+    breaks: int  # how often other coordinates came into force
+    behind: int | None = None  # the last move that is drawn, where the path is cut
 
     @property
     def keys(self) -> Numbers:
@@ -61,9 +61,9 @@ class Drawn:
 def drawn_path(
     core: _core.Trace, coordinates: str, rows: tuple[int, int], keys: Numbers, most: int
 ) -> Drawn:
-    """The points of the moves of some rows, from the first to the one behind the last, as many as
-    may be drawn. `keys`: of each move that of its line, a number from 0 below 4,096, or -1: it is
-    not drawn.
+    """Return the points to draw of the moves `rows` (the first, and the one after the last), at
+    most `most` points. `keys`: for each move the key of its line, a number from 0 below 4,096, or
+    -1 where it is not drawn.
     """
     first, last = rows
     size = rough_size(core, coordinates, first, last)
@@ -98,21 +98,21 @@ class _Path:
         self._keys = keys
 
     def points(self, first: int, last: int, tolerance: float) -> tuple[Points, int, int]:
-        """Those of some moves that are enough; how many there are in all, and at how many the path
-        begins anew.
+        """Return enough points of some moves for the tolerance, how many points there are in all,
+        and at how many of them the path begins anew.
         """
         keys = self._keys[first - self._first : last - self._first]
         *columns, whole, begins = self._core.outline(*self._of, tolerance, first, last, keys)
         return Points(*columns), whole, begins
 
     def _twice(self, first: int, last: int, tolerance: float) -> Points:
-        """As `points`, looked at again."""
+        """Return the points as `points` does, thinned a second time."""
         points, _, _ = self.points(first, last, tolerance)
         return points.at(self._core.thinned(*points.columns, points.key, tolerance))
 
     def tolerance(self, last: int, size: float, most: int) -> tuple[float, int]:
-        """The tolerance to begin with, and the move up to which there is time to look. Stretches of
-        a long path tell them.
+        """Return the tolerance to begin with, and the move up to which there is time to look. In a
+        long path both are estimated from stretches.
         """
         widest, tolerance = size * _WIDEST, size * _FINEST
         begins = stretches(self._first, last)
@@ -134,15 +134,15 @@ class _Path:
 def _thinned(
     core: _core.Trace, points: Points, tolerance: float, size: float, most: int
 ) -> tuple[Points, float]:
-    """With a wider tolerance again and again, until they are few enough; and how far what was left
-    out may lie. With `tolerance`, 0 or more, they were thinned already.
+    """Thin the points with wider and wider tolerances until there are few enough. Return them, and
+    how far the points left out may lie from them. The points were already thinned with `tolerance`.
     """
     off, begun, looks, widest = tolerance, len(points), 1, size * _WIDEST
     while len(points) > most:
         if looks == 2 or tolerance == 0:  # a second look finds what windows hid from the first
             if tolerance >= widest:
                 break
-            many = len(points) > max(50 * most, 0.9 * begun)  # most of it goes here and there
+            many = len(points) > max(50 * most, 0.9 * begun)  # most of the path goes to and fro
             wider = tolerance * (1.5 if len(points) < 4 * most else 3)
             tolerance = widest if many else min(wider or size * _FINEST, widest)
             looks = 0
@@ -154,8 +154,8 @@ def _thinned(
 
 
 def _uncovered(points: Points, size: float, most: int, told: list[str]) -> Points:
-    """Without lines that run where others of their colour do already, as far as a picture
-    shows. Those for which there is no time are cut.
+    """Drop lines that run where others of their colour do already, as far as a picture shows. Lines
+    that there is no time to look at are cut.
     """
     if len(points) <= most:
         return points
@@ -174,25 +174,27 @@ def _uncovered(points: Points, size: float, most: int, told: list[str]) -> Point
 
 def _length(mm: float) -> str:
     digit = 10.0 ** (math.floor(math.log10(mm)) - 1)
-    return f"{math.ceil(mm / digit - 1e-9) * digit:.2g} mm"  # never less than it is
+    return f"{math.ceil(mm / digit - 1e-9) * digit:.2g} mm"  # rounded up
 
 
 def _looks(at: tuple[Numbers, Numbers, Numbers], cell: float) -> Numbers:
-    """In how many places to look where the line to each point but the first runs."""
+    """Return how many places to look at along the line to each point but the first."""
     way = np.sqrt(sum(np.diff(column) ** 2 for column in at))
     looks: Numbers = np.ceil(way / (cell / 2)).astype(np.int64) + 1
     return looks
 
 
 def _looked_at(at: tuple[Numbers, Numbers, Numbers], cell: float) -> int:
-    """How many points there is time to look at."""
+    """Return how many points there is time to look at."""
     x, y, z = (column[: _MOST_LOOKS + 1] for column in at)  # each takes one look at least
     looks = np.cumsum(_looks((x, y, z), cell))
     return int(np.searchsorted(looks, _MOST_LOOKS, side="right")) + 1
 
 
 def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) -> Numbers:
-    """Which points have a line that goes where none of its key went before, in cells of a grid."""
+    """Return which points have a line that goes where no earlier line of its key went, by cells of
+    a grid.
+    """
     x, y, z = at
     count_of = len(x)
     looks = _looks(at, cell)
@@ -212,8 +214,9 @@ def _new_lines(at: tuple[Numbers, Numbers, Numbers], key: Numbers, cell: float) 
 
 
 def line_runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:
-    """The points of the lines that are marked, as places in the path: each run with its start, and
-    -1 between two runs; and which of them are starts. A run ends where the key changes.
+    """Return the points of the marked lines as places in the path, and which of them are starts.
+    Each run begins with its start, and -1 stands between two runs. A run ends where the key
+    changes.
     """
     marked = np.flatnonzero(mask)
     marked = marked[marked > 0]
@@ -222,7 +225,7 @@ def line_runs(mask: Numbers, keys: Numbers) -> tuple[Numbers, Numbers]:
     fresh = np.ones(len(marked), dtype=bool)
     fresh[1:] = (np.diff(marked) != 1) | (keys[marked[1:]] != keys[marked[:-1]])
     at = np.flatnonzero(fresh)
-    # Before each start: a gap and the point that the line comes from.
+    # Before each start stand a gap and the point that the line comes from.
     doubled = np.repeat(at, 2)
     added = np.column_stack((np.full(len(at), -1), marked[at] - 1)).ravel()
     places = np.insert(marked, doubled, added)

@@ -1,4 +1,4 @@
-"""`run.watch.plot()`: what became of variables, over steps or time."""
+"""`run.watch.plot()`: the values of variables, over steps or time."""
 
 from __future__ import annotations
 
@@ -48,15 +48,15 @@ class _Timeline:
                 f"Changed, and not drawn: {_hashes(moving[_MOST:])}; run.watch(100).plot() draws"
                 " one."
             )
-        self.vacant: list[int] = []  # of those that are drawn: vacant at some time
+        self.vacant: list[int] = []  # the drawn variables that were vacant at some time
         self.steps = np.asarray(watch.step)
         self.over = over
         self.at = self._places()
         self.end = self._end()
 
     def _places(self) -> Numbers:
-        """Where each change lies on the axis; what came from outside lies where the one before
-        does.
+        """Return where each change lies on the axis; a change from outside lies where the one
+        before it does.
         """
         steps = np.maximum.accumulate(self.steps) if len(self.steps) else self.steps
         steps = np.maximum(steps, 0)
@@ -129,7 +129,7 @@ class _Timeline:
         }
 
     def _few(self, at: Numbers, values: Numbers) -> Numbers:
-        """The changes to draw."""
+        """Return the changes to draw."""
         if len(at) <= _MOST_HOVERS:
             return np.arange(len(at))
         columns = np.floor(at / (self.end or 1) * _WIDE).astype(np.int64)

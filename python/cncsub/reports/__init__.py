@@ -1,1 +1,1 @@
-"""What is told of programs and of runs, for people and for other programs: as text, JSON, HTML."""
+"""Reports on programs and runs, for people and for other programs: as text, JSON, HTML."""

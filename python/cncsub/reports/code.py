@@ -20,7 +20,7 @@ MOST_LETTERS = 400  # of a block
 
 
 class Anchors:
-    """Where blocks stand on the page."""
+    """The places of blocks on the page."""
 
     def __init__(self, run: Run, coverage: Coverage) -> None:
         self._run = run
@@ -34,7 +34,7 @@ class Anchors:
             self._shown.update((program.file, line) for line in program.blocks.line[:share])
 
     def mark(self, file: str, line: int) -> None:
-        """A block is shown, however long its program is."""
+        """Show a block, however long its program is."""
         if file in self._files:
             self._shown.add((file, line))
 
@@ -48,7 +48,7 @@ class Anchors:
         return f"program-{program.encode('utf-8').hex()}"
 
     def link(self, file: str, line: int, words: str) -> str:
-        """Words that lead to a block, or only words where the page does not show it."""
+        """Return words that lead to a block, or only words where the page does not show it."""
         if not self.shown(file, line):
             return escape(words)
         return f'<a href="#{self.name(file, line)}">{escape(words)}</a>'
@@ -59,7 +59,7 @@ class Anchors:
         return f'<a href="#{self.head(name)}">{escape(name)}</a>'
 
     def block_of_step(self, step: int) -> tuple[str, str]:
-        """The words for the block of a step, and the link to it."""
+        """Return the words for the block of a step, and the link to it."""
         row = self._run.steps[step]
         words = f"{row.program} line {row.line}" if row.n is None else f"{row.program} N{row.n}"
         file = self._names.get(row.program, "")
@@ -74,7 +74,9 @@ class Anchors:
 
 
 def _shares(sizes: list[int], most: int) -> list[int]:
-    """How many blocks of each program are shown: the short ones whole, the long ones alike."""
+    """Return how many blocks of each program are shown: all of the short ones, equal shares of the
+    long ones.
+    """
     shares = [0] * len(sizes)
     left = most
     for rank, place in enumerate(sorted(range(len(sizes)), key=sizes.__getitem__)):
@@ -89,7 +91,7 @@ Marks = dict[tuple[str, int], list[tuple[str, str]]]
 def code_section(
     coverage: Coverage, findings: list[Finding], alarm: Alarm | None, anchors: Anchors
 ) -> Iterator[str]:
-    """Each program to be folded in and out."""
+    """Yield each program, to be folded in and out."""
     marks: Marks = {}
     if alarm is not None:
         marks[alarm.file, alarm.line] = [("error", f"alarm {alarm.number or ''} {alarm.cause}")]

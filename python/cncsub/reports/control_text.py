@@ -18,14 +18,14 @@ MOST_EXPLAINED = 24  # alarm numbers that are printed with their texts
 SHORT = 60  # letters of a list that stands before its meaning
 
 Fact = tuple[str, str]
-"""What a fact is called, and what is said of it."""
+"""The name of a fact, and what is said of it."""
 
 
 # ---- the page ----
 
 
 def print_summary(console: Console, control: Control) -> None:
-    """What differs from the family, in groups, and the sources that say so."""
+    """Print what differs from the family, in groups, and the sources that say so."""
     different = [rule for rule in control.rules if rule.value != rule.family]
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
     lead = f"cncsub controls {control.name}"
@@ -62,7 +62,7 @@ def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, li
 
 
 def _own(control: Control, base: Control) -> Iterator[Fact]:
-    """What a control of one's own says otherwise than its base, each with its note."""
+    """Yield what a control of one's own says otherwise than its base, each with its note."""
     before = {rule.name: rule for rule in base.rules}
     for rule in control.rules:
         of = before[rule.name]
@@ -84,19 +84,20 @@ _KEPT = "\N{NO-BREAK SPACE}"  # no line ends in a mark
 
 
 def _mark(source: str, evidence: str) -> str:
-    """The sources of a fact by their keys: `[ALM]`, `[ALM?]` where it is inferred from it, `[?]`
-    where nobody says."""
+    """Return the sources of a fact by their keys: `[ALM]`, `[ALM?]` where it is inferred from it,
+    `[?]` where there is none.
+    """
     keys = ", ".join(map(_short, cited(source)))
     mark = f"[{keys}{'?' if evidence == 'inferred' or not keys else ''}]"
     return mark.replace(" ", _KEPT)
 
 
 def _short(key: str) -> str:
-    return key.removesuffix(" p")  # of the page that follows
+    return key.removesuffix(" p")  # the p of the page that follows
 
 
 def _print_keys(console: Console, control: Control, different: list[Rule]) -> None:
-    """The sources that the page cites, each once."""
+    """Print the sources that the page cites, each once."""
     told = [rule.source for rule in different]
     told += [source for rule in different for source, _ in rule.sources.values()]
     told += [source for source, _ in control.absent.values()]
@@ -113,7 +114,7 @@ def _print_keys(console: Console, control: Control, different: list[Rule]) -> No
 
 
 def _print_paragraph(console: Console, text: str, head: str = "") -> None:
-    """A text in lines of the page, what it is called in colour."""
+    """Print a text in lines of the page, its head in colour."""
     lines = textwrap.wrap(
         text,
         max(40, min(console.width or WIDTH, WIDTH)),
@@ -136,7 +137,9 @@ def _print_paragraph(console: Console, text: str, head: str = "") -> None:
 
 
 def _rule(rule: Rule, printed: dict[str, str]) -> Fact:
-    """A rule; `printed` holds the long lists above it, which are not printed twice."""
+    """Return a rule as a fact; `printed` holds the long lists above it, which are not printed
+    twice.
+    """
     if not rule.choices and isinstance(rule.value, str) and isinstance(rule.family, str):
         texts = (rule.value, rule.family)
         if rule.entries or any(len(text.split()) > 1 for text in texts):
@@ -153,7 +156,7 @@ def _rule(rule: Rule, printed: dict[str, str]) -> Fact:
 
 
 def _list_words(rule: Rule, mine: list[str], family: list[str]) -> str:
-    """What the list of a rule has and the family's has not, and the other way round."""
+    """Return what the list of a rule has and the family's has not, and the other way round."""
     more = _marked(rule, [entry for entry in mine if entry not in family])
     codes = {entry.partition("=")[0] for entry in mine}
     gone = [entry.partition("=")[0] for entry in family if entry not in mine]
@@ -163,7 +166,7 @@ def _list_words(rule: Rule, mine: list[str], family: list[str]) -> str:
 
 
 def _marked(rule: Rule, entries: list[str]) -> str:
-    """Entries with their sources, those of one source together."""
+    """Return entries with their sources, those of one source together."""
     by_mark: dict[str, list[str]] = {}
     for entry in entries:
         told = rule.sources.get(entry) or rule.sources.get(entry.partition("=")[0])
@@ -173,7 +176,7 @@ def _marked(rule: Rule, entries: list[str]) -> str:
 
 
 def _compact(entries: list[str]) -> str:
-    """A list in few words: `0-4 7.1`, and codes of one meaning by it."""
+    """Return a list in few words: `0-4 7.1`, and codes grouped by their meaning."""
     if all(re.fullmatch(r"[0-9.]+", entry) for entry in entries):
         return _runs(entries)
     if not all(re.fullmatch(r"[0-9.]+=[^=]+", entry) for entry in entries):
@@ -186,8 +189,9 @@ def _compact(entries: list[str]) -> str:
 
 
 def _runs(numbers: Iterable[str]) -> str:
-    """Numbers that count up by one of their last figure, three or more, as `9-11` and
-    `30.1-30.6`."""
+    """Return numbers in few words: three or more that count up in their last figure stand as `9-11`
+    and `30.1-30.6`.
+    """
     told: list[list[str]] = []
     for number in numbers:
         if told and _next(told[-1][-1]) == number:
@@ -198,7 +202,7 @@ def _runs(numbers: Iterable[str]) -> str:
 
 
 def _next(number: str) -> str:
-    """The number after this one: `PS0077` after `PS0076`, `30.2` after `30.1`."""
+    """Return the number after this one: `PS0077` after `PS0076`, `30.2` after `30.1`."""
     figures = re.search(r"[0-9]+$", number)
     if figures is None:
         return ""
@@ -222,7 +226,7 @@ def _parameters(parameters: list[Parameter]) -> Iterator[Fact]:
 
 
 def _parameter_names(names: list[str]) -> str:
-    """Parameters in few words: `6050-6059 6001#5,6,7`."""
+    """Return parameters in few words: `6050-6059 6001#5,6,7`."""
     bits: dict[str, list[str]] = {}
     for name in names:
         number, _, bit = name.partition("#")
@@ -264,7 +268,7 @@ def _alarms(alarms: list[Any]) -> Iterator[Fact]:
 
 
 def _in_order(number: str) -> tuple[str, int, str]:
-    """By the figures, numbers of the same letters together."""
+    """Return the sort key of a number: by its letters, then by its figures."""
     letters = re.sub(r"[0-9].*", "", number)
     return letters, int(re.sub(r"\D", "", number) or 0), number
 
@@ -303,7 +307,7 @@ def print_control(console: Console, control: Control) -> None:
 
 
 def _numbers(alarm: Any) -> str:
-    """The number of an alarm, or those of its directions: OT0500 +, OT0501 -."""
+    """Return the number of an alarm, or those of its directions: OT0500 +, OT0501 -."""
     directed = [f"{number} {way}" for way, (number, _) in alarm.directed.items()]
     return alarm.number or ", ".join(directed) or "(no number)"
 
@@ -327,7 +331,7 @@ def _print_facts(console: Console, title: str, facts: Iterable[tuple[str, str, A
 
 
 def _print_fact(console: Console, head: str, text: str) -> None:
-    """The head in colour; wrapped on a terminal, with what follows below the text."""
+    """Print a fact with its head in colour; lines that are wrapped on a terminal are indented."""
     first, *rest = wrapped(console, f"  {head}: {text}", "    ")
     named = f"  {head}"
     if first.startswith(named):

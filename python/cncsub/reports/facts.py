@@ -21,7 +21,9 @@ if TYPE_CHECKING:
 
 
 def effect_of(parameter: Parameter, name: Callable[[str], str] = str) -> str:
-    """What a parameter does, where that is not the registering of codes; `name` writes a rule's."""
+    """Return what a parameter does, where it does not register codes; `name` writes the name
+    of a rule.
+    """
     if parameter.rules:
         return f"sets {', '.join(map(name, parameter.rules))}"
     return "" if parameter.used else "nothing is computed from it"
@@ -204,7 +206,9 @@ def control_facts(control: Control) -> dict[str, Any]:
 
 
 def explanations(asked: str, among: list[Control]) -> list[dict[str, Any]]:
-    """What is known about a cause or a number: one entry for each cause, with its controls."""
+    """Return what is known about a cause or a number: one entry for each cause, with its
+    controls.
+    """
     wanted = asked.strip().casefold()
     slugs = [slug for slug in causes if slug == wanted]
     if not slugs:
@@ -218,7 +222,9 @@ def explanations(asked: str, among: list[Control]) -> list[dict[str, Any]]:
 
 
 def _user_alarm_number(control: Control, wanted: str) -> str | None:
-    """The alarm of this number that a program can raise by #3000: asked of the control itself."""
+    """Return the alarm of this number that a program can raise by #3000; the control itself is
+    asked.
+    """
     figures = re.fullmatch(r"[a-z]*([0-9]{1,4})", wanted)
     if figures is None or not (number := int(figures[1]) % 1000):
         return None
@@ -229,7 +235,9 @@ def _user_alarm_number(control: Control, wanted: str) -> str | None:
 
 
 def _user_alarm(raising: list[tuple[Control, str]]) -> dict[str, Any]:
-    """What is known of an alarm that only a program raises, on the controls with its number."""
+    """Return what is known of an alarm that only a program raises, on the controls with its
+    number.
+    """
     number = raising[0][1]
     raised: dict[str, Any] = {
         "text": "the message that the program gives",
@@ -243,7 +251,7 @@ def _user_alarm(raising: list[tuple[Control, str]]) -> dict[str, Any]:
     return {**told, "alarms": alarms}
 
 
-# Causes that people take for each other, because a relative of the control raises the other number.
+# Causes that people confuse, because a relative of the control raises the other number.
 _ALIKE = ("program-not-found", "named-program-not-found", "external-program-not-found")
 
 
@@ -252,7 +260,7 @@ def _beside(slug: str) -> list[str]:
 
 
 def _kin(slug: str, controls: list[Control]) -> list[dict[str, Any]]:
-    """The numbers of a cause like another one, each once."""
+    """Return the numbers of a cause like another one, each once."""
     numbers = dict.fromkeys(c.alarms[slug].number for c in controls if slug in c.alarms)
     meaning = causes[slug].meaning
     return [{"number": n, "cause": slug, "meaning": meaning} for n in numbers if n]
@@ -266,7 +274,7 @@ def _causes_of_number(wanted: str, among: list[Control]) -> list[str]:
 
 
 def _numbers(entry: Any) -> list[str]:
-    """The number of an alarm, and those of its directions."""
+    """Return the number of an alarm, and those of its directions."""
     return [entry.number, *(number for number, _ in entry.directed.values())]
 
 
@@ -275,7 +283,7 @@ def _same(number: str | None, wanted: str) -> bool:
 
 
 def _alike(number: str | None, wanted: str) -> bool:
-    """`78` is said for `078` and for `PS0076`."""
+    """Return whether two numbers name one alarm: `76` stands for `076` and for `PS0076`."""
     return bool(number) and _figures(number) == _figures(wanted) != ""
 
 
@@ -330,7 +338,7 @@ def unknown_alarm(asked: str, among: list[Control], rules: Iterable[str]) -> str
 
 
 def _fact_of_control(control: Control, asked: str) -> str | None:
-    """What else of a control is called so."""
+    """Return what else of a control has this name."""
     if asked in control.parameters:
         return "a parameter"
     return "a rule" if any(rule.name == asked for rule in control.rules) else None

@@ -16,11 +16,11 @@ from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
 from cncsub.writing import replace_whole
 
-VERSION = 1  # of the JSON; it grows when a key changes its meaning or goes
+VERSION = 1  # of the JSON; it grows when a key changes its meaning or is removed
 
 
 def finding_facts(findings: Sequence[Finding]) -> dict[str, Any]:
-    """All of them as JSON can hold them; docs/findings.schema.json is the schema."""
+    """Return all findings as JSON can hold them; docs/findings.schema.json is the schema."""
     return {"version": VERSION, "findings": [_facts(finding) for finding in findings]}
 
 
@@ -55,7 +55,7 @@ _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
 
 def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
-    """A log of SARIF 2.1.0: the calls that lead to a finding are its code flow."""
+    """Return a log of SARIF 2.1.0; the calls that lead to a finding are its code flow."""
     rules = [
         {
             "id": rule.number,
@@ -146,8 +146,8 @@ def _change(edit: Edit) -> dict[str, Any]:
 
 
 def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
-    """A test suite of JUnit: a case for each file, with its findings as a failure; where they are
-    notes alone, as its output.
+    """Return a JUnit test suite with a case for each file. The findings of a file are its failure,
+    or its output where all of them are notes.
     """
 
     by_file: dict[str, list[Finding]] = {file: [] for file in files}
@@ -177,7 +177,7 @@ def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
 
 
 def github_annotations(findings: Iterable[Finding]) -> str:
-    """Workflow commands that GitHub shows beside the lines of a change."""
+    """Return workflow commands that GitHub shows beside the lines of a change."""
 
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
@@ -193,17 +193,17 @@ class Mended:
     """Files with the edits that are certain; nothing is written before `write`."""
 
     def __init__(self, findings: Iterable[Finding]) -> None:
-        self._left: set[Edit] = set()  # those whose text is not where it was
+        self._left: set[Edit] = set()  # the edits whose text is not where it was
         self._old: dict[str, list[bytes]] = {}  # the lines of each file
         self._new: dict[str, list[bytes]] = {}
         edits = {edit for finding in findings for edit in finding.fix or ()}
-        # From the end of each line, so that what stands before stays where it is.
+        # Edits go from the end of each line: the text before an edit stays where it is.
         for edit in sorted(edits, key=lambda edit: edit[:3], reverse=True):
             self._apply(edit)
 
     def _apply(self, edit: Edit) -> None:
-        """Words of NC programs are ASCII: what stands at its column behind nothing but ASCII, or
-        once in its line, is replaced as bytes, whatever the encoding of its comments.
+        """Replace a word as bytes, whatever the encoding of the comments. Words of NC programs are
+        ASCII: the word must stand at its column after nothing but ASCII, or once in its line.
         """
         if edit.file not in self._new:
             self._old[edit.file] = lines_of(Path(edit.file).read_bytes())
@@ -223,7 +223,7 @@ class Mended:
 
     @staticmethod
     def _lengthened(line: bytes, first: bytes, new: bytes) -> bytes:
-        """A line with a text put behind it, whose lines end as the lines of the file do."""
+        """Return a line with a text put at its end; new lines end as the lines of the file do."""
         words = without_end(line)
         end = line[len(words) :]
         usual = end or first[len(without_end(first)) :] or b"\n"
@@ -235,7 +235,7 @@ class Mended:
         return len(self._left)
 
     def mends(self, finding: Finding) -> bool:
-        """Whether it has edits and all of them are made."""
+        """Return whether a finding has edits and all of them are made."""
         return finding.fix is not None and self._left.isdisjoint(finding.fix)
 
     def diff(self) -> str:
@@ -249,7 +249,7 @@ class Mended:
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
 
     def write(self) -> list[str]:
-        """Writes the files that change, and names them."""
+        """Write the files that change, and return their names."""
         changed = [file for file, text in self._new.items() if text != self._old[file]]
         for file in changed:
             replace_whole(file, b"".join(self._new[file]))
@@ -257,5 +257,5 @@ class Mended:
 
 
 def with_severity(findings: Iterable[Finding], severities: dict[str, str]) -> list[Finding]:
-    """The same with the severities that a project gives its rules."""
+    """Return the findings with the severities that a project gives its rules."""
     return [replace(f, severity=severities.get(f.rule, f.severity)) for f in findings]

@@ -1,4 +1,6 @@
-"""What leads on from an alarm, and which options had no effect: said beside a run, never in it."""
+"""Hints that lead on from an alarm, and notes on options without effect. They stand beside a run,
+never in it.
+"""
 
 from __future__ import annotations
 
@@ -26,10 +28,10 @@ from cncsub.sibling_files import files_named, folders_in, folders_of
 MOST_BLOCKS = 20_000  # of a run that is tried again, and of a memory that is searched
 MOST_SECONDS = 1.0
 MOST_TOLD = 3
-MOST_FILES = 200  # whose language is asked
+MOST_FILES = 200  # whose language is guessed
 MOST_TEXT = 20_000  # letters of a program that are looked at
 
-# How programs of other languages look, and the control here that reads them, if there is one.
+# Patterns of programs in other languages, and the control here that reads each, if there is one.
 _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
     (
         r"^ *(?:\d+ +)?(?:BEGIN PGM\b|BLK FORM\b|TOOL CALL +\d|CYCL DEF +\d|CALL (?:LBL|PGM)\b"
@@ -73,8 +75,8 @@ _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
 )
 
 
-# Rules by which a control refuses a form of writing. A parameter of these alone lets a block pass
-# that says what it says with either value; any other one would make the program mean something
+# Rules by which a control refuses a form of writing. A parameter of these alone is offered: the
+# block means the same with either value. Any other parameter would make the program mean something
 # else, which is no cure for an alarm.
 _PERMITS = re.compile(
     r"refuses:.*|missing_end|cancel_alone|main_return|start_word|omitted_program|conditions:joined"
@@ -84,8 +86,8 @@ _PERMITS = re.compile(
 def hints_of(
     library: Library, run: Run, asked: Mapping[str, Any], main: Any = None, mdi: str | None = None
 ) -> list[str]:
-    """What leads on from the alarm of a run, or from its waiting; `asked` are the options it ran
-    with, `mdi` what was typed.
+    """Return what leads on from the alarm of a run, or from its waiting. `asked`: the options that
+    it ran with; `mdi`: what was typed.
     """
     alarm = run.alarm
 
@@ -126,7 +128,7 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         yield f"{name} is in the memory, where M98 calls it"
     if not outside and name in library.external:
         yield f"{name} is on the external device, where M198 calls it"
-    # What was typed lies in no folder.
+    # What was typed in MDI is in no folder.
     files = [alarm.file] if alarm.file in library.files else library.files[:1]
     folders = {folder: None for file in files for folder in folders_of(file)}
     folders |= {inner: None for folder in list(folders) for inner in folders_in(folder)}
@@ -148,7 +150,9 @@ _NOT_COMPUTED = "code-not-computed"  # the control has it, and a run stops there
 def _language(
     library: Library, run: Run, alarm: Alarm, mdi: str | None, again: Callable[..., Run]
 ) -> str | None:
-    """The language that a program seems to be written in, where the control reads another one."""
+    """Return the language that a program seems to be written in, where the control reads another
+    one.
+    """
     program = library.get(alarm.program)
     for name, control in languages_of(mdi or "" if program is None else program.text):
         if control == library.control.name:
@@ -157,7 +161,7 @@ def _language(
             return _seems(name, control)
         try:
             read = again(library.read_for(control), max_blocks=1_000, trace="none")
-        except (KeyError, ValueError):  # it has no such program, variable, axis
+        except (KeyError, ValueError):  # that control has no such program, variable, axis
             continue
         other = read.alarm
         if other is None or other.cause == _NOT_COMPUTED or read.blocks > run.blocks:
@@ -172,15 +176,17 @@ def _seems(name: str, control: str | None) -> str:
 
 
 def languages_of(text: str) -> Iterator[tuple[str, str | None]]:
-    """The languages a text looks like, and the control here that reads each, if there is one."""
+    """Yield the languages that a text looks like, and the control here that reads each, if there is
+    one.
+    """
     for pattern, name, control in _LANGUAGES:
         if re.search(pattern, text[:MOST_TEXT], re.M | re.I):
             yield name, control
 
 
 def foreign_language(library: Library, files: Collection[str] | None = None) -> str | None:
-    """The languages of files of the memory, or of its first one, that no control here reads: they
-    are told also where what their blocks seem to say runs. In the words of a hint.
+    """Return, as a hint, the languages of files of the memory, or of its first file, that no
+    control here reads. They are named even where their blocks would run.
     """
     sources = [(name, text) for name, _, text, _ in library.code.sources]
     if files is None:
@@ -213,8 +219,8 @@ def language_beside_findings(
     check: Callable[[Library], list[Finding]],
     files: Collection[str],
 ) -> str | None:
-    """The language of the files that were asked for: one that no control here reads, or one as
-    which a file is read with fewer errors. In the words of a hint.
+    """Return, as a hint, the language of the files that were asked for: one that no control here
+    reads, or one in which a file has fewer errors.
     """
     if (foreign := foreign_language(library, files)) is not None or not found:
         return foreign
@@ -229,7 +235,7 @@ def language_beside_findings(
             try:
                 if control not in others:
                     others[control] = check(library.read_for(control))
-            except (KeyError, ValueError):  # it has no such program
+            except (KeyError, ValueError):  # that control has no such program
                 continue
             if _errors_in(name, others[control]) < errors:
                 hint = _seems(language, control)
@@ -238,15 +244,15 @@ def language_beside_findings(
 
 
 def _errors_in(file: str, found: list[Finding]) -> int:
-    """How many places of a file have errors."""
+    """Return how many places of a file have errors."""
     errors = [finding for finding in found if finding.severity == "error"]
     files = (at for f in errors for at in (f.file, *(place.file for place in f.places)))
     return sum(at == file for at in files)
 
 
 def other_reading(library: Library, file: str) -> str | None:
-    """The control for which a file of the memory seems to be written, where it holds no two
-    programs of one name if it is read so; in the words of a hint.
+    """Return, as a hint, the control for which a file of the memory seems to be written, where the
+    file, read so, holds no two programs of one name.
     """
     sources = {name: text for name, _, text, _ in library.code.sources}
     for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
@@ -263,7 +269,7 @@ def other_reading(library: Library, file: str) -> str | None:
 
 
 def _allowed(library: Library, run: Run, again: Callable[..., Run]) -> Iterator[str]:
-    """Parameters and options with which the run goes past the block: each is tried."""
+    """Yield parameters and options with which the run goes past the block; each is tried."""
     if run.blocks > MOST_BLOCKS:
         return
     end = time.monotonic() + MOST_SECONDS
@@ -278,7 +284,7 @@ def _allowed(library: Library, run: Run, again: Callable[..., Run]) -> Iterator[
 
 
 def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
-    """The control with one parameter or one option changed, and how to ask for that."""
+    """Yield how to ask for one changed parameter or option, and the control that has it."""
     for parameter in control.parameters.values():
         rules = parameter.rules
         permits = bool(rules) and all(map(_PERMITS.fullmatch, rules))
@@ -296,7 +302,7 @@ def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
 
 
 def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
-    """A program of a lathe on a control that is described as a mill alone."""
+    """Yield a hint on a lathe program where the control is described as a mill alone."""
     if "turning" not in control.absent or alarm.cause not in _REFUSED:
         return
     if _OF_LATHES.fullmatch(alarm.word or ""):
@@ -311,7 +317,7 @@ _OF_LATHES = re.compile(r"G0*(?:32|33|34|7[0-6]|9[0267])", re.IGNORECASE)
 
 
 def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
-    """How conditions are joined, where a block joins them otherwise."""
+    """Yield how conditions are joined, where a block joins them otherwise."""
     if alarm.cause != "if-format" or not any(map(_joins, _words_of(library, alarm, mdi))):
         return
     for parameter in library.control.parameters.values():
@@ -326,7 +332,7 @@ def _joins(word: Word) -> bool:
 
 
 def _words_of(library: Library, alarm: Alarm, mdi: str | None) -> list[Word]:
-    """The words of the block that alarmed."""
+    """Return the words of the block that alarmed."""
     program = library.get(alarm.program)
     if program is not None:
         text = next((b.text for b in program.blocks if b.line == alarm.line), "")
@@ -337,7 +343,7 @@ def _words_of(library: Library, alarm: Alarm, mdi: str | None) -> list[Word]:
 
 
 def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
-    """The controls that have a G code which this one has not."""
+    """Yield the controls that have a G code which this control has not."""
     code = re.fullmatch(r"G0*(\d+(?:\.\d+)?)", alarm.word or "", re.IGNORECASE)
     if alarm.cause != "g-code-not-available" or code is None:
         return
@@ -353,7 +359,7 @@ def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
 
 
 def _computes(control: Control, code: str) -> bool:
-    """Whether a control has a code and a block that names it alone runs."""
+    """Return whether a control has a code and runs a block that names it alone."""
     from cncsub.loading import loads
 
     return not loads(f"N1 {code}\n", control=control).check(rules=["CS102", "CS105"])
@@ -365,7 +371,9 @@ def _computes(control: Control, code: str) -> bool:
 def with_ways_past(
     library: Library, found: list[Finding], check: Callable[[Library], list[Finding]]
 ) -> list[Finding]:
-    """The findings, each with the parameter or option behind which it is gone: each is tried."""
+    """Return the findings, each with the parameter or option that makes it disappear; each is
+    tried.
+    """
     wanted = {_place(f): f for f in found if f.rule in _MAY_PASS}
     blocks = sum(len(program.blocks) for program in library.values())
     if not wanted or blocks > MOST_BLOCKS:
@@ -396,7 +404,7 @@ def _place(finding: Finding) -> tuple[Any, ...]:
 
 
 def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> Iterator[str]:
-    """A line of a file of inputs with which the run goes on: each is tried."""
+    """Yield a line for a file of inputs with which the run goes on; each is tried."""
     number = re.fullmatch(r"#(\d+)", run.waiting_for or "")
     if number is None or asked.get("inputs") is not None or run.blocks > MOST_BLOCKS:
         return
@@ -421,8 +429,8 @@ def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> I
 def without_effect(
     library: Library, asked: Mapping[str, Any], typed: Program | None = None
 ) -> Iterator[Note]:
-    """A note for each option that no block asks for, where the blocks can be read through; `typed`
-    is what was typed in MDI.
+    """Yield a note for each option that no block asks for, where the blocks can be read through.
+    `typed`: what was typed in MDI.
     """
     programs = [*library.values(), *library.external.values(), *([typed] if typed else ())]
     if sum(len(program.blocks) for program in programs) > MOST_BLOCKS:
@@ -470,7 +478,9 @@ def _any_word(programs: Iterable[Program], address: str, *codes: int) -> bool:
 
 
 def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:
-    """A lathe has its offsets in `tools`, a mill in `length_offsets` and `radius_offsets`."""
+    """Yield notes on offsets of another machine: a lathe has its offsets in `tools`, a mill in
+    `length_offsets` and `radius_offsets`.
+    """
     (own,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
     machine = setup.machine or own
     lathe = machine.startswith("lathe")
@@ -490,7 +500,7 @@ def _calls_outside(program: Program) -> bool:
 
 
 def _read_variables(programs: Iterable[Program]) -> set[int] | None:
-    """The variables that blocks read by number; `None` where one is computed."""
+    """Return the variables that blocks read by number; `None` where a number is computed."""
     found: set[int] = set()
     for program in programs:
         for block in program.blocks:

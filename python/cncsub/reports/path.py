@@ -25,8 +25,8 @@ _SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
 
 @dataclass(frozen=True)
 class Path:
-    """The points of a path, and for each the motion it belongs to: `points` (mm, X Y Z, X as a
-    radius), `begins`: no line leads to the point. `told`: what is left out; `breaks`: whether other
+    """The points of a path with their motions. `points`: mm, X Y Z, X as a radius. `begins`:
+    whether no line leads to the point. `told`: notes on what is left out. `breaks`: whether other
     coordinates came into force in between.
     """
 
@@ -40,7 +40,7 @@ class Path:
 
 
 def path_of(run: Run, coordinates: str = "work") -> Path:
-    """The programmed path in work coordinates, or that of the tool in machine coordinates."""
+    """Return the programmed path in work coordinates, or the tool's path in machine coordinates."""
     core, moves = run.recorded, len(run.moves)
     rapid = np.asarray(run.moves.kind == "rapid")
     keys = np.arange(moves) if moves <= MOST_LINKED else np.where(rapid, 0, 1)
@@ -59,7 +59,7 @@ Place = Callable[[int], tuple[str, str]]  # of a motion: the link and the words 
 
 
 def views(path: Path, place: Place) -> Iterator[str]:
-    """The drawings that show something, each a figure with its caption."""
+    """Yield the drawings that show something, each a figure with its caption."""
     wide = np.ptp(path.points, axis=0) > 1e-9
     if wide[0] and wide[2] and (path.diameters or not wide[1]):
         yield _figure("Z and X", path.points[:, [2, 0]], path, place)
@@ -88,7 +88,7 @@ def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
 
 
 def _lines(points: Any, path: Path, place: Place) -> Iterator[str]:
-    """A line for each motion while there are few, else for each stretch of one kind."""
+    """Yield a line for each motion while there are few, else for each stretch of one kind."""
     linked = len(path.rapid) <= MOST_LINKED
     moves = path.moves
     keys = moves.tolist() if linked else path.rapid[moves].tolist()

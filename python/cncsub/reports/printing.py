@@ -41,14 +41,14 @@ class Text:
 
 
 class Console:
-    """Where text is printed: by rich on a terminal, in plain letters elsewhere, where rich would
-    take longer to import than most programs to run.
+    """The place where text is printed: by rich on a terminal, in plain letters elsewhere. There
+    rich would take longer to import than most programs to run.
     """
 
     def __init__(self, file: IO[str]) -> None:
         self._file = file
         self._rich: rich.console.Console | None = None
-        # What makes rich take a file for a terminal, or not.
+        # These make rich take a file for a terminal, or not.
         told = any(os.environ.get(name) for name in ("FORCE_COLOR", "TTY_COMPATIBLE"))
         if told or file.isatty():
             from rich.console import Console
@@ -59,11 +59,11 @@ class Console:
 
     @property
     def width(self) -> int | None:
-        """The columns of a terminal; elsewhere a line may be as long as it is."""
+        """The columns of a terminal; `None` elsewhere, where a line may have any length."""
         return self._rich.width if self._rich is not None and self._file.isatty() else None
 
     def print(self, text: str | Text = "", end: str = "\n") -> None:
-        """Nothing is wrapped or marked up."""
+        """Print a text; nothing is wrapped or marked up."""
         parts = [(text, "")] if isinstance(text, str) else text.parts
         if self._rich is None:
             self._file.write("".join(part for part, _ in parts) + end)
@@ -75,7 +75,7 @@ class Console:
 
 
 def console_on(file: IO[str]) -> Console:
-    """Colour on a terminal only."""
+    """Return a console that has colour on a terminal only."""
     return Console(file)
 
 
@@ -112,7 +112,9 @@ def print_run(console: Console, run: Run, title: str) -> None:
 
 
 def print_watch(console: Console, run: Run) -> None:
-    """What was watched: its value at the beginning, and each change with its block."""
+    """Print the watched variables: their values at the beginning, and each change with
+    its block.
+    """
     now = dict(run.watch.beginning)
     changes = len(run.watch)
     for first, last, value in _beginnings(now):
@@ -131,7 +133,9 @@ def print_watch(console: Console, run: Run) -> None:
 
 
 def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
-    """The values, each with the first and the last of the numbers side by side that have it."""
+    """Yield the values, each with its first and last number; neighbouring vacant variables
+    are one.
+    """
     first = last = -2
     value: float | None = None
     for number, now in values.items():
@@ -150,7 +154,7 @@ def _variable(value: float | None) -> str:
 
 
 def print_tree(console: Console, run: Run, title: str, *, callers: bool = False) -> None:
-    """The calls; with `callers` each with its arguments and the block that called."""
+    """Print the calls; with `callers` each with its arguments and the block that called."""
     console.print(Text(shown(title), style="bold"))
     told = (lambda call: call_words(run, call)) if callers else None
     lines = _tree_lines(run.calls.tree(most=MOST_CALLS), told)
@@ -164,7 +168,7 @@ def print_tree(console: Console, run: Run, title: str, *, callers: bool = False)
 
 
 def call_words(run: Run, call: CallTree) -> str:
-    """What was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
+    """Return what was given to a call, and by which block: ` A=1 B=2, from O1 N10`."""
     words = f" {letters(call.arguments)}" if call.arguments else ""
     if call.varied:
         words += " (the first; they differ)"
@@ -199,7 +203,7 @@ def print_stop(console: Console, run: Run | Stream) -> None:
 
 
 def stop_text(run: Run | Stream) -> str:
-    """How a run ended, in words."""
+    """Return how a run ended, in words."""
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is Stop.WAITING:
         return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
@@ -221,14 +225,14 @@ def print_pairs(console: Console, pairs: Mapping[str, str]) -> None:
 
 
 def print_wrapped(console: Console, line: str) -> None:
-    """A line, wrapped on a terminal below where its text begins."""
+    """Print a line, wrapped on a terminal below the place where its text begins."""
     indent = line[: len(line) - len(line.lstrip())] + "  "
     for part in wrapped(console, line, indent):
         console.print(part)
 
 
 def wrapped(console: Console, text: str, indent: str) -> list[str]:
-    """The text in lines of a terminal, those after the first indented."""
+    """Return the text in lines of a terminal; the lines after the first are indented."""
     if console.width is None or len(text) <= console.width:
         return [text]
     options: Any = {"break_long_words": False, "break_on_hyphens": False}

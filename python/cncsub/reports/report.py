@@ -1,4 +1,4 @@
-"""One page that tells a run: `cncsub.report` and `cncsub report`."""
+"""One HTML page about a run: `cncsub.report` and `cncsub report`."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from cncsub.tables.call_tree import CallTree
 
 MOST_CALLS = 100_000  # of the tree
-MOST_DRAWN = 2_000  # of them, where equal ones are one
+MOST_DRAWN = 2_000  # calls that are drawn, where equal calls are one
 MOST_ROWS = 1_000  # of a table
 MOST_FINDINGS = 500
 MOST_MISSED = 20
@@ -41,13 +41,14 @@ def report(
     title: str | None = None,
     findings: Iterable[Finding] | None = None,
 ) -> str:
-    """A page of HTML that tells how `run`, a run of `library`, went: the stop, the alarm with its
-    cure, the calls, the path in mm, the programs with what ran and what `check` finds, and tables
-    that sort. It is whole in itself, needs no network, and its texts are escaped.
+    """Return a page of HTML about `run`, a run of `library`: the stop, the alarm with its cure, the
+    calls, the path in mm, the programs with what ran and what `check` finds, and tables that sort.
+    The page is self-contained, needs no network, and its texts are escaped.
 
-    `path`: where it is written as well. `title`: the head of the page, without it the name of the
-    first program that ran. `findings`: without it those of `library.check()`. What is long is cut,
-    and the page tells what was left out. Raises `ValueError` for a run of another library.
+    `path`: a file that the page is written to as well. `title`: the head of the page, without it
+    the name of the first program that ran. `findings`: without it those of `library.check()`. Long
+    parts are cut, and the page says what was left out. Raises `ValueError` for a run of another
+    library.
 
     >>> import cncsub
     >>> library = cncsub.loads("O1\\nN10 M98 P9\\nN20 M30\\n", control="fanuc-0i-f")
@@ -154,7 +155,7 @@ def _calls(run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _branches(trees: list[CallTree], anchors: Anchors) -> Iterator[str]:
-    """The calls as lists in lists; equal ones, one behind the other, are one."""
+    """Yield the calls as nested lists; equal neighbours are one."""
     levels = [iter(trees)]  # programs nest deeper than Python does
     drawn = 0
     while levels:
@@ -219,7 +220,7 @@ def _path(run: Run, anchors: Anchors) -> Iterator[str]:
 
 
 def _moved(path: Path, tool: Path) -> bool:
-    """Whether the tool goes another way than the program, and not only elsewhere."""
+    """Return whether the tool goes another path than the program, and not only a shifted one."""
     if len(path.points) != len(tool.points):
         return True
     shifts = tool.points - path.points

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def table(name: str, heads: Sequence[str], rows: Sequence[Sequence[str]], whole: int) -> str:
-    """A table of cells that are HTML already; nothing where it has no rows."""
+    """Return a table of cells that are HTML already; nothing where it has no rows."""
     if not rows:
         return ""
     head = "".join(
@@ -41,7 +41,7 @@ def _cell(inner: str) -> str:
 def calls_rows(
     run: Run, anchors: Anchors, most: int
 ) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
-    """The heads and the first rows of the calls."""
+    """Return the heads and the first rows of the calls."""
     rows: list[tuple[str, ...]] = [
         (
             str(row.call),

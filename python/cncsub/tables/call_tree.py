@@ -12,8 +12,9 @@ from cncsub.tables.rows import Call
 class CallTree:
     """One call, or `count` equal calls one after the other, and the calls made in it.
 
-    `caller_step`: the row in `run.steps` of the block that called, `arguments`: the local variables
-    that were given, both of the first of them; `varied`: whether another one was given others.
+    `caller_step`: the row in `run.steps` of the block that called; `arguments`: the local variables
+    that were given. Both are those of the first call. `varied`: whether another call was given
+    other arguments.
     """
 
     kind: str
@@ -22,7 +23,7 @@ class CallTree:
     repeats: int
     blocks: (
         int | None
-    )  # executed in one of them, called programs included; None where it did not end
+    )  # executed in one call, called programs included; None where it did not end
     count: int = 1
     calls: list[CallTree] = field(default_factory=list)
     caller_step: int | None = None
@@ -35,7 +36,7 @@ class CallTree:
         return f"<CallTree: {self}, {len(self.calls)} inside>"
 
     def __eq__(self, other: object) -> bool:
-        # Without calls inside calls: programs nest deeper than Python does.
+        # Without recursion: programs nest deeper than Python does.
         if not isinstance(other, CallTree):
             return NotImplemented
         pairs = [(self, other)]
@@ -59,8 +60,8 @@ class CallTree:
 
 
 def trees(calls: Sequence[Call]) -> list[CallTree]:
-    """The calls as trees, built from the last to the first: a call stands behind its caller. One
-    whose caller is not among them is a root.
+    """Return the calls as trees, built from the last to the first: a call stands after its caller.
+    A call whose caller is not among them is a root.
     """
     known = {row.call for row in calls}
     made_in: dict[int | None, list[tuple[int, CallTree]]] = {}
@@ -95,7 +96,7 @@ def _shape(tree: CallTree) -> tuple[object, ...]:
 
 
 def _add_in_front(trees: list[tuple[int, CallTree]], number: int, tree: CallTree) -> None:
-    """The list runs backwards; a tree equal to its neighbour only counts."""
+    """Add a tree to a reversed list; a tree equal to its neighbour only raises the count."""
     if trees and trees[-1][0] == number:
         same = trees[-1][1]
         same.count += 1

@@ -1,4 +1,4 @@
-"""Words that a control dropped, and which of them somebody has to know of."""
+"""Words that a control dropped, with a warning where it matters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _COOLANT = (7, 8)  # as ISO 6983 numbers them: to a control they are codes as an
 
 
 def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
-    """The rows of the engine; an M code that does not start what it is there for warns."""
+    """Yield the rows of the engine; an M code that would start the spindle or the coolant warns."""
     starts: dict[int | None, str] | None = None
     for row in rows:
         code = _M_CODE.fullmatch(row[-1])
@@ -29,7 +29,7 @@ def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
 
 
 def _starts(control: Control) -> dict[int | None, str]:
-    """By M code, what is said where it is dropped; by None where it is computed."""
+    """Return by M code what is said where it is dropped; by None where it is computed."""
     rules = {rule.name: rule.value for rule in control.rules}
     allows = _allows(control, rules["m_codes_per_block"])
     spindle = dict.fromkeys(map(int, _SPINDLE.findall(str(rules["roles"]))), "spindle")
@@ -39,7 +39,7 @@ def _starts(control: Control) -> dict[int | None, str]:
 
 
 def _allows(control: Control, most: object) -> str:
-    """How a block may have more M codes."""
+    """Return how a block may have more M codes."""
     apart = "give it a block of its own"
     for name, parameter in control.parameters.items():
         if "m_codes_per_block" in parameter.rules and not parameter.value:

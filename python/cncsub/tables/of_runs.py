@@ -26,8 +26,8 @@ def _field_names(row: type[Step | Call | Move | Change | SentCode]) -> list[str]
 class Steps(Table[Step]):
     """One row per executed block: `step, program, n, line, depth, frame, repeat`.
 
-    `text`, the block as it is written, is there for whoever names it; a row has it too, and its
-    `block`.
+    The column `text`, the block as it is written, is there when it is asked for by name. A row has
+    `text` and `block` too.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 M99\\n"
@@ -57,7 +57,7 @@ class Steps(Table[Step]):
 
     @property
     def texts(self) -> list[str]:
-        """The texts behind the codes of the column `text`, each once."""
+        """The texts that the codes of the column `text` stand for, each once."""
         return self._text_column()[1]
 
     def _text_column(self) -> tuple[Column, list[str]]:
@@ -67,7 +67,7 @@ class Steps(Table[Step]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self.core.program_names
 
     def _rows(self) -> int:
@@ -91,14 +91,14 @@ class Steps(Table[Step]):
 class Watch(Table[Change]):
     """One row per change of a variable that is watched: `step, variable, value, program, n, line`.
 
-    A row says what a step made of the variable, whatever wrote it: an assignment, an argument, a
-    return to the caller's locals, a move where the variable is a position, another program while
-    the run waits. `#1` and so on are those of the level that is open behind the step. A step that
-    writes what is there already makes no row, and one that writes a variable twice makes one.
+    A row gives the value after a step, whatever wrote it: an assignment, an argument, a return to
+    the caller's locals, a move where the variable is a position, another program while the run
+    waits. `#1` and so on are those of the level that is open after the step. A step that writes the
+    value that is there makes no row; a step that writes a variable twice makes one row.
 
     `value` is `None` (in the column NaN) where the variable became vacant. What
     `machine.variables[100] = 5` sets between two steps has no `step`, `program`, `n` and `line`
-    (`None`; in a column -1). What a block that alarms had written is taken back, and is no row.
+    (`None`; in a column -1). A block that alarms makes no row: its writes are rolled back.
 
     >>> import cncsub
     >>> text = "O1\\nN10 #100=#100+1\\nN20 IF[#100LT3]GOTO10\\nN30 #500=#100\\nN40 #100=#0\\nM30\\n"
@@ -124,12 +124,12 @@ class Watch(Table[Change]):
     def __init__(self, core: _core.Trace, only: tuple[int, ...] | None = None) -> None:
         super().__init__(core)
         self._only = only
-        self._places: Column | None = None  # the rows of those
-        self._looked = -1  # when there were so many changes
+        self._places: Column | None = None  # the rows of the variables in `_only`
+        self._looked = -1  # the number of changes when `_places` was found
 
     def __call__(self, *variables: int) -> Watch:
-        """The changes of these variables alone, of all where none is named, as a table. `KeyError`
-        for one that is not watched.
+        """Return the changes of these variables alone, or of all where none is named, as a table.
+        Raises `KeyError` for a variable that is not watched.
         """
         for number in variables:
             if number not in self.beginning:
@@ -139,8 +139,9 @@ class Watch(Table[Change]):
 
     @property
     def beginning(self) -> dict[int, float | None]:
-        """What is watched, and its value before the first row: what `variables` gave it; in a part
-        of a stream, what the part before left. Empty where nothing is watched.
+        """The watched variables with their values before the first row: those that `variables`
+        gave; in a part of a stream, those that the part before left. Empty where nothing is
+        watched.
         """
         watched = self.core.watched
         if self._only is None:
@@ -148,10 +149,10 @@ class Watch(Table[Change]):
         return {number: watched[number] for number in self._only}
 
     def plot(self, *, over: str = "steps", title: str | None = None) -> Figure:
-        """What became of each watched variable, as a figure of plotly (`cncsub[plot]`); there is no
-        line where it is vacant. `over`: `"steps"` or `"time"` (s, that of the moves).
+        """Draw the values of each watched variable as a figure of plotly (`cncsub[plot]`). A vacant
+        variable has no line. `over`: `"steps"` or `"time"` (s, that of the moves).
         `run.watch(100).plot()` shows `#100` alone; twelve variables are shown at most. Of many
-        changes the lowest and the highest are drawn, and the picture tells so.
+        changes the picture shows the lowest and the highest, and says so.
 
         Raises `ImportError` without plotly, and `ValueError` for another axis.
 
@@ -166,7 +167,7 @@ class Watch(Table[Change]):
         return watch_figure(self, over=over, title=title)
 
     def _chosen(self) -> Column | None:
-        """The rows of the variables that were asked for; `None`: all."""
+        """Return the rows of the variables that were asked for; `None` stands for all rows."""
         if self._only is None:
             return None
         if self._looked != self.core.changes:
@@ -179,7 +180,7 @@ class Watch(Table[Change]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self.core.program_names
 
     def _rows(self) -> int:
@@ -207,8 +208,8 @@ class Watch(Table[Change]):
 
 class Codes(Table[SentCode]):
     """One row per M, T and S code sent to the machine, in order: `kind, value, step, program, n,
-    line`. Kinds are `M`, `T` and `S`; in a block they come as T, S, M. What calls a program or
-    only ends one is not sent, and S with G50 or G92 is no speed.
+    line`. Kinds are `M`, `T` and `S`; in a block they come as T, S, M. A code that calls a program
+    or only ends one is not sent; S with G50 or G92 is no speed.
 
     >>> import cncsub
     >>> text = "O1\\nN10 T2 M6\\nN20 S1500 M3\\nN30 M30\\n"
@@ -228,12 +229,12 @@ class Codes(Table[SentCode]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
-        """The texts behind the codes of the column `kind`."""
+        """The texts that the codes of the column `kind` stand for."""
         return ["M", "T", "S"]
 
     def _rows(self) -> int:
@@ -253,7 +254,7 @@ class Calls(Table[Call]):
     """One row per entered call, in the order of entry; printed as a tree.
 
     Columns: `call, parent, kind, program, start_n, repeats, level, first_step, last_step,
-    caller_step`. A row has its `arguments` besides: the local variables the call was given.
+    caller_step`. A row also has `arguments`: the local variables that the call was given.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G65 P2 A1. B2.5\\nN20 M30\\nO2\\nN30 M98 P3 L4\\nN40 M99\\nO3\\nN50 M99\\n"
@@ -275,12 +276,14 @@ class Calls(Table[Call]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
-        """The texts behind the codes of the column `kind`: `M98`, `G65`, `M-code` and so on."""
+        """The texts that the codes of the column `kind` stand for: `M98`, `G65`, `M-code` and so
+        on.
+        """
         return self.core.kind_names
 
     def _rows(self) -> int:
@@ -311,9 +314,9 @@ class Calls(Table[Call]):
         return {"program": self.programs, "kind": self.kinds}.get(name)
 
     def plot(self, *, over: str = "time", title: str | None = None) -> Figure:
-        """The calls as an icicle, a figure of plotly (`cncsub[plot]`): each a bar from where it
-        begins to its end, below the one it was made in. `over`: `"time"` (s, that of the moves) or
-        `"steps"`. Calls too short to be seen are drawn together, and told with their number.
+        """Draw the calls as an icicle, a figure of plotly (`cncsub[plot]`): each call is a bar from
+        its beginning to its end, below the call that made it. `over`: `"time"` (s, that of the
+        moves) or `"steps"`. Calls too short to be seen are drawn together, with their number.
 
         Raises `ImportError` without plotly, and `ValueError` for another axis.
 
@@ -328,7 +331,7 @@ class Calls(Table[Call]):
         return calls_figure(self, over=over, title=title)
 
     def tree(self, *, most: int = _DRAWN) -> list[CallTree]:
-        """The first `most` calls as trees; equal neighbours are one tree with a count."""
+        """Return the first `most` calls as trees; equal neighbours are one tree with a count."""
         return trees(self[:most])
 
     def __repr__(self) -> str:
@@ -348,14 +351,14 @@ class Calls(Table[Call]):
 
 
 _ALL_AXES = "xyzabcuvw"
-_LOOKED_AT = 500  # moves, for what their feed counts on
+_LOOKED_AT = 500  # moves looked at for a feed that depends on the spindle
 _WORKED_OUT = frozenset(("length", "time"))
 _MORE = ("sx", "sy", "sz", "msx", "msy", "msz", "mcx", "mcy", "mcz", "cycle", "compensated")
 _FEED_MODES = ["per-minute", "per-revolution", "inverse-time"]
 
 
 class Bounds(dict[str, tuple[float, float]]):
-    """By axis, found as `X` and, like the columns, as `x`."""
+    """Values by axis, found as `X` or, like the columns, as `x`."""
 
     def __missing__(self, axis: object) -> tuple[float, float]:
         if isinstance(axis, str) and axis.islower() and axis.upper() in self:
@@ -382,11 +385,11 @@ class Moves(Table[Move]):
     and of moves of G31 `touched` or `missed`) and the block of the step: `program, n, line`. Kinds
     are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
 
-    `more_columns` are there for whoever names them: `sx, sy, sz` (where the programmed path of the
-    move begins, in the work coordinates of its end), `msx, msy, msz` (where the tool stood, machine
-    coordinates), `mcx, mcy, mcz` (the centre of the tool's arc, machine coordinates), `cycle`
-    (whether a canned cycle makes it), `compensated` (whether a radius offset holds at its beginning
-    or its end). A row has them all.
+    The columns `more_columns` are there when they are asked for by name: `sx, sy, sz` (where the
+    programmed path of the move begins, in the work coordinates of its end), `msx, msy, msz` (where
+    the tool stood, machine coordinates), `mcx, mcy, mcz` (the centre of the tool's arc, machine
+    coordinates), `cycle` (whether a canned cycle makes it), `compensated` (whether a radius offset
+    holds at its beginning or its end). A row has them all.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"
@@ -409,8 +412,8 @@ class Moves(Table[Move]):
 
     @property
     def axes(self) -> list[str]:
-        """The axes that moves named, as their columns are called; in a part of a stream, those that
-        the programs in memory name.
+        """The axes that the moves name, written as the columns are; in a part of a stream, the axes
+        that the programs in memory name.
         """
         return self.core.move_axes if self._axes is None else self._axes
 
@@ -427,22 +430,22 @@ class Moves(Table[Move]):
 
     @property
     def programs(self) -> list[str]:
-        """The names behind the codes of the column `program`."""
+        """The names that the codes of the column `program` stand for."""
         return self.core.program_names
 
     @property
     def kinds(self) -> list[str]:
-        """The texts behind the codes of the column `kind`."""
+        """The texts that the codes of the column `kind` stand for."""
         return self.core.move_kinds
 
     @property
     def feed_modes(self) -> list[str]:
-        """The texts behind the codes of the column `feed_mode`."""
+        """The texts that the codes of the column `feed_mode` stand for."""
         return list(_FEED_MODES)
 
     @property
     def skips(self) -> list[str]:
-        """The texts behind the codes of the column `skip`."""
+        """The texts that the codes of the column `skip` stand for."""
         return self.core.skip_names
 
     @property
@@ -452,15 +455,15 @@ class Moves(Table[Move]):
 
     @property
     def total_time(self) -> float:
-        """The time of all moves, s: feeds, rapid rates and dwells. Where a feed counts on a spindle
-        that was never told a speed, it counts as one revolution a minute.
+        """The time of all moves, s: feeds, rapid rates and dwells. Where a feed depends on a
+        spindle that was never given a speed, the spindle counts as one revolution a minute.
         """
         return self.core.time
 
     @property
     def time_words(self) -> str:
-        """The time of all moves for people, such as `1 h 16 min 20.6 s`. Of feeds that count on a
-        spindle which was never told a speed it says so.
+        """The time of all moves for people, such as `1 h 16 min 20.6 s`. It says so where a feed
+        depends on a spindle that was never given a speed.
         """
         words = _duration(self.total_time)
         looked_at = range(min(len(self), _LOOKED_AT))
@@ -470,8 +473,8 @@ class Moves(Table[Move]):
 
     @property
     def bounds(self) -> dict[str, tuple[float, float]]:
-        """The lowest and the highest coordinate that the moves lead to by axis, arcs with all they
-        pass; programmed path, work coordinates. `"x"` is `"X"`.
+        """The lowest and the highest coordinate of the moves by axis, with the extremes of arcs;
+        programmed path, work coordinates. `"x"` is `"X"`.
         """
         return Bounds({axis.upper(): pair for axis, pair in self.core.bounds.items()})
 
@@ -484,7 +487,7 @@ class Moves(Table[Move]):
         return Move(**{**values, "feed_mode": self.feed_modes[row["feed_mode"]]})
 
     def _fetch(self, names: list[str]) -> dict[str, Column]:
-        if not _WORKED_OUT.isdisjoint(names):  # one pass over the moves tells both
+        if not _WORKED_OUT.isdisjoint(names):  # one pass over the moves computes both
             names = [*names, *_WORKED_OUT.difference(names)]
         columns = self.core.move_columns(names)
         for name in ("cycle", "compensated"):
@@ -505,7 +508,7 @@ def _waits_for_spindle(move: Move) -> bool:
 
 
 def _duration(seconds: float) -> str:
-    """`1 h 16 min 20.6 s`."""
+    """Return a duration as `1 h 16 min 20.6 s`."""
     minutes, rest = divmod(seconds, 60)
     hours, minutes = divmod(int(minutes), 60)
     parts = [f"{hours} h" if hours else "", f"{minutes} min" if minutes or hours else ""]

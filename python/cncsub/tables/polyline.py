@@ -29,7 +29,7 @@ class Polyline:
     came into force. `coordinates`, `tolerance`: as asked for. `diameters`: whether X of the program
     is a diameter.
 
-    The last point of a move is its end. Axes that turn are not looked at.
+    The last point of a move is its end. Rotary axes are left out.
     """
 
     x: Numbers
@@ -47,7 +47,7 @@ class Polyline:
         import numpy as np
 
         made = np.column_stack((self.x, self.y, self.z))
-        made.flags.writeable = False  # what ran cannot be changed
+        made.flags.writeable = False  # the record of a run cannot be changed
         return made
 
     def __len__(self) -> int:
@@ -78,7 +78,7 @@ def polyline_of(
 def sampled(
     core: _core.Trace, coordinates: str, tolerance: float, first: int, last: int, most: int
 ) -> Polyline | int:
-    """The points, or how many they would be where that is more than `most`."""
+    """Return the points, or how many they would be where that is more than `most`."""
     import numpy  # noqa: F401  # here, not below the engine's functions
 
     if coordinates not in COORDINATES:
@@ -90,21 +90,21 @@ def sampled(
     if isinstance(found, int):
         return found
     for column in found:
-        column.flags.writeable = False  # what ran cannot be changed
+        column.flags.writeable = False  # the record of a run cannot be changed
     x, y, z, move, begins = found
     return Polyline(x, y, z, move, begins, coordinates, tolerance, bool(core.diameters & 1))
 
 
 _LONG = 200_000  # moves from which arcs are sampled no finer than a picture shows
 _FINE, _COARSE = 1 / 20_000, 1 / 2_000  # of the size of a picture
-_STRETCHES, STRETCH = 16, 4_096  # of a long path that tell about it, and their moves
+_STRETCHES, STRETCH = 16, 4_096  # sampled stretches of a long path, and the moves of each
 
 
 def sampling(
     core: _core.Trace, coordinates: str, first: int, last: int, most: int, size: float
 ) -> tuple[float, bool]:
-    """The tolerance (mm) of arcs as fine as a picture of a size shows it, a coarser one where there
-    were more than `most` points; and whether that can be seen.
+    """Return the tolerance (mm) at which arcs are as fine as a picture of a size shows them, or a
+    coarser one where there were more than `most` points; and whether the coarser one can be seen.
     """
     tolerance = size * (_COARSE if last - first > _LONG else _FINE)
     while tolerance <= size and points_about(core, coordinates, first, last, tolerance) > most:
@@ -115,7 +115,7 @@ def sampling(
 def points_about(
     core: _core.Trace, coordinates: str, first: int, last: int, tolerance: float
 ) -> int:
-    """How many points a path has; of a long one, by what stretches of it have."""
+    """Return how many points a path has; of a long path, an estimate from stretches of it."""
 
     def count(begin: int, end: int) -> int:
         found = core.polyline(coordinates, tolerance, begin, end, 0)
@@ -129,7 +129,7 @@ def points_about(
 
 
 def stretches(first: int, last: int) -> list[int]:
-    """The first moves of stretches that tell about a long path; none of one that is not long."""
+    """Return the first moves of the stretches that stand for a long path; none for a short one."""
     if last - first <= _LONG:
         return []
     room = last - first - STRETCH
@@ -137,8 +137,8 @@ def stretches(first: int, last: int) -> list[int]:
 
 
 def rough_size(core: _core.Trace, coordinates: str, first: int, last: int) -> float:
-    """The longest side of the box around a path, mm; 1 where it does not leave its point. Of a
-    whole long path that of the programmed one.
+    """Return the longest side of the box around a path, mm; 1 where the path is one point. A whole
+    long path is measured by its programmed path.
     """
     if last - first <= _LONG:
         line = sampled(core, coordinates, math.inf, first, last, 1 << 40)
@@ -155,7 +155,7 @@ def rough_size(core: _core.Trace, coordinates: str, first: int, last: int) -> fl
 
 
 def size_of(line: Polyline) -> float:
-    """The longest side of the box around a path, mm; 1 where it does not leave its point."""
+    """Return the longest side of the box around a path, mm; 1 where the path is one point."""
     return (
         max((float(c.max() - c.min()) for c in (line.x, line.y, line.z) if len(c)), default=0)
         or 1.0
@@ -175,7 +175,7 @@ def checked_tolerance(tolerance: Any) -> float:
 
 
 def rows_of(moves: Any, count: int) -> tuple[int, int]:
-    """The first of some rows and the one behind the last."""
+    """Return the first of some rows and the one after the last."""
     if moves is None:
         return 0, count
     if isinstance(moves, range):

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class Dropped:
     """A word that the control read and did not obey, as it is written; a G code by its name.
-    `warning`: what does not start because of that, and what to do; `None` for words of which
-    nothing else hangs.
+    `warning`: what does not start because of that, and what to do; `None` where nothing depends on
+    the word.
     """
 
     step: int
@@ -27,13 +27,13 @@ class Dropped:
 
 
 class _Placed:
-    """What knows its block, and looks it up when somebody asks."""
+    """A row that knows its block, and looks it up when asked."""
 
     __slots__ = ("_address", "_code", "_text")
     _code: _core.Code | None  # set by the engine
     _address: int
-    _text: str  # where the block stayed behind
-    _of_engine: ClassVar[tuple[str, ...]]  # what the engine sets of a row, in its order
+    _text: str  # the text, where the row came without its block
+    _of_engine: ClassVar[tuple[str, ...]]  # the fields that the engine sets, in its order
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +109,7 @@ class Call:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Move:
-    """One motion. Lengths in mm, time in s. Printed is what applies.
+    """One motion. Lengths in mm, time in s. Only fields that apply are printed.
 
     `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
     diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
@@ -119,7 +119,7 @@ class Move:
     `sx`, `sy`, `sz`: where the programmed path of the move begins, in the work coordinates of its
     end; `msx`, `msy`, `msz`: where the tool stood, in machine coordinates. `mcx`, `mcy`, `mcz`: the
     centre of the tool's arc, machine coordinates. `program`, `n`, `line`: the block of its step;
-    `None` where nobody knows it any longer. `cycle`: whether a canned cycle makes the move;
+    `None` where it is no longer known. `cycle`: whether a canned cycle makes the move;
     `compensated`: whether a radius offset holds at its beginning or its end.
     """
 
@@ -195,7 +195,7 @@ class SentCode:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What a step made of a variable that is watched; `value` is `None` where it is vacant now.
+    """A change of a watched variable by a step; `value` is `None` where it is vacant now.
 
     `step`, `program`, `n` and `line` are those of the block, `None` where the variable was set from
     outside between two steps.
@@ -225,8 +225,8 @@ class MissedSkip:
 
 @dataclass(frozen=True, slots=True)
 class Origin:
-    """Where one block of a flat program comes from: a block of `program`, executed in the call
-    `call` (-1: the main program), in its pass `repeat`, which is the column `pass`.
+    """The origin of one block of a flat program: a block of `program`, executed in the call `call`
+    (-1: the main program), in its pass `repeat`, which is the column `pass`.
     """
 
     program: str
@@ -236,5 +236,5 @@ class Origin:
     repeat: int
 
 
-# The keyword is no name of a field.
+# `pass` is a keyword and cannot be the name of a field.
 setattr(Origin, "pass", property(lambda self: self.repeat, doc="The pass of the call, from 1."))

@@ -1,4 +1,4 @@
-"""What all tables of a run are: rows and columns. Columns are NumPy arrays, rows small objects.
+"""The base of all tables of a run: rows and columns. Columns are NumPy arrays, rows small objects.
 
 NumPy is imported when a column is asked for, pandas and pyarrow by `to_pandas`, `to_arrow` and
 whatever reads the Arrow stream (`polars.DataFrame(run.moves)`, `duckdb.sql("select * from steps")`,
@@ -49,7 +49,7 @@ class Table(NotPicklable, Generic[Row]):
         self.core = core
         self._columns: dict[str, Column] = {}
 
-    # What the tables differ in.
+    # The parts in which tables differ.
 
     @property
     def columns(self) -> list[str]:
@@ -58,8 +58,8 @@ class Table(NotPicklable, Generic[Row]):
 
     @property
     def more_columns(self) -> list[str]:
-        """Columns that are worked out for whoever asks for them by name, here or in `to_pandas` and
-        `to_arrow`; else no table has them.
+        """The columns that are computed only when they are asked for by name, here or in
+        `to_pandas` and `to_arrow`.
         """
         return []
 
@@ -73,13 +73,13 @@ class Table(NotPicklable, Generic[Row]):
         raise NotImplementedError
 
     def texts_of(self, name: str) -> list[str] | None:
-        """The texts of a column of codes, `None` for any other column."""
+        """Return the texts of a column of codes, `None` for any other column."""
         raise NotImplementedError
 
     # Columns.
 
     def column(self, name: str) -> Column:
-        """One column as a NumPy array. `KeyError` names the columns there are."""
+        """Return one column as a NumPy array. A `KeyError` names the columns there are."""
         self._check([name])
         return self.fetched([name])[name]
 
@@ -94,7 +94,9 @@ class Table(NotPicklable, Generic[Row]):
         return wanted
 
     def fetched(self, names: list[str]) -> dict[str, Column]:
-        """These columns; those that were not asked for before, or have grown, are made together."""
+        """Return these columns. Those that were not asked for before, or have grown, are made
+        together.
+        """
         rows = len(self)
         known = {name: self._columns.get(name) for name in names}
         missing = [n for n, column in known.items() if column is None or len(column) != rows]
@@ -104,7 +106,7 @@ class Table(NotPicklable, Generic[Row]):
             from cncsub.tables.text_column import text_column
 
             for name, column in self._fetch(missing).items():
-                column.flags.writeable = False  # what ran cannot be changed
+                column.flags.writeable = False  # the record of a run cannot be changed
                 texts = self.texts_of(name)
                 self._columns[name] = column if texts is None else text_column(column, texts)
         return {name: self._columns[name] for name in names}
@@ -147,13 +149,13 @@ class Table(NotPicklable, Generic[Row]):
     # Other libraries.
 
     def to_pandas(self, columns: Sequence[str] | None = None) -> pd.DataFrame:
-        """A `pandas.DataFrame` of all columns, or of those named: of its own, texts written out.
-        Whole numbers that may be missing are of a type of pandas that has a null (`Int32`). Needs
-        pandas (`cncsub[pandas]`). `KeyError` for a name that is none.
+        """Return a `pandas.DataFrame` of all columns, or of those named. Its data is its own, with
+        texts written out. Whole numbers that may be missing are of a type of pandas that has a null
+        (`Int32`). Needs pandas (`cncsub[pandas]`). Raises `KeyError` for an unknown name.
         """
         pandas = optional_module("pandas")
         names = self.columns if columns is None else self._check(columns)
-        fetched = self._fetch(names)  # of its own: a frame may be changed
+        fetched = self._fetch(names)  # a copy: a frame may be changed
         frame: pd.DataFrame = pandas.DataFrame(
             {name: self._of_pandas(pandas, name, fetched[name]) for name in names}, copy=False
         )
@@ -170,8 +172,8 @@ class Table(NotPicklable, Generic[Row]):
         return column
 
     def to_arrow(self, columns: Sequence[str] | None = None) -> pa.Table:
-        """A `pyarrow.Table` on all columns as they are, or on those named; a column of texts is a
-        dictionary of its codes. Needs `cncsub[arrow]`. `KeyError` for a name that is none.
+        """Return a `pyarrow.Table` on all columns as they are, or on those named; a column of texts
+        is a dictionary of its codes. Needs `cncsub[arrow]`. Raises `KeyError` for an unknown name.
         """
         arrow = optional_module("pyarrow")
         names = self.columns if columns is None else self._check(columns)
@@ -199,8 +201,8 @@ class Table(NotPicklable, Generic[Row]):
     # Printing.
 
     def _printed(self) -> tuple[list[str], list[list[str]]]:
-        """The names of the columns and the shown rows as texts, a row of dots where some are left
-        out.
+        """Return the names of the columns and the shown rows as texts, with a row of dots where
+        rows are left out.
         """
         names = self.columns
         total = len(self)
@@ -216,7 +218,7 @@ class Table(NotPicklable, Generic[Row]):
         return names, rows
 
     def size_words(self) -> str:
-        """How many rows there are, such as `12 moves`."""
+        """Return how many rows there are, such as `12 moves`."""
         count = len(self)
         return f"{count:,} {self._title[:-1] if count == 1 else self._title}"
 
@@ -249,7 +251,7 @@ class Table(NotPicklable, Generic[Row]):
 
 
 def _fitting(widths: Sequence[int], room: int) -> int:
-    """How many columns of a table, the first ones, are no wider than that together."""
+    """Return how many of the first columns of a table fit into `room` together."""
     taken = 0
     for shown, width in enumerate(widths):
         taken += width + (2 if shown else 0)
@@ -259,7 +261,7 @@ def _fitting(widths: Sequence[int], room: int) -> int:
 
 
 def optional_module(module: str) -> Any:
-    """A library that only some users need; `ImportError` says how to install it."""
+    """Import a library that only some users need; `ImportError` says how to install it."""
     import importlib
 
     try:
@@ -279,18 +281,18 @@ def _cell(value: object) -> str:
 
 
 def known_or_none(index: int | None) -> int | None:
-    """What is -1 in a column."""
+    """Return `None` for -1, the missing number of a column."""
     return None if index is None or index < 0 else index
 
 
 def number_or_none(value: Any) -> Any:
-    """What is NaN in a column."""
+    """Return `None` for NaN, the missing number of a column."""
     return None if isinstance(value, float) and math.isnan(value) else value
 
 
 def records(table: Table[Any], as_text: Callable[[str], str] = str) -> Iterator[Mapping[str, Any]]:
-    """The rows as mappings of the columns, read by columns and so fast on long tables; NaN is
-    `None`, and texts go through `as_text`.
+    """Yield the rows as mappings of the columns. They are read by columns, which is fast on long
+    tables. NaN is `None`, and texts go through `as_text`.
     """
     names = table.columns
     table.fetched(names)

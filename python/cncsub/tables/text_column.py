@@ -1,4 +1,4 @@
-"""A column of texts: codes in an array, which compares with the texts that stand beside it."""
+"""A column of texts: an array of codes, which compares with the texts that they stand for."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class TextColumn(np.ndarray[Any, np.dtype[np.int32]]):
     """`int32` codes, -1 where there is no text; `column.texts[code]` is the text.
 
     `==` and `!=` take a text, or a list of texts (is it one of them?), and give an array of truth
-    values. Everything else is done to the codes, and what comes of it is a plain array.
+    values. Every other operation works on the codes and gives a plain array.
 
     >>> import cncsub
     >>> text = "O1\\nN10 M98 P2 L2\\nN20 M30\\nO2\\nN30 M99\\n"
@@ -40,7 +40,9 @@ class TextColumn(np.ndarray[Any, np.dtype[np.int32]]):
         return getattr(ufunc, method)(*map(_plain, inputs), **options)
 
     def _compared(self, a: Any, b: Any) -> Any:
-        """Where the codes are those of a text, or of one of some; `None` where neither is one."""
+        """Return where the codes are those of a text, or of one of several; `None` where neither is
+        a text.
+        """
         codes, wanted = (a, b) if isinstance(a, TextColumn) else (b, a)
         if isinstance(wanted, TextColumn):
             return None if wanted.texts == codes.texts else codes.to_texts() == wanted.to_texts()
@@ -51,7 +53,7 @@ class TextColumn(np.ndarray[Any, np.dtype[np.int32]]):
         return np.isin(_plain(codes), places)
 
     def to_texts(self) -> np.ndarray[Any, np.dtype[np.object_]]:
-        """The texts written out, `None` where there is none: an array of objects."""
+        """Return the texts written out, `None` where there is none: an array of objects."""
         written: Any = np.array([*self.texts, None], dtype=object)
         return written[_plain(self)]  # type: ignore[no-any-return]  # the code -1 is the last
 
@@ -76,7 +78,7 @@ def _plain(array: Any) -> Any:
 
 
 def text_column(codes: np.ndarray[Any, Any], texts: Sequence[str]) -> TextColumn:
-    """The codes of a column with their texts."""
+    """Return the codes of a column with their texts."""
     column = codes.view(TextColumn)
     column.texts = tuple(texts)
     return column

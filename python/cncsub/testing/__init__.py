@@ -1,5 +1,5 @@
-"""Tests of NC programs: cases that say what has to come out, tables of them, and the language of
-what ran and of moves. The conformance tables of cncsub itself are written in it.
+"""Tests of NC programs: cases with their expected outcome, tables of cases, and the language of
+executed blocks and of moves. The conformance tables of cncsub itself are written in it.
 
 With pytest installed, the plugin `cncsub_pytest` is loaded by it: a fixture `cnc`, `--control`, and
 `*.nctest.toml` as tests.

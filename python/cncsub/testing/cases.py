@@ -1,4 +1,4 @@
-"""What a case says and how it is written: programs, how they run, and what has to come out."""
+"""A case and how it is written: its programs, how they run, and the expected outcome."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ UNKNOWN = "unknown"
 
 @dataclass(frozen=True, kw_only=True)
 class Case:
-    """One claim: the programs, how they are run and what has to come out.
+    """One claim: the programs, how they are run and the expected outcome.
 
-    An expectation that is `None` is not compared, but for `number`: an alarm without a number is
-    one for which no source gives any.
+    An expectation that is `None` is not compared, except `number`: there it says that no source
+    gives the alarm a number.
     """
 
     claim: str
@@ -75,27 +75,27 @@ class Case:
     modal_after_reset: Mapping[str, str] | None
 
     def told_on(self, control: str) -> str:
-        """The control and the source, for whoever reads a report."""
+        """Return the control and the source, for a report."""
         source = self.source_on(control)
         return f"control {control}" + (f"; source: {source}" if source else "")
 
     def source_on(self, control: str) -> str:
-        """Who says that it is so on a control."""
+        """Return the source of the claim on a control."""
         return self.source if isinstance(self.source, str) else self.source[control]
 
     def number_on(self, control: str) -> str | None:
-        """The number of the alarm, `UNKNOWN` on a control of which the row does not tell."""
+        """Return the number of the alarm; `UNKNOWN` on a control that the row does not mention."""
         if isinstance(self.number, Mapping):
             return self.number.get(control, UNKNOWN)
         return self.number
 
     def word_on(self, control: str) -> str | None:
-        """The word under the caret."""
+        """Return the word under the caret."""
         return self.word.get(control) if isinstance(self.word, Mapping) else self.word
 
     @property
     def says_what_happened(self) -> bool:
-        """Whether it tells more than how the run stopped."""
+        """Whether the case says more than how the run stopped."""
         said: tuple[object, ...] = (self.runs, self.m, self.t, self.messages, self.dropped)
         said += (self.calls, self.tree, self.arguments, self.final_work)
         some = any(expectation is not None for expectation in said)
@@ -103,13 +103,13 @@ class Case:
 
     @property
     def resets(self) -> bool:
-        """Whether it tells what is there behind the reset key."""
+        """Whether the case says what holds after the reset key."""
         after = (self.vars_after_reset, self.work_after_reset, self.modal_after_reset)
         return any(expectation is not None for expectation in after)
 
     @property
     def wants_moves(self) -> bool:
-        """Whether it tells of moves."""
+        """Whether the case says something about moves."""
         motion = (self.moves, self.moves_x, self.centre, self.final_machine, self.time)
         return any(expectation is not None for expectation in motion)
 
@@ -172,7 +172,9 @@ def read_case(
     work_after_reset: str | None = None,
     modal_after_reset: Mapping[str, str] | None = None,
 ) -> Case:
-    """The case that these words say; see `case`. Raises `ValueError` for what means nothing."""
+    """Return the case that these words describe; see `case`. Raises `ValueError` for a case without
+    a meaning.
+    """
     controls = (control,) if isinstance(control, str) else tuple(control)
     options = {
         "main": main,
@@ -231,7 +233,7 @@ def read_case(
 
 
 def _fault(row: Case) -> str | None:
-    """What makes a row meaningless, if anything does."""
+    """Return what makes a row meaningless, or `None`."""
     if not row.controls:
         return "names no control"
     if row.program is not None and row.files is not None:
@@ -254,7 +256,7 @@ def _fault(row: Case) -> str | None:
 
 
 def as_program(text: Text) -> Text:
-    """A program as it would stand in a file: without the indentation of the table."""
+    """Return a program as it would stand in a file: without the indentation of the table."""
     if isinstance(text, bytes):
         return text
     body = textwrap.dedent(text).strip("\n").rstrip(" ")
@@ -295,7 +297,7 @@ def _read_block(name: str) -> str:
     return f"{program}:N{int(n)}" if colon else f"N{int(n)}"
 
 
-_tables: list[list[Case]] = []  # those that are being read
+_tables: list[list[Case]] = []  # the tables that are being read
 
 
 @spelled_out(read_case, "topic", "line")
@@ -316,7 +318,7 @@ def case(claim: str, **said: Any) -> Case:
     (`"M98:O2 G65:O3"`), `tree` (`M98:O2(G65:O3)`), `arguments` of the first macro. `moves`: one
     line a move, `R X1 Y2` rapid, `F X1` feed, `CW X4 Y0 C X2 Y0` an arc and its centre, `W 1.5` a
     dwell; `moves_x`, `centre`, `final_machine`, `final_work`, `time` in seconds.
-    `vars_after_reset`, `work_after_reset`, `modal_after_reset`: behind the reset key. What is not
+    `vars_after_reset`, `work_after_reset`, `modal_after_reset`: after the reset key. What is not
     said is not compared.
 
     Raises `ValueError` for a case that means nothing.

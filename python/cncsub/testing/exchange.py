@@ -18,9 +18,9 @@ from cncsub.testing import moves as motion
 from cncsub.testing.cases import UNKNOWN, Case, Text, read_case
 
 FORMAT = "cncsub-conformance"
-VERSION = 1  # of the format; it grows when a key changes its meaning or goes
+VERSION = 1  # of the format; it grows when a key changes its meaning or is removed
 
-# How a field of a case is called in the JSON, where that is another word.
+# The names of fields of a case in the JSON, where these are other words.
 _GIVEN = {"params": "parameters", "replace": "rules", "setup": "setup", "mdi": "mdi"}
 _GIVEN |= {"encoding": "encoding"}
 _EXPECTED = {
@@ -38,9 +38,9 @@ _LISTS = ("runs", "frames", "calls", "centre")  # tuples in a case
 def suite_facts(
     cases: Sequence[Case], evidence: Mapping[str, Mapping[str, str]] | None = None
 ) -> dict[str, Any]:
-    """Cases as JSON can hold them, with what their words mean and what is left out.
+    """Return cases as JSON can hold them, with what their words mean and what is left out.
 
-    `evidence`: by claim and control what the source of a case is worth, where that is known. A case
+    `evidence`: the worth of the source of a case, by claim and control, where it is known. A case
     that JSON cannot hold is not dropped: `left_out` names it, its topic and the reason.
 
     >>> from cncsub.testing import case
@@ -83,7 +83,9 @@ def suite_facts(
 
 
 def _control(control: cncsub.Control, causes: Iterable[str]) -> dict[str, Any]:
-    """Texts of alarms only as a printed list has them: ours are no other engine's."""
+    """Return the facts of a control. It has texts of alarms only from printed lists: no other
+    engine has to use our words.
+    """
     machine = next(rule.value for rule in control.rules if rule.name == "machine")
     texts = {
         cause: entry.text
@@ -94,7 +96,7 @@ def _control(control: cncsub.Control, causes: Iterable[str]) -> dict[str, Any]:
 
 
 def case_facts(case: Case, evidence: Mapping[str, str]) -> dict[str, Any]:
-    """One case; `ValueError` for what JSON cannot hold."""
+    """Return one case; raise `ValueError` for what JSON cannot hold."""
     facts: dict[str, Any] = {"claim": case.claim, "topic": case.topic}
     facts["controls"] = {name: _on(case, name, evidence) for name in case.controls}
     for name in ("program", "files", "external"):
@@ -123,7 +125,7 @@ def case_facts(case: Case, evidence: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _on(case: Case, control: str, evidence: Mapping[str, str]) -> dict[str, Any]:
-    """What a case says of one of its controls alone."""
+    """Return what a case says of one of its controls alone."""
     facts: dict[str, Any] = {"source": case.source_on(control)}
     if control in evidence:
         facts["evidence"] = evidence[control]
@@ -151,7 +153,7 @@ def _move(move: motion.Move) -> dict[str, Any]:
 
 
 def _plain(what: str, value: Any) -> Any:
-    """A value as JSON has it: keys are texts, a time is written as ISO 8601 has it."""
+    """Return a value as JSON has it: keys are texts, a time is written as ISO 8601 has it."""
     if isinstance(value, Mapping):
         return {str(key): _plain(what, inner) for key, inner in value.items()}
     if isinstance(value, list | tuple):
@@ -174,7 +176,9 @@ def _plain(what: str, value: Any) -> Any:
 
 
 def cases_of_json(file: Path) -> tuple[Case, ...]:
-    """The cases of a suite; see `load_table`. What the suite left out is not among them."""
+    """Return the cases of a suite; see `load_table`. Cases that the suite left out are not among
+    them.
+    """
     try:
         told = json.loads(file.read_text(encoding="utf-8"))
     except (json.JSONDecodeError, UnicodeDecodeError) as error:
@@ -209,7 +213,8 @@ def _case(row: Mapping[str, Any], number: int) -> Case:
     words = {name: told["word"] for name, told in on.items() if "word" in told}
     fields["word"] = words or None
     fields["options"] = _options(row.get("run", {}))
-    # A shell that means something takes what was read: `read_case` reads the languages of tables.
+    # A valid case is made first, and takes what was read: `read_case` reads the languages of
+    # tables.
     shell = read_case(
         row["claim"],
         control=list(on),
@@ -258,7 +263,9 @@ def _options(told: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def left_out_by_topic(suite: Mapping[str, Any]) -> Iterable[str]:
-    """A line for each topic of which cases were left out, with their count and the reasons."""
+    """Yield a line for each topic of which cases were left out, with their count and the
+    reasons.
+    """
     counts = Counter((row["topic"], row["reason"]) for row in suite["left_out"])
     for (topic, reason), count in sorted(counts.items()):
         yield f"{topic}: {count} left out: {reason}"

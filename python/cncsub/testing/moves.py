@@ -43,7 +43,7 @@ class Move:
 
 
 def read_point(text: str) -> dict[str, float]:
-    """`X10 Y-5` as a mapping; anything else is a `ValueError`."""
+    """Return `X10 Y-5` as a mapping; anything else is a `ValueError`."""
     point: dict[str, float] = {}
     for word in text.split():
         match = _WORD.fullmatch(word)
@@ -59,7 +59,7 @@ def write_point(point: Point) -> str:
 
 
 def read_moves(text: str) -> tuple[Move, ...]:
-    """The moves of a row; an empty text and `none` say that nothing moves."""
+    """Return the moves of a row; an empty text and `none` say that nothing moves."""
     if text.strip() == "none":
         return ()
     return tuple(_read_move(line.strip()) for line in text.splitlines() if line.strip())
@@ -81,7 +81,7 @@ def _read_move(line: str) -> Move:
 
 
 def made_moves(table: Any) -> list[Move]:
-    """The rows of `run.moves`, with every axis and centre that is a number."""
+    """Return the rows of `run.moves`, with every axis and centre that is a number."""
     kinds = [table.kinds[code] for code in table.kind.tolist()]
     axes = {axis: getattr(table, axis.lower()).tolist() for axis in _axes(table)}
     centres = {axis: getattr(table, f"c{axis.lower()}").tolist() for axis in "XYZ"}
@@ -119,14 +119,14 @@ def agrees(expected: Move, made: Move) -> bool:
 
 
 def near(expected: Point, made: Point, tolerance: float = TOLERANCE) -> bool:
-    """Whether every axis that is named lies where it should."""
+    """Return whether every axis that is named lies where it should."""
     return all(
         axis in made and abs(value - made[axis]) <= tolerance for axis, value in expected.items()
     )
 
 
 def compare(expected: Sequence[Move], made: Sequence[Move], start: Point) -> Iterator[str]:
-    """Say where the moves part, both lists side by side; nothing if they agree."""
+    """Yield where the moves part, both lists side by side; nothing if they agree."""
     whole = resolve(expected, start)
     if len(whole) == len(made) and all(map(agrees, whole, made)):
         return

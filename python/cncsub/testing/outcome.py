@@ -1,4 +1,4 @@
-"""Runs a case through the public face of cncsub and says where the outcome differs from it."""
+"""A case run through the public face of cncsub, and the differences of its outcome."""
 
 from __future__ import annotations
 
@@ -21,15 +21,16 @@ from cncsub.testing.cases import UNKNOWN, Case, Row, Text
 MAX_BLOCKS = 100_000
 TOLERANCE = 2e-5
 
-# They end the run, and are no order to the machine unless a row asks for them.
+# M codes that end the run; they count as codes to the machine only where a row asks for them.
 END_CODES = (2, 30)
 
 
 def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
-    """What the engine did otherwise than the case says, one readable text for each expectation.
+    """Yield what the engine did otherwise than the case says, one readable text for each
+    expectation.
 
-    The cheap comparisons come first: who only wants to know whether there is a difference takes
-    the first one.
+    The cheap comparisons come first: a caller who only asks whether there is a difference takes the
+    first text.
     """
     library = load(case, control)
     run = execute(case, library)
@@ -45,7 +46,7 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
 
 
 def load(case: Case, control: cncsub.Control, *, general_only: bool = False) -> cncsub.Library:
-    """The memory of the case, on the control with the rules and parameters of the case."""
+    """Load the memory of the case on the control, with the rules and parameters of the case."""
     if case.replace:
         control = control.replace(**case.replace)
     if case.params:
@@ -66,7 +67,7 @@ def load(case: Case, control: cncsub.Control, *, general_only: bool = False) -> 
 
 
 def execute(case: Case, library: cncsub.Library, **others: Any) -> cncsub.Run:
-    """Run the case; `others` are options that count before its own."""
+    """Run the case; `others` are options that override its own."""
     options = {**_options(case), **others}
     if case.mdi is not None:
         return library.mdi(case.mdi, **options)
@@ -88,12 +89,12 @@ def scratch() -> Path:
     return folder
 
 
-# With each its case: another one has the same `id` when that is gone.
+# Each folder keeps its case: a new case may get the `id` of one that is gone.
 _folders: dict[tuple[int, str], tuple[Case, Path]] = {}
 
 
 def _folder(case: Case, which: str) -> Path:
-    """The files of the case as a folder on disk, written once."""
+    """Return the files of the case as a folder on disk, written once."""
     key = (id(case), which)
     if key not in _folders:
         folder = scratch() / str(len(_folders))
@@ -189,7 +190,9 @@ def _block_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
 
 
 def call_tree(run: cncsub.Run) -> str:
-    """The calls as `tree` writes them; a call must lie in its caller's steps, one level deeper."""
+    """Return the calls as `tree` writes them. A call must lie in its caller's steps, one level
+    deeper.
+    """
     below: dict[int | None, list[Any]] = {}
     for call in run.calls:
         below.setdefault(call.parent, []).append(call)
@@ -210,7 +213,7 @@ def call_tree(run: cncsub.Run) -> str:
 
 
 def executed(run: cncsub.Run, *, with_program: bool) -> list[str]:
-    """The executed blocks that carry an N, as `runs` writes them."""
+    """Return the executed blocks that carry an N, as `runs` writes them."""
     numbers = run.steps.n.tolist()
     if not with_program:
         return [f"N{n}" for n in numbers if n >= 0]
@@ -220,7 +223,9 @@ def executed(run: cncsub.Run, *, with_program: bool) -> list[str]:
 
 
 def _with_programs_as(got: list[str], expected: tuple[str, ...]) -> list[str]:
-    """A block written without its program takes the program it met: only its N is compared."""
+    """Give a block written without its program the program it met, so that only its N is
+    compared.
+    """
     if not any(":" in block for block in expected):
         return list(expected)
     met = itertools.chain(got, itertools.repeat(""))
@@ -240,14 +245,14 @@ def _order(what: str, expected: list[str], got: list[str]) -> str:
 
 
 def _around(blocks: list[str], place: int, width: int = 30) -> str:
-    """A long list only where it is interesting."""
+    """Return the part of a long list around a place."""
     first = max(0, place - width // 2) if len(blocks) > width else 0
     shown = " ".join(blocks[first : first + width]) or "nothing"
     return ("... " if first else "") + shown + (" ..." if first + width < len(blocks) else "")
 
 
 def _argument_differences(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterator[str]:
-    """Stop behind the step that enters the first call with locals of its own, and look at them."""
+    """Stop after the step that enters the first call with locals of its own, and compare them."""
     levels = run.calls.level.tolist()
     first = next((call for call, level in enumerate(levels) if level > 0), None)
     if first is None:
@@ -308,7 +313,7 @@ def _motion_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
 
 
 def _start(case: Case) -> dict[str, float]:
-    """Where the axes stand at first in work coordinates, as far as the row knows it."""
+    """Return where the axes stand at first in work coordinates, as far as the row says."""
     setup = case.setup or {}
     start = dict(setup.get("start", {}))
     if "work_offsets" not in setup:
@@ -328,7 +333,9 @@ def _place_difference(what: str, expected: Any, got: Mapping[str, float]) -> Ite
 
 
 def _parting(case: Case, run: cncsub.Run) -> Iterator[str]:
-    """Where what ran parts from `runs`: the block before, and the one that ran then."""
+    """Yield where the executed blocks part from `runs`: the last block in common, and the
+    next one.
+    """
     if case.runs is None:
         return
     got = executed(run, with_program=any(":" in block for block in case.runs))
@@ -344,7 +351,7 @@ def _parting(case: Case, run: cncsub.Run) -> Iterator[str]:
 
 
 def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterator[str]:
-    """Which blocks gave the variables that differ their last values."""
+    """Yield which blocks gave the variables that differ their last values."""
     wrong = [
         number
         for number, expected in case.variables.items()
@@ -362,7 +369,7 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
 
 
 def report(row: Row, found: list[str], control: cncsub.Control | None = None) -> str:
-    """What a person needs to see of a row that failed."""
+    """Return what a person needs to see of a row that failed."""
     case = row.case
     library = load(case, control or cncsub.controls[row.control])
     run = execute(case, library)
@@ -402,8 +409,8 @@ def _listing(title: str, text: Text | None) -> Iterator[str]:
 
 
 def check_case(case: Case, control: str | cncsub.Control | None = None) -> None:
-    """Run a case on its controls, or on one, and compare; what differs is an `AssertionError` that
-    shows the programs, what ran, the alarm and the variables.
+    """Run a case on its controls, or on one, and compare. Raises `AssertionError` with the
+    programs, what ran, the alarm and the variables where something differs.
     """
     names = case.controls if control is None else (control,)
     for name in names:

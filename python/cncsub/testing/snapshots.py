@@ -1,4 +1,4 @@
-"""What a run did, as a text that stays the same as long as the run does."""
+"""The text of what a run did, which stays the same as long as the run does."""
 
 from __future__ import annotations
 
@@ -10,7 +10,9 @@ from cncsub.testing.outcome import call_tree, executed
 
 
 def told(run: Run) -> str:
-    """How it stopped, blocks, calls, moves, codes, messages and variables, a line for each."""
+    """Return the stop, blocks, calls, moves, codes, messages and variables of a run, a line for
+    each.
+    """
     return "\n".join(_lines(run)) + "\n"
 
 

@@ -13,7 +13,8 @@ _NOT_ARGUMENTS = "GLNOP"  # of G65
 def arguments(
     *required: str, decimals: int = 3, **ranges: tuple[float, float]
 ) -> st.SearchStrategy[dict[str, Decimal]]:
-    """Letters of a call to values with `decimals` digits behind the point.
+    """Return a strategy for the letters of a call, with values of `decimals` digits after the
+    point.
 
     `ranges`: the least and the largest value of each letter; a letter among `required` is always
     given, another one sometimes, as a call may leave it out. Without a range a required letter lies
@@ -40,7 +41,7 @@ def arguments(
 
 
 def call_words(values: Mapping[str, Decimal | float]) -> str:
-    """The words of a call: each with its decimal point, so that no control counts increments.
+    """Return the words of a call, each with a decimal point: no control then reads increments.
 
     >>> from cncsub.testing.strategies import call_words
     >>> call_words({"A": 1.5, "B": -2})

@@ -11,9 +11,9 @@ from cncsub.testing.toml import cases_of_toml
 
 
 def load_table(path: str | Path) -> tuple[Case, ...]:
-    """The cases of a file: of Python, whose calls of `case` they are; of TOML (`*.nctest.toml`),
-    where each `[[case]]` holds the words of `case` and what stands above holds for all of them; or
-    of JSON, a conformance suite as `tools/export_conformance.py` writes it.
+    """Return the cases of a file: of Python, whose calls of `case` they are; of TOML
+    (`*.nctest.toml`), where each `[[case]]` holds the words of `case` and what stands above holds
+    for all of them; or of JSON, a conformance suite as `tools/export_conformance.py` writes it.
 
     In TOML the numbers of variables are keys: `vars = {100 = 9}`; `load = ["macros/O9010.nc"]`
     names files and folders beside the table, whose texts are the memory. Raises `ValueError` for a

@@ -14,11 +14,11 @@ from cncsub.setup import toml_of
 from cncsub.testing.cases import Case, read_case
 
 _WORDS = [*list(inspect.signature(read_case).parameters)[1:], "load"]
-_NUMBERED = ("vars", "variables", "arguments", "vars_after_reset")  # by variables
+_NUMBERED = ("vars", "variables", "arguments", "vars_after_reset")  # with variables for keys
 
 
 def cases_of_toml(file: Path) -> tuple[Case, ...]:
-    """The cases of a table; see `load_table`."""
+    """Return the cases of a table; see `load_table`."""
     try:
         told = toml_of(file.read_text(encoding="utf-8"))
     except RecursionError:
@@ -53,12 +53,14 @@ def _case(file: Path, claim: str, said: dict[str, Any], number: int) -> Case:
     if "load" in said:
         words["files"] = _files(file.parent, said["load"])
     case = read_case(claim, topic=file.name, line=number, **words)
-    # Read where they stand, so that coverage tells of these files, with that of other tests.
+    # The files are read where they stand: coverage then counts them together with other tests.
     return replace(case, paths=tuple(file.parent / name for name in said.get("load", ())))
 
 
 def _by_number(name: str, values: Any) -> dict[int, float | None]:
-    """TOML has no vacant value: it is written `"vacant"`."""
+    """Return values by the numbers of variables. TOML has no vacant value: it is written
+    `"vacant"`.
+    """
     if not isinstance(values, Mapping):
         raise TypeError(f"{name} is a table of variables, such as {{100 = 9}}")
     found: dict[int, float | None] = {}
@@ -73,7 +75,7 @@ def _by_number(name: str, values: Any) -> dict[int, float | None]:
 
 
 def _files(folder: Path, named: Any) -> dict[str, bytes]:
-    """The texts of files and folders beside the table."""
+    """Return the texts of files and folders beside the table."""
     if not isinstance(named, list) or not all(isinstance(name, str) for name in named):
         raise TypeError("load is a list of files and folders")
     found: dict[str, bytes] = {}
