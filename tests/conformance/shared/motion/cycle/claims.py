@@ -21,7 +21,7 @@ def on_fanuc(number):
 
 
 def lines(*blocks):
-    """A program of these blocks, numbered from N10 on."""
+    """Return a program of these blocks, numbered from N10 on."""
     numbered = [f"N{10 * (i + 1)} {block}" for i, block in enumerate(blocks)]
     return "\n".join(["O1", *numbered, "N900 M30"])
 

@@ -14,7 +14,7 @@ NOSE = {"machine": "lathe-a", "tools": {1: {"R": 1}, 2: {"R": 2}, 5: {"R": 5}}}
 
 
 def lines(*blocks):
-    """A program of these blocks, numbered from N10 on."""
+    """Return a program of these blocks, numbered from N10 on."""
     numbered = [f"N{10 * (i + 1)} {block}" for i, block in enumerate(blocks)]
     return "\n".join(["O1", *numbered, "N900 M30"])
 
