@@ -1,4 +1,4 @@
-"""FANUC: ends of programs, M02, M30, the percent sign, and where none stands."""
+"""FANUC: ends of programs, M02, M30, the percent sign, and programs without an end."""
 
 from conformance import case
 

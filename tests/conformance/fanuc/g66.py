@@ -479,7 +479,7 @@ case(
     alarm="modal-calls-too-many", number=numbers("122", "PS0122"),
 )
 
-# The text of 122 says what counts: the modal call that is specified a fourth time is the fault.
+# The text of 122 decides what counts: the modal call that is specified a fourth time is the fault.
 case(
     "3 modal calls stack, and the G66 behind them is refused",
     control="fanuc-16i", source="K-H 122: specified four-fold", evidence="inferred",

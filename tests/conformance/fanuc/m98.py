@@ -427,7 +427,7 @@ case(
     runs="N10 N30 N20",
 )
 
-# M98: order in the block, what is shared, nothing goes to the machine
+# M98: order in the block, shared variables, no word goes to the machine
 
 case(
     "a T code in the M98 block goes out before the subprogram runs",

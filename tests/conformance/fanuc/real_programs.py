@@ -1,4 +1,4 @@
-"""FANUC, what real programs hold: messages, timers, waiting, comments, labels, closed libraries."""
+"""FANUC: what real programs hold: messages, timers, waiting, comments, labels, closed libraries."""
 
 from conformance import case
 

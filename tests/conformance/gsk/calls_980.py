@@ -1,4 +1,4 @@
-"""GSK 980: what a program may not call, and M codes that call a subprogram."""
+"""GSK 980: calls that a program may not make, and M codes that call a subprogram."""
 
 from conformance import case
 

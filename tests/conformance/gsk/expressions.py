@@ -17,7 +17,7 @@ def both(number_988, number_980):
 
 
 def function(claim, expression, value, control=FAMILIES, **row):
-    """One assignment to #100."""
+    """Write a row of one assignment to #100."""
     row = {"source": "TDi29, arithmetic", "evidence": MANUAL, **row}
     case(
         f"GSK: {claim}",
@@ -89,7 +89,7 @@ case(
 
 
 def bad_function(claim, expression, cause, number, control=FAMILIES, **row):
-    """One assignment to #100 that alarms and leaves #100 alone."""
+    """Write a row of one assignment to #100 that alarms and does not change #100."""
     if not isinstance(number, str):
         row = {"source": f"Talm {number[TA]}; MDia {number[TDI]}", **row}
     row = {"source": f"MDia {number}", "evidence": SECONDARY, **row}

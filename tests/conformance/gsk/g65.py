@@ -1,4 +1,4 @@
-"""GSK: P and L of G65, what may not share its block, nesting."""
+"""GSK: P and L of G65, words that may not share its block, nesting."""
 
 from conformance import case
 
@@ -328,7 +328,8 @@ case(
     runs="N10", alarm="return-target-not-found", number=both("083", "0112"), at="O2 N40",
 )
 
-# --- G65: what may not share its block -------------------------------------------------------------------
+# --- G65: words that may not share its block
+# -------------------------------------------------------------
 
 case(
     "GSK 988: G0 X1 and G65 may not share a block",

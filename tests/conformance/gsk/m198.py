@@ -13,7 +13,7 @@ def one_call(call, sub="N30 M99", name="O2"):
 
 
 def device_call(claim, call, **row):
-    """O1 calls O2 of the device; row says what becomes of it."""
+    """Write a row in which O1 calls O2 of the device; `row` says what happens."""
     memory = f"O1\nN10 {call}\nN20 M30\n"
     device = {"O2.CNC": "O2\nN40 G0 X4\nN50 G0 X5\nN60 M99\n", "T2.CNC": "N70 M99\n"}
     row = {"source": "source 000, M198", "evidence": SOURCE, **row}

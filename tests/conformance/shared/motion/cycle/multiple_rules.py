@@ -238,7 +238,7 @@ ALLOWANCE = "general knowledge: parameters 5145 and 5146 of the 0i-D and the 30i
 
 
 def turning_back(x="X20.", z="Z-12.", code="G71 U1. R1."):
-    """A profile whose block N50 leads to `x` and `z`, and which goes on out and in from there."""
+    """Return a profile whose block N50 leads to `x` and `z`, and which then goes on out and in."""
     return f"""
         O1
         N5 G0 X40. Z2.
