@@ -145,9 +145,7 @@ def mutants(control: cncsub.Control, word: str) -> Iterator[cncsub.Control]:
 
 
 def other_values(rule: Any) -> list[Any]:
-    """Return the other values to try: near numbers, other choices, a list with an entry less or
-    more.
-    """
+    """Return the values to try: near numbers, other choices, a list with an entry less or more."""
     if isinstance(rule.value, bool):
         return [not rule.value]
     if isinstance(rule.value, int):
@@ -158,7 +156,7 @@ def other_values(rule: Any) -> list[Any]:
 
 
 def _other_lists(rule: Any) -> Iterator[str]:
-    """Yield a list of letters or codes without one of its entries, and the lists of other controls."""
+    """Yield a list of letters or codes without one of its entries, and lists of other controls."""
     separator = " " if " " in rule.value or len(rule.value) > 30 or rule.entries else ""
     entries = rule.value.split() if separator else list(rule.value)
     for entry in dict.fromkeys(entries):
