@@ -4,10 +4,10 @@ A row says what it pins, `pins="zero_repeats"`; for a set it names the entry,
 `pins="conditions:bare"`, which is then taken away or put in. Every rule of every control, and every
 entry that a set may have, needs such a row: its own, or one of a control with the same answer if it
 holds on this control too. So a relative needs rows only for what it answers otherwise. Of the set
-`refuses` and of roles, only the entries that some row pins need one. For the others `python
-tests/conformance/mutation.py` names the rows that could pin them. A rule that no row can notice on
-a control has its reason in `unpinned.py` or with the rows (`inert`), which holds for relatives that
-answer alike too.
+`refuses` and of roles, only the entries that some row pins need one. For the others the command
+`python tests/conformance/mutation.py` names the rows that could pin them. A rule that no row can
+notice on a control has its reason in `unpinned.py` or with the rows (`inert`), which holds for
+relatives that answer alike too.
 """
 
 from __future__ import annotations

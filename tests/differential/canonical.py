@@ -124,8 +124,8 @@ def _asks_machine(name: str, inner: str, unit: float, has_length: bool) -> str:
     """Return what rs274 asks of its machine in this call if no machine would answer so; or nothing.
 
     [saicanon.cc: GET_EXTERNAL_TOOL_LENGTH_ZOFFSET gives the length in the unit it was given in;
-    GET_EXTERNAL_POSITION_Z, which is asked after a tool change and before a move that waits, gives
-    the place without a length; CHANGE_TOOL(0) and CHANGE_TOOL_NUMBER leave the tool where it is]
+    GET_EXTERNAL_POSITION_Z, which is asked after a tool change, gives the place without a length
+    and before a move that waits; CHANGE_TOOL(0) and CHANGE_TOOL_NUMBER leave the tool where it is]
     """
     if has_length and name == "USE_LENGTH_UNITS" and (unit > 1) != ("INCHES" in inner):
         return "a change of units under a tool length"

@@ -1,6 +1,8 @@
-"""Flatten rows, examples and generated programs, and run both: `python
-tests/differential/flat_programs.py --rows --examples --programs 10000`. A flat program that is not
-refused has to do the same.
+"""Flatten rows, examples and generated programs, and run both.
+
+    python tests/differential/flat_programs.py --rows --examples --programs 10000
+
+A flat program that is not refused has to do the same.
 """
 
 from __future__ import annotations

@@ -201,7 +201,7 @@ def written(of: Writer) -> None:
         of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2 Z3", "G92.3", "G92.2", "G10 L2 P1 Y0",
                          "G92 X5", "G52 Y1", "G0 X1", "G43", "G49", "G10 L20 P1 X0")))  # fmt: skip
         of.show()
-    if turn:  # rs274 loses its place if a turned system is shifted
+    if turn:  # rs274 loses its place if a rotated system is shifted
         of.put("G10 L2 P1 R0")
         of.put("G10 L2 P2 R0")
 

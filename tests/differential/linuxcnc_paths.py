@@ -20,8 +20,8 @@ units or of the tool under a tool length, M61, and M6 of T0.
 The programs leave out what rs274 does not do as a machine would: the place of the tool after a
 probing move (it stops a hundredth of an inch short of its end); the path of splines (it prints how
 many points they have, and reads one beyond them); U, V and W, which it does not know; G43.2 by axis
-words, where it looks for tool -1; G88, where the operator draws back; a rotated work system that is
-shifted by G92, where it loses the place of the tool; a peck that ends at the bottom but for
+words, where it looks for tool -1; G88, where the operator draws back; a work system that is rotated
+under a shift of G92, where it loses the place of the tool; a peck that ends at the bottom but for
 rounding; taps outside of G17 in series; G90 and G91 between the holes of careful programs; tools
 that no table has, which a setup need not list; and words beside M72, which it loses where a mode is
 restored. Careful programs, of which `--together` makes one, have nothing of the kinds held and
@@ -148,7 +148,7 @@ class Writer:
         middle = (self.length(), self.length())
         start = [m + size * p for m, p in zip(middle, one)]
         end = [m + size * p for m, p in zip(middle, other)]
-        self.put("G8")  # arcs are not written in diameters
+        self.put("G8")  # in diameters it would be no arc
         self.put(f"G{plane} G90 G0 {a}{start[0]:.4f} {b}{start[1]:.4f}")
         code = r.choice(("G2", "G3"))
         if not full and self.chance(0.3):
