@@ -1,4 +1,4 @@
-"""Which files are read: those that are named, and those of the given folders, and no others."""
+"""The files that are read: those that are named, and those of the given folders, and no others."""
 
 from __future__ import annotations
 

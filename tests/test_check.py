@@ -1,4 +1,4 @@
-"""What check finds, and near misses that it leaves alone."""
+"""The findings of check, and near misses that it leaves alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How commands end that are stopped: by Ctrl-C, by a closed pipe, by a system without room."""
+"""The end of commands that are stopped: by Ctrl-C, by a closed pipe, by a system without room."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files and folders: what is read, what is never opened, and how bytes become text."""
+"""Files and folders: which are read, which are never opened, and how bytes become text."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ PLANES = {  # the two axes of the plane in their order, and the axis across
     19: ("YZ", "X"),
 }
 CENTRE_WORDS = {"X": "I", "Y": "J", "Z": "K"}
-# Whole points on one circle, so that no radius is rounded.
+# Whole points on one circle: no radius is rounded.
 ON_CIRCLE = [
     (a * sign_a, b * sign_b)
     for a, b in [

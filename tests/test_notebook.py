@@ -1,4 +1,4 @@
-"""What a notebook shows: bounded pages of HTML without scripts."""
+"""The view of objects in a notebook: bounded pages of HTML without scripts."""
 
 from __future__ import annotations
 

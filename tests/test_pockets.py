@@ -38,7 +38,7 @@ def profiles(draw: st.DrawFn) -> Profile:
 
 
 class Side:
-    """How depths and places lie on the machine."""
+    """The place of depths and lengths on the machine."""
 
     def __init__(self, cycle: str, inside: bool) -> None:
         self.cycle, self.inside = cycle, inside

@@ -36,7 +36,7 @@ def touch(part: Workpiece, start: Point, end: Point) -> Point | None:
     return None if move.skip == "missed" else (move.x, move.y, move.z)
 
 
-# How far a point is outside a body, written again from the definition.
+# The distance of a point from a body, written again from the definition.
 
 
 def outside_box(p: Point, low: Point, high: Point) -> float:

@@ -1,4 +1,4 @@
-"""What blocks refer to, and who calls whom, without running anything."""
+"""The references of blocks, and the call graph, without running anything."""
 
 import json
 import sys

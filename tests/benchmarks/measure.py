@@ -182,7 +182,7 @@ def import_cncsub() -> Figures:
 
 
 class Canon:
-    """What the interpreter of LinuxCNC calls for everything a program does; it counts the moves."""
+    """The callbacks of LinuxCNC's interpreter for all that a program does; it counts the moves."""
 
     def __init__(self) -> None:
         self.parameter_file = ""

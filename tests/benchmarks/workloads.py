@@ -24,7 +24,7 @@ HALVES = ("a", "b")  # the two halves of the folder, each read by a thread
 
 @dataclass(frozen=True)
 class Size:
-    """How large the workloads are, and how often each is measured."""
+    """The sizes of the workloads, and how often each is measured."""
 
     rounds: int
     blocks: int  # the blocks of the flat files

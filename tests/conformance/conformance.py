@@ -1,4 +1,4 @@
-"""The rows of the conformance tables: what a row says and how it is written.
+"""The rows of the conformance tables: the content of a row and how it is written.
 
 The topics stand in folders: a folder for each family of controls, and `shared` for what several
 families say. A file calls `case` once per claim, and `rows()` reads all files. `cncsub.testing`

@@ -18,7 +18,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-# Each operator has spaces around it, as the formatter writes no template or reference.
+# Each operator has spaces around it; the formatter writes none around templates and references.
 OPERATORS = {
     "==": "!=",
     "!=": "==",
@@ -108,7 +108,7 @@ def _changes(seen: str, source: str) -> Iterator[tuple[int, int, str]]:
             yield match.end(), end, f"!({source[match.end() : end]})"
     for match in _STATEMENT.finditer(seen):
         start = match.end() - len(match[0].lstrip())
-        # If the line above does not end a block or statement, this line is only the rest of one.
+        # A line is a whole statement only after the end of another, or after the head of a block.
         if seen[:start].rstrip().endswith((";", "{", "}", ":", ")")) or not seen[:start].strip():
             yield start, match.end(), ";"
     yield from _other_enumerators(seen)
@@ -124,7 +124,7 @@ def _closing(text: str, place: int) -> int:
 
 
 def _other_enumerators(seen: str) -> Iterator[tuple[int, int, str]]:
-    """Yield the next enumerator of the same type that the source names; the last becomes the first."""
+    """Yield the next enumerator of the same type in the source; the last becomes the first."""
     matches = list(_ENUMERATOR.finditer(seen))
     names: dict[str, list[str]] = {}
     for match in matches:

@@ -1,4 +1,4 @@
-"""How NC text is read: sequence numbers and block skip."""
+"""Reading of NC text: sequence numbers and block skip."""
 
 from conformance import case
 

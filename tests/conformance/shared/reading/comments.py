@@ -1,4 +1,4 @@
-"""How NC text is read: comments and encodings."""
+"""Reading of NC text: comments and encodings."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""How NC text is read: ends of block, frames, leaders and trailers."""
+"""Reading of NC text: ends of block, frames, leaders and trailers."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""How NC text is read: heads and names of programs, duplicates."""
+"""Reading of NC text: heads and names of programs, duplicates."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""How NC text is read: joins, numbers, characters and words that a control does not know."""
+"""Reading of NC text: joins, numbers, characters and words that a control does not know."""
 
 from conformance import case
 
