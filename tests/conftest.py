@@ -1,5 +1,6 @@
-"""How many examples the property tests take (HYPOTHESIS_PROFILE=ci takes few, for slow builds), and
-the browser that looks at pages."""
+"""The number of examples of the property tests (HYPOTHESIS_PROFILE=ci takes few, for slow builds),
+and the browser that looks at pages.
+"""
 
 import os
 import shutil
@@ -9,7 +10,7 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
-# What fails where everything is checked fails again: programs are made at random elsewhere only.
+# Where everything is checked, a failure must repeat: random programs are made elsewhere only.
 AGAIN = "CI" in os.environ
 settings.register_profile("full", deadline=None, max_examples=200, derandomize=AGAIN)
 settings.register_profile("ci", deadline=None, max_examples=25, derandomize=AGAIN)
@@ -18,8 +19,8 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "full"))
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Any]:
-    """Chromium as it is installed; the sanitizers' libraries, which come first in each process of
-    theirs, are not for it.
+    """Yield Chromium as it is installed. The libraries of the sanitizers, which are loaded first in
+    each of their processes, are not for it.
     """
     found = shutil.which("chromium") or shutil.which("google-chrome")
     if found is None:

@@ -38,7 +38,7 @@ def write(folder: Path, name: str, text: str | bytes) -> Path:
 
 @pytest.fixture
 def here() -> Any:
-    """Threads: what a test need not start processes for."""
+    """An executor of threads, for tests that need no processes."""
     with ThreadPoolExecutor(2) as executor:
         yield executor
 
@@ -146,7 +146,7 @@ def test_wrong_options_are_told_before_anything_is_run(tmp_path: Path) -> None:
 
 
 class Ending(Executor):
-    """Does so many chunks at once, in this thread, and is interrupted then."""
+    """Does so many chunks at once, in this thread, and is then interrupted."""
 
     _max_workers = 1
 
@@ -211,7 +211,7 @@ def test_a_folder_of_another_batch_is_refused(tmp_path: Path) -> None:
 
 
 def deadly(task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
-    """One file kills the process that opens it."""
+    """Kill the process that opens one certain file."""
     if any(job.names == ("O5.nc",) for job in jobs):
         os.kill(os.getpid(), signal.SIGKILL)
     return do_chunk(task, jobs)
@@ -229,9 +229,9 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
 
 
 class Killing(Executor):
-    """Two processes, one of which is killed as the third chunk is handed over.
+    """Two processes, one of which is killed when the third chunk is handed over.
 
-    Both are there before: Python 3.11 waits for ever for one that begins just then.
+    Both exist before that: Python 3.11 waits for ever for one that begins just then.
     """
 
     def __init__(self) -> None:
@@ -350,7 +350,7 @@ def test_the_workers_of_a_process_that_is_killed_end_with_it(tmp_path: Path) -> 
 
 
 def is_running(pid: int) -> bool:
-    """Whether a process is there and has not ended."""
+    """Return whether a process is there and has not ended."""
     try:
         state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
     except OSError:
@@ -373,10 +373,10 @@ def test_a_dask_cluster_is_an_executor_and_a_worker_may_die(tmp_path: Path) -> N
     dask = pytest.importorskip("dask")
     archive(tmp_path / "in", 1500)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # Dask's own, about ports, sockets and loops it closes
+        warnings.simplefilter("ignore")  # of Dask: about ports, sockets and loops
         options = {"n_workers": 2, "threads_per_worker": 1, "processes": True}
         with (
-            dask.config.set({"distributed.comm.timeouts.connect": "5s"}),  # to who is dead
+            dask.config.set({"distributed.comm.timeouts.connect": "5s"}),  # to a dead worker
             distributed.LocalCluster(dashboard_address=None, **options) as cluster,
             distributed.Client(cluster) as client,
         ):
@@ -384,7 +384,7 @@ def test_a_dask_cluster_is_an_executor_and_a_worker_may_die(tmp_path: Path) -> N
             done = False
 
             def kill() -> None:
-                # When the first rows are there.
+                # Wait for the first rows.
                 while not done and not list((tmp_path / "out").glob("part-*")):
                     time.sleep(0.01)
                 os.kill(victim, signal.SIGKILL)

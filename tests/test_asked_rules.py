@@ -1,4 +1,4 @@
-"""The rules that the language of a control asks: it shows and takes no other."""
+"""The rules that apply to the language of a control: the control shows and takes no others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a test expects of a run: `assert_ends`, `assert_alarm`, and what a failure shows."""
+"""What a test expects of a run: `assert_ends`, `assert_alarm`, and the text of a failure."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""The benchmark runs and prints its tables; its seconds are nobody's test, memory and counts are."""
+"""The benchmark runs and prints its tables; no test looks at seconds, but at memory and counts."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_the_benchmark_prints_its_tables(tmp_path: Path) -> None:
 
 
 def memory(blocks: int, trace: str) -> int:
-    """Bytes that a run of so many blocks takes at most, above those before it."""
+    """Return the most bytes that a run of so many blocks takes, above those before it."""
     point = printed("proportion.py", "--point", f"M98 loop, trace {trace}", str(blocks))
     _, _, peak = json.loads(point)
     return int(peak)
@@ -111,7 +111,7 @@ def test_a_cost_above_the_stored_one_is_a_fault(instructions) -> None:
     same, other = (instructions.allowed(stored, built) for built in ("GCC 12", "clang 19"))
     dear, dearer = (instructions.Slope(count, count) for count in (120, 190))
     assert instructions.faults({"flat": dear}, same)
-    assert not instructions.faults({"flat": dear}, other)  # another compiler's counts say less
+    assert not instructions.faults({"flat": dear}, other)  # counts of another compiler say less
     assert instructions.faults({"flat": dearer}, other)
 
 

@@ -1,4 +1,4 @@
-"""Which files are read: those that are named, and those of the given folders, and no others."""
+"""The files that are read: those that are named, and those of the given folders, and no others."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def command(*words: object) -> tuple[int, str, str]:
 
 @pytest.fixture
 def job(tmp_path: Path) -> Path:
-    """A program that calls another one, and outside of its folder what it must not get."""
+    """A program that calls another one, and, outside of its folder, files that it must not read."""
     (tmp_path / "job").mkdir()
     (tmp_path / "out").mkdir()
     (tmp_path / "job" / "main.nc").write_text(MAIN)
@@ -40,7 +40,7 @@ def job(tmp_path: Path) -> Path:
 
 
 def is_read(job: Path, *words: object) -> bool:
-    """Whether the program that is called was found, by every command alike."""
+    """Return whether the program that is called was found, by every command alike."""
     status, _, _ = command("run", *(words or (job / "main.nc",)), *C)
     listed = command("list", *(words or (job / "main.nc",)), *C)[1]
     assert (status == 0) == ("O77, which does not exist" not in listed)
@@ -141,7 +141,7 @@ def test_a_batch_reads_beside_a_file_what_its_folder_holds(job: Path) -> None:
     assert rows["cause"].to_pylist() == ["program-not-found"]
 
 
-# ---- what a project names ----
+# ---- files that a project names ----
 
 EXTERNAL = "O1\nN10 M198 P77\nN20 M30\n"
 NAMED = {
@@ -154,7 +154,7 @@ NAMED = {
 
 @pytest.fixture
 def shop(job: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of programs from elsewhere, with a project; beside it what that may name."""
+    """A folder of foreign programs with a project, and next to it files that it may name."""
     (job / "main.nc").write_text(EXTERNAL)
     out = job.parent / "out"
     (out / "real.nc").unlink()
@@ -167,7 +167,7 @@ def shop(job: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def place(shop: Path, key: str, lead: str) -> str:
-    """The line of a project that names something by its way there."""
+    """Return the line of a project that names something by its path."""
     name = NAMED[key]
     return f'control = "fanuc-0i-f"\n{key} = "{lead}{"" if name == "out" else "/" + name}"\n'
 
@@ -202,7 +202,7 @@ def test_one_s_own_project_names_what_it_likes_and_that_is_told(
     status, _, told = command("run", "main.nc")
     assert status == 0
     assert f"note: {shop.parent / 'out'}: the project names it for external" in told
-    monkeypatch.setattr(system, "is_ours", lambda path: False)  # another user's, such as in /tmp
+    monkeypatch.setattr(system, "is_ours", lambda path: False)  # another user has it
     status, _, told = command("run", "main.nc")
     assert status == 2
     assert "external leads out of its folder" in told

@@ -1,4 +1,4 @@
-"""What check finds, and near misses that it leaves alone."""
+"""The findings of check, and near misses that it leaves alone."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ EXAMPLES = Path(__file__).parent.parent / "examples"
 
 
 def found(text: str, control: str = MILL, **options: Any) -> list[str]:
-    """`CS201 N20`: the rules and their blocks, by the line where there is no N."""
+    """Return the rules and their blocks, as `CS201 N20`; by the line if there is no N."""
     findings = cncsub.loads(text, control=control).check(**options)
     return [
         f"{f.rule} {f':{at.line}' if at.n is None else f'N{at.n}'}"
@@ -48,7 +48,7 @@ def test_the_example_of_a_rule_is_found(rule: CheckRule) -> None:
     assert own[0].hint
 
 
-# The example of each rule with one thing mended: the rule leaves it alone.
+# The example of each rule with one thing mended: the rule then finds nothing.
 NEAR: dict[str, tuple[str, str]] = {
     "CS101": ("X1.5.2", "X1.52"), "CS102": ("G5.9", "G1"), "CS103": ("]#501", "]THEN #501"),
     "CS104": ("#0=", "#100="), "CS105": ("G7.1 C1.", "G0 X1."), "CS201": ("P9", "P1 (L0)"),
@@ -84,7 +84,7 @@ END = "N90 M30\n"
 
 # Programs, and all that is found in them.
 TABLE: dict[str, tuple[str, str, str]] = {
-    # What the control refuses
+    # Blocks that the control refuses
     "a fault that is never reached": ("", "O1\nN10 GOTO 30\nN20 G0 X1.5.2\nN30 M30\n", "CS101 N20, CS301 N20"),
     "a fault behind a slash": ("", "O1\n/N10 M98 P-2\nN20 M30\n", "CS101 N10"),
     "a fault behind THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=[1\nN20 M30\n", "CS101 N10"),
@@ -99,7 +99,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "an arc without a centre that is a line": ("", "O1\nN10 G2 X1. F9.\n" + END, ""),
     "arcs with a centre, and G2 alone": ("haas-ngc", "O1\nN10 G2 F9.\nN20 X1. R5.\nN30 G2 X2. J1.\n" + END, ""),
     "an arc by a radius in words": ("siemens-one", "N10 G2 X10 CR=5 F100\nN20 M30\n", ""),
-    # Where calls and jumps lead
+    # Targets of calls and jumps
     "a program that is missing": ("", "O1\nN10 M98 P9\nN20 G65 P8\n" + END, "CS201 N10, CS201 N20"),
     "a computed program may be there": ("", "O1\nN10 M98 P#500\n" + END, ""),
     "a start that is missing": ("gsk-988ta", "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN6 G4 P1\nN7 M99\n", "CS201 N10"),
@@ -121,7 +121,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a jump into the inner loop from the outer one": (
         "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN15 GOTO 30\nN20 WHILE[#1 LT 5]DO2\nN30 #1=#1+1\nN40 END2\nN50 END1\n" + END,
         "CS206 N15"),
-    # What runs and what does not
+    # Blocks that run and blocks that do not
     "blocks behind M30": ("", "O1\nN10 M30\nN20 G4 P1\nN30 M99\n", "CS301 N20"),
     "M99 behind M30 is a habit": ("", "O1\nN10 G4 P1\nN20 M30\nN30 M99\n", ""),
     "a skipped GOTO": ("", "O1\n/N10 GOTO 30\nN20 G4 P1\nN30 M30\n", ""),
@@ -143,14 +143,14 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o1 sub\no2 if [#1 gt 5]\nM2\no2 endif\nG0 X1\no1 endsub\no1 call [1]\nG0 X5\nM2\n", ""),
     "M30 on one way of it": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 IF[#500 EQ 1]GOTO 50\nN40 M30\nN50 M99\n", ""),
     "M20 starts the program over": ("gsk-928te", "%1\nN10 G0 X1\nN20 M20\n", ""),
-    # How deep
+    # Depth of nesting
     "a part of the own program": ("gsk-928te", "%1\nN10 M98 P30\nN20 M2\nN30 G0 X1\nN40 M99\n", ""),
     "a program that calls itself": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M98 P2\nN40 M99\n", "CS402 N30"),
     "a program that calls itself until a condition holds": (
         "", "O1\nN5 #100=0\nN10 M98 P2\nN20 M30\nO2\nN25 #100=#100+1\nN28 IF[#100 GE 3]GOTO 40\nN30 M98 P2\nN40 M99\n", ""),
     "a call of the own program whose start is dropped": ("mitsubishi-m800", "O1\nN10 M98 Q5\n" + END, "CS704 N10"),
     "a code does not call in the program that it calls": ("gsk-988ta", "O1\nN20 M30\n", ""),
-    # What a called program leaves behind
+    # State that a called program leaves
     "G91 where the caller moves on": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", "CS501 N20"),
     "G91 where the caller says G90 first": ("", "O1\nN10 G90 G0 X0\nN20 M98 P2\nN30 G90 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", ""),
     "G91 that is found on": ("", "O1\nN10 G91 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G91\nN50 M99\n", ""),
@@ -202,7 +202,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 #100=5.\nN20 G65 P2\nN30 G0 X#100\n" + END + "O2\nN40 #100=7.\nN50 M99\n", ""),
     "commons of two numbers": (
         "", "O1\nN10 #100=5.\nN15 G0 Z#100\nN20 G65 P2\nN30 G0 X#100\n" + END + "O2\nN40 #101=7.\nN45 G0 Y#101\nN50 M99\n", ""),
-    # A path of its own: starts, parts, what is fallen into
+    # Paths through a program: starts, parts, blocks that run into a part
     "a start by Q that does not lead back is no recursion": (
         "gsk-988ta", "O1\nN10 M98 P2 Q10\nN20 M30\nO2\nN10 M98 P3\nN20 M99\nN30 G0 X1.\nN40 M99\nO3\nN50 M98 P2 Q30\nN60 M99\n", ""),
     "a start by H that leads back is recursion": (
@@ -282,7 +282,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o1 do\ng0 x1\no1 break\no1 while [1]\no2 do\ng0 x2\no2 while [0]\nm2\n", ""),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
-    # Modes that are put back, and modes of the caller's own
+    # Modes that are restored, and modes of the caller
     "a mode that a computed code puts back": (
         "", "O1\nN10 G90 G0 X0\nN20 G65 P2\nN30 X5.\n" + END + "O2\nN40 #33=#4003\nN50 G91 X1.\nN60 G#33\nN70 M99\n", ""),
     "a mode that the caller puts back by a computed code": (
@@ -398,7 +398,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "mitsubishi-m700", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2] OR [#502 EQ 3]]GOTO 90\n" + END, ""),
     "AND behind OR from left to right": ("linuxcnc", "#1=1\no1 if [#1 eq 1 or #1 eq 2 and #1 eq 3]\no1 endif\nm2\n", "CS705 :2"),
     "AND beside comparisons in LinuxCNC": ("linuxcnc", "#1=1\no1 if [#1 eq 1 and #1 lt 3]\no1 endif\nm2\n", ""),
-    # Values that people trip over
+    # Values that are easily mistaken
     "no point on a control of increments": ("", "O1\nN10 G0 X1.5 Y20\n" + END, "CS701 N10"),
     "no point where a number is millimetres": ("mitsubishi-m800", "O1\nN10 G0 X1.5 Y20\n" + END, ""),
     "no point anywhere": ("", "O1\nN10 G0 X1500 Y20\n" + END, ""),
@@ -518,13 +518,13 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "haas-ngc", "O1\nN5 G103 P1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, ""),
     "a position, which is read when its block runs": (
         "haas-ngc", "O1\nN10 G0 X1.\nN20 #100=#5021\nN30 G0 Z#100\n" + END, ""),
-    # What follows from a call that is refused
+    # Results of a call that is refused
     "blocks that a refused call would lead to": (
         "", "O1\nN10 M98 Q50\nN20 M30\nN50 G0 X1.\nN60 M99\n", "CS101 N10"),
     "blocks that a refused jump would lead to": ("", "O1\nN10 GOTO 77\nN20 G0 X1.\n" + END, "CS202 N10"),
     "a comment that is closed later in its line": ("", "O1\nN10 G0 X1. (A) (B)\n" + END, ""),
     "an open comment of a control that refuses it": ("gsk-980mdi", "O1\nN10 G0 X1. (A\n" + END, "CS101 N10"),
-    # How blocks are written
+    # Spelling of blocks
     "an IF without THEN is refused": ("", "O1\nN10 IF[#500 EQ 1]#501=5\n" + END, "CS103 N10"),
     "an IF with THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=5\n" + END, ""),
     "two codes of a group": ("", "O1\nN10 G90 G91 X1.\n" + END, "CS801 N10"),
@@ -666,7 +666,7 @@ def test_the_kind_of_machine_comes_from_the_setup() -> None:
     assert found(text, "fanuc-16i", setup={"machine": "lathe-a"}) == []
 
 
-# Causes that a block has whatever ran before it: each alarm of a row is found without running.
+# Causes that a block has whatever ran before it: each such alarm is found without running.
 STATIC = {
     "address-without-value", "illegal-character", "start-not-found",
     "illegal-minus-sign", "external-program-not-found", "named-program-not-found",
@@ -725,7 +725,7 @@ def test_any_program_is_checked_and_nothing_that_ran_is_unreachable(
     for finding in findings:
         if finding.rule == "CS301":
             assert (finding.program, finding.line) not in ran, str(finding)
-    labels = control == "linuxcnc"  # they lead the way while it runs
+    labels = control == "linuxcnc"  # labels decide the path at run time
     if (
         run.alarm is not None
         and not labels
@@ -898,11 +898,11 @@ def test_a_certain_edit_mends_and_changes_nothing_else(rule: str, tmp_path: Path
     run = after.run()
     assert run.stop is cncsub.Stop.END
     was = before.run()
-    if was.alarm is None:  # what ran does the same
+    if was.alarm is None:  # a program that ran does the same
         assert run.steps.line.tolist() == was.steps.line.tolist()
         assert dict(run.variables) == dict(was.variables)
         assert run.position == was.position
-    else:  # what was refused runs as far as before, and on
+    else:  # a program that was refused runs as far as before, and further
         assert run.steps.line.tolist()[: len(was.steps)] == was.steps.line.tolist()
         assert len(run.steps) > len(was.steps)
 
@@ -1084,8 +1084,8 @@ def test_paths_lead_from_the_program_that_is_run() -> None:
         ("fanuc-0i-f", "#1=#2+#3 AND 7", "#1=#2+[#3 AND 7]"),
         ("fanuc-0i-f", "IF[#1 AND 3 EQ 3]GOTO 90", "IF[[#1 AND 3] EQ 3]GOTO 90"),
         ("fanuc-0i-f", "G0 X[#2*2 OR #3]", "G0 X[[#2*2] OR #3]"),
-        ("fanuc-0i-f", "#1=[[[[#2+#3 AND 7]]]]", None),  # too many brackets then
-        ("fanuc-0i-f", "#1=ATAN[#1]/[2] AND 7", None),  # whose / it is, is not certain
+        ("fanuc-0i-f", "#1=[[[[#2+#3 AND 7]]]]", None),  # there would be too many brackets
+        ("fanuc-0i-f", "#1=ATAN[#1]/[2] AND 7", None),  # it is not certain to which the / belongs
         ("hnc-21m", "#1=#2+#3 AND 7", "#1=[#2+#3] AND 7"),
         ("mitsubishi-m700", "#1=#2+#3 AND 7", "#1=#2+[#3 AND 7]"),
         ("linuxcnc", "#1=[#2 OR #3 AND 7]", "#1=[[#2 OR #3] AND 7]"),

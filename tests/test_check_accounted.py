@@ -1,5 +1,6 @@
 """Over all rows that end well and over all examples, each finding is accounted for: what the run
-did, or what is written, shows that it is true."""
+did, or what is written, shows that it is true.
+"""
 
 from __future__ import annotations
 
@@ -45,20 +46,21 @@ class Seen(NamedTuple):
 
 
 def never_ran(seen: Seen) -> bool:
-    """A block with a slash or a condition runs without what is wrong in it."""
+    """Return whether the block did not run, or may run without what is wrong in it."""
     partly = re.search(r"/|IF|THEN", seen.finding.source, re.IGNORECASE)
     return not seen.reached or partly is not None
 
 
 def not_called(seen: Seen) -> bool:
-    name = seen.finding.program  # one of the same name on the device is another
+    name = seen.finding.program  # a program of this name on the device is another one
     outside = name in seen.library.external
     return outside or all(call.program != name for call in seen.run.calls)
 
 
 def is_vacant_there(seen: Seen) -> bool:
-    """The variable has no value when the block is about to run, the first time; nobody gave it one
-    before the run.
+    """Return whether the variable has no value when the block first runs.
+
+    A variable that was given before the run counts as vacant.
     """
     named = re.match(r"#<(\w+)>", seen.finding.message)
     if named is not None:
@@ -70,14 +72,14 @@ def is_vacant_there(seen: Seen) -> bool:
     while True:
         before = machine.variables.get(number)
         step = machine.step()
-        if step is None:  # it was not reached
+        if step is None:  # the block was not reached
             return not seen.reached
         if (step.program, step.line) == (seen.finding.program, seen.finding.line):
             return before is None
 
 
 def no_assignment_ran(seen: Seen, name: str) -> bool:
-    """No block before it in its program gives the variable a value."""
+    """Return whether no block that ran before it in its program gives the variable a value."""
     of_program = seen.library[seen.finding.program].blocks
     text = {block.line: block.text for block in of_program}
     for step in seen.run.steps:
@@ -107,7 +109,9 @@ def lines_have_the_number(seen: Seen) -> bool:
 
 
 def of_labels(seen: Seen) -> bool:
-    """LinuxCNC runs on where a branch that is taken, or a loop that is left, has no end."""
+    """Return whether this is LinuxCNC, which runs on if a branch or loop has no end, or did not
+    run.
+    """
     return seen.library.control.name == "linuxcnc" or never_ran(seen)
 
 
@@ -120,7 +124,7 @@ def ends_there(seen: Seen) -> bool:
 
 
 def runs_into_its_end(seen: Seen) -> bool:
-    """The control takes it, the end is not reached, or a parameter makes it a reset."""
+    """Return whether the control takes it, no end is reached, or a parameter makes it a reset."""
     if seen.finding.alarm is None or not seen.reached:
         return True
     last = seen.run.steps[len(seen.run.steps) - 1]
@@ -128,7 +132,7 @@ def runs_into_its_end(seen: Seen) -> bool:
 
 
 def anything(seen: Seen) -> bool:
-    """Told of what is written: the words of the finding are in the program."""
+    """Return whether the word of the finding is in the program, for a finding about the text."""
     return seen.finding.word in seen.finding.source
 
 
@@ -167,7 +171,7 @@ def look_at(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -
 
 
 def of_each_place(finding: cncsub.Finding, library: cncsub.Library) -> Iterator[cncsub.Finding]:
-    """The finding, and one like it for each of its other places."""
+    """Yield the finding, and one like it for each of its other places."""
     yield replace(finding, places=(), count=1)
     for place in finding.places:
         program = (library if place.program in library else library.external)[place.program]
@@ -195,19 +199,19 @@ def test_findings_in_rows_that_end_well_are_true() -> None:
     assert sum(counted.values()) > 2000
 
 
-# What is found in the examples, checked as their heads say, and why it is no mistake.
+# The findings in the examples, checked as their heads say, and why they are no mistakes.
 IN_EXAMPLES: dict[tuple[str, str], set[str]] = {
-    ("gsk/980mdi-m-code-call.nc", "CS704"): {"O0001 N30"},  # it shows that L says nothing
-    ("gsk/980tdi-macro.nc", "CS102"): {"O0001 N130"},  # its head says how G100 is registered
-    ("gsk/988t-self-call.nc", "CS403"): {"O0001 N20"},  # it shows the alarm
-    ("mitsubishi/meldas_jump.nc", "CS301"): {"O1 N30"},  # what the jump passes over
-    ("mitsubishi/meldas_l0.nc", "CS703"): {"O1 N10", "O1 N20"},  # it shows what L0 does
-    ("mitsubishi/meldas_too_deep.nc", "CS401"): {"O5 N51"},  # it shows the alarm
+    ("gsk/980mdi-m-code-call.nc", "CS704"): {"O0001 N30"},  # the example shows that L says nothing
+    ("gsk/980tdi-macro.nc", "CS102"): {"O0001 N130"},  # the head says how G100 is registered
+    ("gsk/988t-self-call.nc", "CS403"): {"O0001 N20"},  # the example shows the alarm
+    ("mitsubishi/meldas_jump.nc", "CS301"): {"O1 N30"},  # the block that the jump skips
+    ("mitsubishi/meldas_l0.nc", "CS703"): {"O1 N10", "O1 N20"},  # the example shows what L0 does
+    ("mitsubishi/meldas_too_deep.nc", "CS401"): {"O5 N51"},  # the example shows the alarm
 }  # fmt: skip
 
 
 def example_checks() -> list[tuple[str, list[str]]]:
-    """The example and the words of `check` for each command in its head."""
+    """Return the example and the words of `check` for each command in its head."""
     found: dict[tuple[str, ...], str] = {}
     for file in sorted(EXAMPLES.rglob("*")):
         if not file.is_file() or file.suffix in (".toml", ".ipynb"):
@@ -221,7 +225,7 @@ def example_checks() -> list[tuple[str, list[str]]]:
 
 
 def check_words(words: list[str]) -> list[str]:
-    """Those of a run that `check` takes too: what is read, and on which control."""
+    """Return the words of a run that `check` takes too: what is read, and on which control."""
     taken: list[str] = []
     each = iter(words)
     for word in each:

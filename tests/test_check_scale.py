@@ -1,4 +1,4 @@
-"""What a check costs grows with what there is to look at, not with its square."""
+"""The cost of a check grows in proportion to the programs, not to their square."""
 
 from __future__ import annotations
 

@@ -42,7 +42,7 @@ def job(tmp_path: Path) -> Path:
 
 
 class Done:
-    """What a call of the command line left behind."""
+    """The result of a call of the command line."""
 
     def __init__(self, *arguments: object) -> None:
         result = CliRunner().invoke(app, [str(argument) for argument in arguments])
@@ -268,7 +268,7 @@ def test_the_page_of_a_control_is_short_and_names_each_source_once(name: str) ->
     lines = Done("controls", name).out.splitlines()
     assert len(lines) <= 130
     assert max(map(len, lines)) <= 100
-    title = "Variables by option"  # which names rules too
+    title = "Variables by option"  # this part of the page names rules too
     above = lines[: lines.index(title)] if title in lines else lines
     heads = [re.split("[ ,:]", line[2:])[0] for line in above if line[:2] == "  " != line[1:3]]
     assert {rule.name for rule in control.rules if rule.value != rule.family} == (
@@ -512,7 +512,7 @@ SUB = "o100 sub\ng0 x{0}\no100 endsub\no100 call\nm2\n"
 
 
 def test_each_file_of_linuxcnc_has_its_own_subprograms(tmp_path: Path) -> None:
-    """A file may have the name of a subprogram in it, and two files one of the same label."""
+    """A file may have the name of its subprogram, and two files may have the same label."""
     for name, text in (("o100.ngc", SUB.format(1)), ("part.ngc", SUB.format(2))):
         (tmp_path / name).write_text(text)
     for paths, x in ((("o100.ngc",), "1"), (("part.ngc", "o100.ngc"), "2")):
@@ -558,7 +558,7 @@ def test_a_command_that_prints_into_a_file_does_without_rich(job: Path) -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
-# ---- nothing that was read is written over ----
+# ---- no file that was read is written over ----
 
 
 @pytest.fixture

@@ -1,5 +1,5 @@
-"""Columns are worked out in pieces, by several threads: they say what the rows say, whatever the
-size of a table, and whoever else looks at it.
+"""Columns are computed in pieces, by several threads: they say the same as the rows, for every size
+of a table, whoever else looks at it.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ def test_columns_of_several_pieces_say_what_the_rows_say(what: str) -> None:
             if 0 <= index < size:
                 assert_rows_say_the_same(table, index)
     assert len(run.moves) > PIECE or len(run.steps) > PIECE
-    # Each piece is added up in order, and then the pieces, as the engine does.
+    # Each piece is summed in order, and then the pieces, as the engine does.
     lengths = run.moves.length.tolist()
     pieces = [sum(lengths[at : at + PIECE]) for at in range(0, len(lengths), PIECE)]
     assert sum(pieces) == run.moves.total_length

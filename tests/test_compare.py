@@ -20,7 +20,7 @@ MILL = "fanuc-0i-f"
 
 
 def changed(program: str, control: str = MILL, **rules: Any) -> cncsub.Comparison:
-    """A program on a control and on the same with other values for some rules."""
+    """Compare a program on a control with the same control that has other values for some rules."""
     one = cncsub.controls[control]
     library = cncsub.loads(program, control=one)
     return cncsub.compare(library, controls=[one, one.replace(**rules)])
@@ -38,7 +38,7 @@ def test_the_same_is_the_same() -> None:
     assert [run.stop for run in compared.runs] == ["end", "end"]
 
 
-# program, rules changed, what is told of each
+# program, rules changed, what is reported of each
 CHANGES: list[tuple[str, dict[str, Any], str]] = [
     (
         CALL,
@@ -70,7 +70,7 @@ def test_a_variable_that_one_control_calls_by_two_numbers_is_one() -> None:
 
 
 def test_what_a_control_calls_the_program_of_a_file_is_no_difference(tmp_path: Path) -> None:
-    """M700 calls a main program by its file, where FANUC calls it by its head."""
+    """M700 calls a main program by its file; FANUC calls it by its head."""
     file = tmp_path / "part.nc"
     file.write_text("O1\nN10 G0 X1.\nN20 M98 P2\nN30 M30\nO2\nN40 G1 X5. F100.\nN50 M99\n")
     assert cncsub.compare(file, controls=[MILL, "mitsubishi-m700"]).same
@@ -92,7 +92,7 @@ def test_the_block_that_a_call_begins_at_is_told() -> None:
 def test_two_rules_that_make_it_together() -> None:
     program = "O1\nM98 P2 L0\nM98 P3\nM30\nO2\nM99\nO3\nM99\n"
     compared = changed(program, zero_repeats="skip", max_nesting=0)
-    assert compared.rules == ("zero_repeats",)  # the first difference
+    assert compared.rules == ("zero_repeats",)  # the first difference alone
 
 
 def test_a_difference_of_languages_is_no_rule() -> None:
@@ -173,7 +173,7 @@ def test_unknown_controls_are_errors() -> None:
         cncsub.compare(cncsub.loads(BEFORE, control=MILL), controls=[MILL, "fanuc-0i-g"])
 
 
-# ---- all that blocks do otherwise ----
+# ---- all blocks that do otherwise ----
 
 
 def changes(old: str, new: str, **options: Any) -> list[str]:
@@ -261,7 +261,7 @@ def test_diff_prints_what_blocks_do(tmp_path: Path) -> None:
 
 
 def test_the_rule_that_was_exchanged_is_named() -> None:
-    """tests/benchmarks/exchanged.py looks at 1,000 pairs."""
+    """This looks at a few pairs, tests/benchmarks/exchanged.py at 1,000."""
     right, wrong = exchanged.look(60, seed=3)
     assert wrong == []
     assert right == 60
@@ -269,7 +269,7 @@ def test_the_rule_that_was_exchanged_is_named() -> None:
 
 @pytest.mark.parametrize(("one", "other"), [("fanuc-0i-f", "linuxcnc"), ("linuxcnc", "haas-ngc")])
 def test_two_libraries_of_two_languages_are_compared_by_what_they_do(one: str, other: str) -> None:
-    """As two controls are: heads of programs, and codes that end them, are no difference."""
+    """They are compared like two controls: heads, and codes that end programs, do not count."""
     texts = {"linuxcnc": "G0 X1.\nG1 X5. F10.\nM3 S1\nM30\n"}
     before, after = (
         cncsub.loads(texts.get(name, "O1\nG0 X1.\nG1 X5. F10.\nM3 S1\nM30\n"), control=name)

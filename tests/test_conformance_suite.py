@@ -1,5 +1,6 @@
 """The conformance tables as JSON: they match their schema, nothing a row needs is missing, and
-LinuxCNC's interpreter is held to them."""
+LinuxCNC's interpreter agrees with them.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +26,7 @@ from conformance import cases, rows
 ROOT = Path(__file__).parents[1]
 TOOLS = ROOT / "tools"
 SCHEMA = json.loads((ROOT / "docs" / "conformance.schema.json").read_text(encoding="utf-8"))
-SAMPLE = 20  # every so manieth row is run
+SAMPLE = 20  # one row of so many is run
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +70,7 @@ def test_every_row_is_exported(suite: dict[str, Any]) -> None:
 
 def test_the_suite_matches_its_schema(suite: dict[str, Any]) -> None:
     jsonschema.Draft202012Validator.check_schema(SCHEMA)
-    # A hundred copies of its first cases teach nothing more: one of each shape is validated.
+    # A hundred copies of one case teach nothing more, so one of each shape is validated.
     shapes = {repr(_shape(row)): row for row in suite["cases"]}
     jsonschema.validate({**suite, "cases": list(shapes.values())}, SCHEMA)
     assert len(shapes) > 200
@@ -124,7 +125,7 @@ def test_a_sample_runs_from_the_json_alone(file: Path) -> None:
 
 
 def test_what_a_row_expects_is_read(file: Path, tmp_path: Path, suite: dict[str, Any]) -> None:
-    """A value that is changed in the JSON makes its row fail, for every kind of expectation."""
+    """If a value of any kind of expectation is changed in the JSON, its row fails."""
     changes: dict[str, Any] = {
         "at": "O1 N99999", "runs": ["N99999"], "variables": {"100": 99}, "m": [77], "t": [77],
         "messages": ["no"], "dropped": ["no"], "calls": ["no"], "tree": "no", "frames": ["no"],
@@ -263,9 +264,9 @@ def test_linuxcnc_agrees_with_its_rows(
     told = capsys.readouterr().out
     parted = [line for line in told.splitlines() if line.startswith("linuxcnc/")]
     known = {
-        # cncsub has no machine behind it: it refuses what rs274 tells of one.
+        # cncsub has no machine: it refuses what rs274 prints of one.
         "linuxcnc/variables: what tells of a machine is not computed here",
-        # The machine of the packaged rs274 counts in inches, and has no table of tools.
+        # The machine of the packaged rs274 counts in inches, and has no tool table.
         "linuxcnc/frame: #5161 is the reference point, and may be written",
         "linuxcnc/frame: a bare G30 goes to the second reference point",
         "linuxcnc/motion: G10 L1 writes the table of tools",
@@ -280,7 +281,7 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/motion: L11 puts the tool at the point of G59.3",
         "linuxcnc/motion: an M3 of its line starts it after that",
         "linuxcnc/motion: nor a zero point and a length",
-        # Behaviour that its manual leaves undefined, and planes of axes that cncsub does not have.
+        # Behaviour that the manual leaves undefined, and planes of axes that cncsub does not have.
         "linuxcnc/lines: the moves of G18.1 are not computed on LinuxCNC",
         "linuxcnc/lines: the moves of G19.1 are not computed on LinuxCNC",
         "linuxcnc/lines: the moves of G87 are not told, with its words",
@@ -288,15 +289,15 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/motion: nor is what G88 does",
         "linuxcnc/refused: there it is not computed",
         "linuxcnc/motion: what G87 does is not told",
-        # The path of a spline is not printed, nor does a tap of another plane print where it ends.
+        # rs274 does not print the path of a spline, or where a tap in another plane ends.
         "linuxcnc/arcs: G5 is a curve to its end by the directions at both ends",
         "linuxcnc/arcs: behind it one without I and J goes on in its direction",
         "linuxcnc/motion: a tap outside of G17 takes its axes for each other",
-        # A bound of cncsub: a position beyond all machines.
+        # A limit of cncsub: a position beyond all machines.
         "shared/reading/number_ends: a word that leads beyond every position is refused in a plain"
         " move as in any other",
     }
-    # The adapter prints the lines that belong to a row indented, and its own last one otherwise.
+    # The adapter indents the lines that belong to a row, but not its last line.
     parted += [line for line in told.splitlines() if line.startswith("shared/")]
     assert set(parted) == known, told
     assert " agree" in told

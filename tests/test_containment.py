@@ -31,7 +31,7 @@ def outcome(folder: Path, *, control: str = CONTROL) -> cncsub.Run:
 
 @pytest.fixture
 def job(tmp_path: Path) -> Path:
-    """A memory with an external device, and beside it what must not be reached."""
+    """A memory with an external device, and next to it files that must not be read."""
     (tmp_path / "job" / "usb").mkdir(parents=True)
     (tmp_path / "job" / "usb" / "O3.nc").write_text("N10 M99\n")
     (tmp_path / "O2.nc").write_text("N10 #100=1\nM99\n")
@@ -76,7 +76,7 @@ def test_names_of_two_unicode_forms_are_two_programs(tmp_path: Path) -> None:
     library = cncsub.load(tmp_path, control="gsk-988ta")
     assert set(library) == set(forms)
     assert [library.run(name).variables[100] for name in forms] == [0, 1]
-    for name in forms:  # a program cannot call either
+    for name in forms:  # a program can call neither of the two
         alarm = library.mdi(f"M98 P[{name}]").alarm
         assert alarm is not None
         assert alarm.cause == "illegal-program-name"
@@ -161,7 +161,8 @@ def test_nothing_that_is_read_can_be_code() -> None:
 # ---- pages ----
 
 
-# What our own pages are made of; any other tag came out of a program. None of these runs or loads anything.
+# The tags of our own pages; any other tag came from a program. None of these runs or loads
+# anything.
 OURS = "table|thead|tbody|tr|th|td|p|div|pre|span|svg|details|summary"
 MARKUP_OF_A_PROGRAM = re.compile(rf"<(?!/?({OURS})\b)")
 
@@ -226,7 +227,7 @@ TEXTS = {
 
 
 def on_a_terminal(*commands: list[str]) -> list[str]:
-    """What each command writes to a terminal, outputs and errors alike."""
+    """Return what each command writes to a terminal, outputs and errors alike."""
     code = """
 import json, sys
 from cncsub.cli import app

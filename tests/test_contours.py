@@ -61,11 +61,11 @@ def test_the_distance_to_an_arc_is_that_to_its_nearest_point() -> None:
     np.testing.assert_allclose(arc.distances(points), expected, atol=1e-12)
 
 
-# ---- LinuxCNC, beside its own interpreter ----
+# ---- LinuxCNC, compared with its interpreter ----
 
 
 def _as_for_linuxcnc(place: int) -> tuple[str, float]:
-    """A contour in G17 that names the tool's diameter, and how long its unit is in mm."""
+    """Return a contour in G17 that names the diameter of the tool, and its unit in mm."""
     random = Random(f"{SEED} linuxcnc {place}")
     while True:
         drawing = draw(random)
@@ -86,7 +86,7 @@ def _as_for_linuxcnc(place: int) -> tuple[str, float]:
     shutil.which("rs274") is None, reason="rs274 is not installed: Debian package linuxcnc-uspace"
 )
 def test_linuxcnc_goes_beside_contours_as_its_interpreter_does(tmp_path: Path) -> None:
-    """A contour without room is refused by both, behind the same moves."""
+    """Both refuse a contour without room, after the same moves."""
     refused = 0
     for place in range(80):
         text, unit = _as_for_linuxcnc(place)
@@ -111,7 +111,7 @@ def test_linuxcnc_goes_beside_contours_as_its_interpreter_does(tmp_path: Path) -
 
 
 def _moved(points: np.ndarray) -> np.ndarray:
-    """Points without those that stand where the one before does."""
+    """Return the points without those that are equal to the point before."""
     return points[np.append(True, np.abs(np.diff(points, axis=0)).max(axis=1) > 1e-3)]
 
 
@@ -124,7 +124,7 @@ MILLS = [name for name in MILLS if not name.startswith("gsk-988")]
 
 @st.composite
 def climbs(draw: st.DrawFn) -> tuple[int, list[str]]:
-    """Blocks of a compensated contour in a plane, while the axis across it only ever rises."""
+    """Draw blocks of a compensated contour in a plane, while the axis across it only ever rises."""
     plane = draw(st.sampled_from(sorted(PLANES)))
     a, b, i, j, c = PLANES[plane]
     places = st.integers(-60, 60)
@@ -146,7 +146,7 @@ def climbs(draw: st.DrawFn) -> tuple[int, list[str]]:
             blocks.append(f"G91 {way} {a}{2 * middle}. {i}{middle}. {j}0. {c}1.")
             blocks.append("G90")
             height += 1
-        elif kind == "step":  # of some increments
+        elif kind == "step":  # a step of some increments
             way = " ".join(f"{name}{draw(st.integers(-9, 9)) / 1000}" for name in (a, b))
             blocks += [f"G91 G1 {way}", "G90"]
         elif kind == "corner":

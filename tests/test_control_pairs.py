@@ -1,5 +1,6 @@
-"""Every pair of controls: what they do alike is told as alike, and what is made for another control
-does the same there or is refused with a reason."""
+"""Every pair of controls: what they do alike is reported as alike, and a program made for another
+control does the same there or is refused with a reason.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ CONTROLS = list(cncsub.controls)
 MILL = {"machine": "mill"}
 ISO = [name for name in CONTROLS if cncsub.controls[name].dialect == "iso"]
 
-# What all of them read alike; a mill's X and a lathe's are not the same.
+# Blocks that all controls read alike; X of a mill and of a lathe is not the same.
 _ALONG_Z = "N10 G0 Z50.\nN20 Z10.\nN30 M8\nN40 M3 S500\nN50 G0 Z100.\nN60 M5\nN70 M30\n"
 _IN_THE_PLANE = """N10 G17 G90 G94 G0 X10. Y5.
 N20 G1 X50. F100.
@@ -47,7 +48,7 @@ N60 M30
 """
 _LACK = {
     _ALONG_Z: (),
-    _IN_THE_PLANE: ("gsk-928te", "gsk-980tdi"),  # they have no G17, or no G91
+    _IN_THE_PLANE: ("gsk-928te", "gsk-980tdi"),  # these have no G17, or no G91
     _CALLS: ("gsk-928te", "siemens-one"),
     _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", "siemens-one"),
 }
@@ -83,7 +84,7 @@ def test_a_head_that_one_language_counts_as_a_block_hides_no_difference() -> Non
     assert not compared.same
     assert compared.where is not None
     assert compared.where[0] is not None
-    assert [step.n for step in compared.where if step] == [30]  # LinuxCNC wants brackets there
+    assert [step.n for step in compared.where if step] == [30]  # LinuxCNC wants brackets here
     written = text.replace("#100+1", "[#100+1]")
     library = cncsub.loads(written, control="fanuc-0i-f")
     assert cncsub.compare(library, controls=["fanuc-0i-f", "linuxcnc"], variables={100: 0}).same
@@ -112,7 +113,7 @@ def test_x_of_a_lathe_is_none_of_a_mill(pair: tuple[str, str]) -> None:
     along_z.verify()
 
 
-# ---- how often a cycle is repeated ----
+# ---- repeats of a cycle ----
 
 _REPEATED = """O1
 N10 G90 G94 G0 X0. Y0. Z50.
@@ -149,13 +150,15 @@ def test_counts_of_cycles_are_written_as_the_other_control_counts() -> None:
 
 
 def test_a_cycle_written_for_another_control_keeps_its_dwell_and_its_holes() -> None:
-    """P is thousandths or seconds; L or K that counts nothing here is not written where it does."""
+    """P is thousandths or seconds; an L or K that counts nothing here is not written where it
+    counts.
+    """
     mills = ["fanuc-0i-f", "gsk-980mdi", "haas-ngc", "hnc-21m", "mitsubishi-m700", "linuxcnc"]
     for one, other in itertools.permutations(mills, 2):
         head = "" if one == "linuxcnc" else "%1\n" if one == "hnc-21m" else "O1\n"
         dwell = "P0.5" if one in ("hnc-21m", "linuxcnc") else "P500"
         counts = "" if one == "linuxcnc" else "L3" if one == "fanuc-0i-f" else "K3"
-        if one in ("gsk-980mdi", "hnc-21m"):  # both count, or K is another thing
+        if one in ("gsk-980mdi", "hnc-21m"):  # there both count, or K is something else
             counts = ""
         text = f"{head}G90 G0 Z5.\nG98 G82 X5. Z-5. R2. {dwell} F100. {counts}\nG80\nM30\n"
         library = cncsub.loads(text, control=one)
@@ -166,7 +169,9 @@ def test_a_cycle_written_for_another_control_keeps_its_dwell_and_its_holes() -> 
 
 
 def test_a_line_before_any_feed_is_written_where_it_moves() -> None:
-    """LinuxCNC refuses G01 without an axis while no feed is in force, here it is in force at power-on."""
+    """LinuxCNC refuses G01 without an axis while no feed is in force; here it is in force at
+    power-on.
+    """
     for blocks in (
         "G0 X1.\nG1\nF100\nX5.",
         "F100\nX5.",
@@ -193,7 +198,7 @@ def test_a_count_that_is_computed_keeps_its_expression() -> None:
     assert "L#100" in made.library["O1"].text
 
 
-# ---- nothing but what verifies, or a refusal ----
+# ---- a program that verifies, or a refusal ----
 
 
 def test_values_of_variables_that_the_other_control_lacks() -> None:
@@ -246,7 +251,9 @@ def test_random_programs_between_controls(seed: int) -> None:
 
 
 def _flat(library: cncsub.Library, other: str, setup: dict[str, str] | None) -> str | None:
-    """Why there is no flat program for another control; `None` for one that verifies."""
+    """Return why there is no flat program for another control; `None` if there is one that
+    verifies.
+    """
     try:
         library.flatten(control=other, setup=setup, max_blocks=300).verify()
     except ValueError as refusal:

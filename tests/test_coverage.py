@@ -234,7 +234,7 @@ def test_lcov_tells_lines_and_branches() -> None:
     assert {"LF:3", "LH:3", "BRF:2", "BRH:1"} <= set(lines)
 
 
-# What the elements of coverage-04.dtd hold and which attributes they must have.
+# The children and the attributes that the elements of coverage-04.dtd must have.
 DTD = {
     "coverage": (
         ["sources", "packages"],
@@ -333,7 +333,7 @@ SKIP = "O1\nN10 G4 P1\n/N20 G4 P2\n/2N25 G4 P3\nN30 M30\n"
         (SKIP, 25, (1,), 0, 1),
         (SKIP, 25, (1, 2), 1, 0),
         ("O1\n/N10 G4 P1\nN20 M30\n", 10, (1,), 1, 0),
-        ("O1\nN5 GOTO 20\n/N10 G4 P1\nN20 M30\n", 10, (1,), 0, 0),  # never came there
+        ("O1\nN5 GOTO 20\n/N10 G4 P1\nN20 M30\n", 10, (1,), 0, 0),  # the run never came there
         ("O1\nN5 GOTO 10\n/N10 G4 P1\nN20 M30\n", 10, (1,), 1, 0),
         ("O1\nN5 M98 P2 L3\nN6 M30\nO2\n/N10 G4 P1\nN20 M99\n", 10, (1,), 3, 0),
         ("O1\nN5 M98 P2\n/N10 G4 P1\nN6 M30\nO2\nN20 M99\n", 10, (1,), 1, 0),
@@ -343,7 +343,7 @@ SKIP = "O1\nN10 G4 P1\n/N20 G4 P2\n/2N25 G4 P3\nN30 M30\n"
         ("O1\n#1=0\nN4 #1=#1+1\nIF[#1EQ4]GOTO9\n/N10 G4 P1\nGOTO4\nN9 M30\n", 10, (1,), 3, 0),
         ("O1\n/N10 #1=#1+1\nN15 #2=#2+1\nIF[#2GT3]GOTO30\nM99\nN30 M30\n", 10, (1,), 4, 0),
         ("O1\n/N10 #1=#1+1\nN15 #2=#2+1\nIF[#2GT3]GOTO30\nM99 P15\nN30 M30\n", 10, (1,), 1, 0),
-        ("O1\nG66 P2\nX1.\n/N10 G4 P1\nG67\nM30\nO2\nM99\n", 10, (1,), 0, 0),  # not told
+        ("O1\nG66 P2\nX1.\n/N10 G4 P1\nG67\nM30\nO2\nM99\n", 10, (1,), 0, 0),  # not reported
     ],
 )  # fmt: skip
 def test_a_block_skip_is_a_branch(

@@ -1,5 +1,5 @@
-"""Where the zero point of a program lies on the machine changes machine positions and nothing else:
-rows, contours and corners at random places.
+"""The place of the zero point of a program on the machine changes machine positions and nothing
+else: rows, contours and corners at random places.
 """
 
 from __future__ import annotations
@@ -106,7 +106,7 @@ def test_what_just_fits_does_so_wherever_it_is_programmed(control: str, x: int, 
     assert len(run.moves) == 6
 
 
-# ---- contours in whole increments, of which many only just leave room for the tool ----
+# ---- contours in whole increments; many of them only just leave room for the tool ----
 
 LIMITS = [0, 1, -1, 2, 3, 10, 2000, 5000, -3000]
 RADII = [500, 999, 1000, 1001, 1500, 2000]
@@ -114,7 +114,7 @@ SIDES = [(1, 0), (0, 1), (-1, 0), (0, -1)]
 
 
 def narrow_contour(random: Random) -> list[tuple[str, int, int]]:
-    """The words before an end point, and the point, in thousandths."""
+    """Return the words before an end point, and the point, in thousandths."""
     x, y = 0, random.choice([0, 1, 2, 5000])
     blocks = [("G1", x, y)]
     for _ in range(random.randint(2, 6)):

@@ -1,4 +1,4 @@
-"""What the documentation shows is what happens: docstrings, pages, pictures, examples."""
+"""The documentation shows what happens: docstrings, pages, pictures, examples."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_the_documented_parts_have_examples() -> None:
 
 
 def commands(text: str) -> list[list[str]]:
-    """The calls of cncsub in a text, each as its arguments."""
+    """Return the calls of cncsub in a text, each as its arguments."""
     return [shlex.split(line)[1:] for line in re.findall(r"\bcncsub (?:run|tree) [^)`\n]*", text)]
 
 
@@ -76,7 +76,7 @@ PAGES = sorted(
     [*ROOT.glob("*.md"), *DOCS.rglob("*.md"), *(ROOT / ".github").rglob("*.md")],
     key=lambda page: (len(page.parts), page),
 )
-# What a page may show. Of these `sh` alone is not run: it builds, installs or takes minutes.
+# The languages of a page. `sh` alone is not run: it builds, installs or takes minutes.
 LANGUAGES = {"console", "python", "py", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"}
 
 
@@ -84,7 +84,7 @@ class Block(NamedTuple):
     """A fenced block of a page."""
 
     language: str
-    title: str  # the file that it is, "" for none
+    title: str  # the file that it is written to, "" for none
     text: str
     line: int
 
@@ -105,8 +105,9 @@ def blocks_of(page: Path) -> list[Block]:
 def test_a_page_shows_what_happens(
     page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Its blocks one after the other in a folder of their own, beside the examples: a block with a
-    title is written as that file, commands print what is shown, Python runs.
+    """The blocks of a page run one after the other in a folder of their own, next to the examples.
+
+    A block with a title is written as that file, commands print what is shown, Python runs.
     """
     blocks = blocks_of(page)
     assert {block.language for block in blocks} <= LANGUAGES
@@ -133,14 +134,14 @@ def test_a_page_shows_what_happens(
 
 
 def shown_commands(block: Block) -> list[tuple[str, str]]:
-    """The commands behind `$`, each with the output shown below it."""
+    """Return the commands after `$`, each with the output shown below it."""
     assert block.text.startswith("$ "), f"line {block.line}: a console begins with a command"
     parts = re.split(r"^\$ ", block.text, flags=re.MULTILINE)[1:]
     return [(command, output) for command, _, output in (part.partition("\n") for part in parts)]
 
 
 def assert_prints(command: str, output: str) -> None:
-    """That it prints what is shown, where `...` stands for any text."""
+    """Check that a command prints what is shown, where `...` stands for any text."""
     if re.fullmatch(r"cncsub [^|&;<>$()]*", command):
         result = CliRunner().invoke(app, shlex.split(command)[1:])
         if result.exception is not None and not isinstance(result.exception, SystemExit):
@@ -169,7 +170,7 @@ def test_the_readme_names_every_control_and_no_other() -> None:
 
 
 def written_commands() -> list[tuple[str, str]]:
-    """The calls of cncsub in the text and in the `sh` blocks of pages."""
+    """Return the calls of cncsub in the text and in the `sh` blocks of pages."""
     found = []
     for page in PAGES:
         text = re.sub(
@@ -222,7 +223,7 @@ def example_files() -> list[Path]:
 
 
 def header(file: Path) -> str:
-    """The comment lines at the head of an example."""
+    """Return the comment lines at the head of an example."""
     lines = cncsub.files.decode(file.read_bytes()).splitlines()
     head = []
     for line in lines:
@@ -263,7 +264,7 @@ def example_commands() -> list[tuple[str, list[str]]]:
 @pytest.mark.usefixtures("at_root")
 @pytest.mark.parametrize(("file", "command"), example_commands())
 def test_an_example_ends_as_it_says(file: str, command: list[str]) -> None:
-    """Without an alarm, unless its header names the alarm."""
+    """An example ends without an alarm, unless its header names the alarm."""
     assert file in " ".join(command) or str(Path(file).parent) in " ".join(command)
     status, printed = invoke(command)
     alarms = re.search(r"\balarms?\b", header(EXAMPLES / file), re.IGNORECASE)

@@ -1,4 +1,4 @@
-"""How commands end that are told to: by Ctrl-C, by a closed pipe, by a system without room."""
+"""The end of commands that are stopped: by Ctrl-C, by a closed pipe, by a system without room."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ C = "-c fanuc-0i-f"
 SOON = 2.0  # seconds; on an idle machine it is a tenth of one
 LONG = "--max-blocks 1000000000"
 
-# Starts each command in a process of its own that has imported all, presses Ctrl-C for it and those
-# it started, and tells how it ended and how long that took.
+# Starts each command in a process of its own that has imported all, sends Ctrl-C to it and to those
+# it started, and reports how it ended and how long that took.
 PRESS = r"""
 import json, os, signal, sys, time
 from concurrent.futures import ThreadPoolExecutor
@@ -146,7 +146,7 @@ def test_every_command_answers_ctrl_c_in_each_phase(shop: Path) -> None:
         line = " ".join(words)
         said = Path(err).read_text() if Path(err).exists() else ""
         assert "Traceback" not in said, (line, after, said)
-        if status is None:  # it had ended before
+        if status is None:  # it had already ended
             continue
         met.add(line)
         assert status == 130 or (had_ended and status in (0, 1)), (line, after, status)
@@ -155,7 +155,7 @@ def test_every_command_answers_ctrl_c_in_each_phase(shop: Path) -> None:
 
 
 def begun(*words: str, **options: Any) -> subprocess.Popen[bytes]:
-    """A command that has begun to work."""
+    """Return a command that has begun to work."""
     code = "import os, cncsub.cli; os.write(2, b'go\\n'); cncsub.cli.main()"
     child = subprocess.Popen(
         [sys.executable, "-c", code, *words], stderr=subprocess.PIPE, start_new_session=True,
@@ -167,7 +167,7 @@ def begun(*words: str, **options: Any) -> subprocess.Popen[bytes]:
 
 
 def ended(child: subprocess.Popen[bytes], by: int) -> tuple[int, float, str]:
-    """How a command ends by a signal, after how long, and what it says."""
+    """End a command by a signal; return its status, after how long, and what it printed."""
     pressed = time.monotonic()
     os.killpg(child.pid, by)
     status = child.wait(30)
@@ -197,7 +197,7 @@ def test_a_batch_ends_with_its_workers(shop: Path, by: int) -> None:
         (shop / "endless" / f"O{number + 1}.nc").write_text("N10 GOTO10\n")
     words = ("batch", "endless", *C.split(), "--max-blocks", "10000000000", "--max-seconds", "60")
     child = begun(*words, cwd=shop, stdout=subprocess.DEVNULL)
-    time.sleep(0.8)  # some of its workers work, some begin
+    time.sleep(0.8)  # some of its workers work, others are starting
     status, took, said = ended(child, by)
     assert status == (130 if by == signal.SIGINT else -by)
     assert took < SOON
@@ -266,7 +266,7 @@ for words in json.load(sys.stdin):
 
 
 def each_ended(folder: Path, lines: list[str], **options: Any) -> list[tuple[int, str]]:
-    """How the commands end, and what they say."""
+    """Return how the commands end, and what they print."""
     done = subprocess.run(
         [sys.executable, "-c", EACH], input=json.dumps([line.split() for line in lines]),
         stderr=subprocess.PIPE, text=True, cwd=folder, timeout=120, **options,

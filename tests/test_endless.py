@@ -1,4 +1,4 @@
-"""Why a program had not ended: told at a limit, and proven where it can be."""
+"""Why a program had not ended: reported at a limit, and proven if possible."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def why(text: str, control: str = F, blocks: int = 500, **how: object) -> cncsub
         (F, "O1\nG91 G1 F100\nN10 X1.\nX-1.\nGOTO10\n", 3, [3, 4, 5]),
         (F, "O1\nG41 D1 G1 X1. F9\nN10 X5.\nY5.\nX0\nY0\nGOTO10\n", 5, [3, 4, 5, 6, 7]),
         (F, "O1\n#3002=0\nN10 #1=0\nGOTO10\n", 2, [3, 4]),
-        (F, "O1\n#1=#3012\nN10 #1=#1*1\nGOTO10\n", 2, [3, 4]),  # it looked outside before
+        (F, "O1\n#1=#3012\nN10 #1=#1*1\nGOTO10\n", 2, [3, 4]),  # it read the clock before the loop
         (F, "O1\nM98 P2\nM30\nO2\nG0 X1.\nM99 L3\n", 2, [5, 6]),
         (F, "O1\nM98 P2 L2\nM30\nO2\nM98 P3 L2\nM99 L2\nO3\nM99\n", 4, [5, 8, 6]),
         (L, "o100 while [1]\n#1=2\no100 endwhile\nM2\n", 3, [1, 2, 3]),
@@ -103,7 +103,7 @@ def test_a_program_that_starts_over_and_looks_outside_repeats_by_design() -> Non
 
 
 def test_a_time_that_is_read_is_a_part_of_the_state() -> None:
-    # The dwell is the same in every pass, and #3002 goes on.
+    # The dwell is the same in every pass, but #3002 goes on.
     assert not why("O1\nN10 #1=#3002*0\nG4 X1.\nGOTO10\n").proven
     assert why("O1\nN10 #1=#500*0\nG4 X1.\nGOTO10\n").proven
 
@@ -144,7 +144,7 @@ def test_what_waits_says_for_what() -> None:
     "text", ["O1\nM30\n", "O1\nM98 P1\nM30\n", "O1\nM98 P2\nM30\nO2\nM98 P2\nM99\n"]
 )
 def test_what_ends_or_alarms_is_not_endless(text: str) -> None:
-    # A program that calls itself is stopped by the control's own limit of nesting.
+    # A program that calls itself is stopped by the nesting limit of the control.
     run = cncsub.loads(text, control=F).run(max_blocks=500)
     assert run.endless is None
     assert str(run) == repr(run)
@@ -168,7 +168,7 @@ def test_inputs_that_are_left_are_a_part_of_the_state() -> None:
 def test_streams_and_machines_tell_it_too() -> None:
     library = cncsub.loads("O1\nN5 M98 P2\nM30\nO2\nN10 #1=1\nN20 GOTO10\n", control=F)
     stream = library.stream(rows=100, max_blocks=1000)
-    assert stream.endless is None  # it runs
+    assert stream.endless is None  # the stream still runs
     for _ in stream:
         pass
     machine = library.machine(max_blocks=1000)

@@ -1,4 +1,4 @@
-"""What programs and names of files hold is written as each kind of output takes it."""
+"""The contents of programs and the names of files are escaped for each kind of output."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_no_output_holds_what_a_terminal_obeys(
 
 
 def lines_of(*words: str, terminal: bool, monkeypatch: pytest.MonkeyPatch) -> str:
-    """What a command writes to a terminal, or to a pipe."""
+    """Return what a command writes to a terminal, or to a pipe."""
     out = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="")
     monkeypatch.setattr(out, "isatty", lambda: terminal, raising=False)
     with monkeypatch.context() as of:

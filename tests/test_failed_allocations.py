@@ -1,4 +1,6 @@
-"""Every allocation of a piece of work fails, one after the other: Python raises MemoryError, nothing is freed twice."""
+"""Each allocation of a piece of work fails in turn: Python raises MemoryError, nothing is freed
+twice.
+"""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""Files and folders: what is read, what is never opened, and how bytes become text."""
+"""Files and folders: which are read, which are never opened, and how bytes become text."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def write(folder: Path, *names: str, text: str = PROGRAM) -> None:
 
 
 def found(folder: Path, **options: str | Path) -> list[str]:
-    """The files of a folder as they are read, by their path inside it."""
+    """Return the files of a folder as they are read, by their path inside it."""
     reading = read_paths([folder], **options)  # type: ignore[arg-type]
     return [Path(name).relative_to(folder).as_posix() for name in reading.names]
 
@@ -88,7 +88,7 @@ def test_names_that_differ_in_case_only_are_one_program_and_its_duplicate(tmp_pa
     assert [program.name for program in library.duplicates] == ["part"]
 
 
-# ---- what is left out ----
+# ---- files that are left out ----
 
 
 @pytest.mark.parametrize(
@@ -221,7 +221,7 @@ def test_names_in_a_program_reach_nothing_outside_the_folders(tmp_path: Path, na
             assert len(library.run("O1", max_blocks=100).calls) == 0
 
 
-# ---- what is not there ----
+# ---- files that are not there ----
 
 
 def test_a_missing_file_is_told_with_the_names_that_are_near(tmp_path: Path) -> None:
@@ -383,7 +383,7 @@ def test_the_engine_takes_for_utf8_what_python_takes_for_it(tmp_path: Path, data
 
 @pytest.mark.parametrize("mark", ["", "é", "中", "\udce9"])
 def test_a_large_file_is_put_together_of_pieces(tmp_path: Path, mark: str) -> None:
-    """Several threads read it, and a character may lie in two of their pieces."""
+    """Several threads read the file, and a character may lie in two of their pieces."""
     count, length = 20 << 18, 1 << 18
     data = bytearray(b"".join(b"N%d\n" % n for n in range(count // 8)).ljust(count, b"X"))
     for at in range(length - 1, count, length):
@@ -431,7 +431,7 @@ def test_many_files_of_any_encoding_come_in_order_each_with_its_own_text(tmp_pat
     assert library.skipped == ((str(tmp_path / "O250.bin"), "not a text"),)
 
 
-# As many folders allow: the file system may fold case, so that names differ in more than that.
+# Names that most folders allow: the file system may fold case, so names differ in more than case.
 FILE_NAMES = st.text(st.sampled_from("aBz019._- %é零"), min_size=1, max_size=12).filter(
     lambda name: name.strip(". ") == name
 )

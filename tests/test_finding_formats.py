@@ -1,4 +1,4 @@
-"""What `cncsub check` writes for other tools is what their schemas say."""
+"""The formats of `cncsub check` for other tools match their schemas."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ def test_the_command_alone_shows_the_first_steps() -> None:
     assert (status, err) == (0, "")
     for wanted in ("Usage: ", "First steps:", "cncsub check part.nc", "CNCSUB_CONTROL"):
         assert wanted in out
-    # What it names is there.
+    # The commands that it names exist.
     for line in out[out.index("First steps:") :].splitlines():
         if line.startswith("  cncsub "):
             assert command(line.split()[1], "--help")[0] == 0
@@ -104,7 +104,7 @@ def test_long_lists_differ_by_what_the_other_has_not() -> None:
 
 
 def on_a_terminal(*arguments: str, columns: int, **settings: str) -> str:
-    """What the command prints on a terminal of so many columns and 24 lines."""
+    """Return what the command prints on a terminal of so many columns and 24 lines."""
     main, side = pty.openpty()
     env = {**os.environ, "TERM": "xterm", "COLUMNS": str(columns), "LINES": "24", **settings}
     env = {name: value for name, value in env.items() if name != "NO_COLOR"}
@@ -177,12 +177,12 @@ def test_a_shell_completes(typed: str, wanted: set[str]) -> None:
     assert set(done.stdout.split()) == wanted
 
 
-# ---- files beside the one that is named ----
+# ---- files next to the one that is named ----
 
 
 @pytest.fixture
 def job(tmp_path: Path) -> Path:
-    """A main program that calls a file beside it, which calls another one; and a stranger."""
+    """A main program that calls a file next to it, which calls another; and an unrelated one."""
     (tmp_path / "main.nc").write_text("O1\nN10 M98 P2\nN20 M30\n")
     (tmp_path / "O0002.nc").write_text("O2\nN30 G65 P9010 A1.5\nN40 G0 X1.5 Y20\nN50 M99\n")
     (tmp_path / "o9010.NC").write_text("O9010\nN60 M99\n")
@@ -244,7 +244,7 @@ def test_a_file_that_an_option_names_is_not_told_as_left_out(job: Path) -> None:
     assert "setup.toml" not in told
 
 
-# ---- stumbles ----
+# ---- common mistakes ----
 
 
 @pytest.mark.parametrize(

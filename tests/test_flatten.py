@@ -165,7 +165,7 @@ WORDS = (
 
 
 def test_the_codes_of_a_range_are_those_that_call() -> None:
-    """G70, G69 and G68 where the first is negative, which calls modally."""
+    """G68, G69 and G70 call; the first number is negative, so they call modally."""
     numbers = {"6038": -70, "6039": 3000, "6040": 3}
     control = cncsub.controls["fanuc-0i-f"].with_parameters(numbers)
     flat = cncsub.loads("O1\n#1=69\nG#1 G0 X5.\nM30\n", control=control).flatten()
@@ -238,7 +238,7 @@ def test_what_has_no_words_on_another_control(text: str, control: str, reason: s
         ("ab\u5de5.ngc", "siemens-one", "%_N_ab__MPF"),
         ("AB)(C.ngc", "siemens-one", "%_N_AB__C_MPF"),
         ("PART20231125.ngc", "fanuc-0i-f", "O20231125"),
-        ("PART20231125.ngc", "haas-ngc", "O1"),  # no number there
+        ("PART20231125.ngc", "haas-ngc", "O1"),  # such a number does not exist there
         ("part12345.ngc", "gsk-980mdi", "O1"),
         ("0000.ngc", "mitsubishi-m700", "O1"),
         ("part123456789012345678901.ngc", "fanuc-0i-f", "O1"),
@@ -276,7 +276,7 @@ def test_the_command(tmp_path: Path) -> None:
     program.write_text("O1\nM98 P9\nM30\n")
     done = CliRunner().invoke(app, [*command, "-o", str(out)])
     assert done.exit_code == 2
-    assert out.read_text() == expected  # what is refused has written nothing
+    assert out.read_text() == expected  # a refused program has written nothing
 
 
 def test_origins_are_a_table() -> None:
@@ -308,7 +308,7 @@ def test_a_long_program_is_written_in_pieces(tmp_path: Path, monkeypatch: Any) -
     library = cncsub.loads(text.replace("X1.M99", "X1.\nM99"), control="fanuc-0i-f")
     whole = library.flatten()
     assert len(list(whole.pieces())) == 1
-    monkeypatch.setattr("cncsub.analysis.flattening._KEPT", 1000)  # as of a text of more than 16 MB
+    monkeypatch.setattr("cncsub.analysis.flattening._KEPT", 1000)  # as for a text of over 16 MB
     text = "O1\nM98 P3 L200\nM30\nO3\nM98 P2 L200\nM99\n" + text[text.index("O2") :].replace(
         "X1.M99", "X1.\nM99"
     )
@@ -325,7 +325,7 @@ def test_a_long_program_is_written_in_pieces(tmp_path: Path, monkeypatch: Any) -
     flat.verify()
 
 
-# ---- everything there is ----
+# ---- all rows, examples and generated programs ----
 
 
 def test_every_row_that_ends_is_flattened_or_refused() -> None:
@@ -340,14 +340,14 @@ def test_every_example_is_flattened() -> None:
 
 
 def test_generated_programs_are_flattened_on_every_control() -> None:
-    """`python tests/differential/flat_programs.py --programs 10000` does the same with more of them."""
+    """`python tests/differential/flat_programs.py --programs 10000` does the same with more."""
     assert flat_programs.of_calls(range(10)) > 100
     assert flat_programs.of_macros(range(60)) > 300
     assert flat_programs.of_other_languages(range(40)) > 100
 
 
 def test_generated_programs_are_flattened_for_other_controls() -> None:
-    """`python tests/differential/flat_programs.py --others 1000` does the same with more of them."""
+    """`python tests/differential/flat_programs.py --others 1000` does the same with more."""
     refused, done = flat_programs.of_others(range(0, 6, 2))
     assert not refused, refused
     assert done > 100
@@ -388,7 +388,7 @@ def test_a_comment_does_not_end_itself(tmp_path: Path, control: str, name: str) 
 
 
 def test_a_message_stays_one_beside_the_comment_of_its_block() -> None:
-    """LinuxCNC says the last comment of a line in brackets."""
+    """LinuxCNC prints the last comment of a line in brackets."""
     text = "o1 sub\nG0 X1\n(MSG, hello)\n(debug, #1 there)\no1 endsub\no1 call [2]\nM2\n"
     flat = cncsub.loads(text, control="linuxcnc").flatten(comments=True)
     flat.verify()

@@ -26,7 +26,7 @@ def moves_of(
     parameters: dict[str, float] | None = None,
     **setup: Any,
 ) -> list[cncsub.Move]:
-    """The moves of a program of these blocks, which must run to its end."""
+    """Return the moves of a program of these blocks, which must run to its end."""
     changed = cncsub.controls[control].with_parameters(parameters or {})
     text = "O1\n" + "\n".join(blocks) + "\nM30\n"
     run = cncsub.loads(text, control=changed).run(
@@ -60,7 +60,7 @@ PLANES = {  # the two axes of the plane in their order, and the axis across
     19: ("YZ", "X"),
 }
 CENTRE_WORDS = {"X": "I", "Y": "J", "Z": "K"}
-# Whole points on one circle, so that no radius is rounded.
+# Whole points on one circle: no radius is rounded.
 ON_CIRCLE = [
     (a * sign_a, b * sign_b)
     for a, b in [
@@ -82,14 +82,14 @@ ways = st.sampled_from(["G02", "G03"])
 
 
 def space(plane: int, first: float, second: float, across: float = 0.0) -> Vector:
-    """A point of a plane as X Y Z."""
+    """Return a point of a plane as X Y Z."""
     (a, b), c = PLANES[plane]
     value = {a: first, b: second, c: across}
     return np.array([value["X"], value["Y"], value["Z"]])
 
 
 def sweep(start: Vector, end: Vector, way: str) -> float:
-    """The angle run through from one vector of the plane to another: plus is counter-clockwise."""
+    """Return the angle from one vector of the plane to another: plus is counter-clockwise."""
     angle = math.atan2(end[1], end[0]) - math.atan2(start[1], start[0])
     angle = math.remainder(angle, 2 * math.pi)
     if abs(angle) < 1e-9:
@@ -100,7 +100,7 @@ def sweep(start: Vector, end: Vector, way: str) -> float:
 
 
 def along(start: Vector, centre: Vector, axis: Vector, angle: float, climb: float) -> Vector:
-    """Many points of a helix: the radius turned about the axis of its plane (Rodrigues)."""
+    """Return many points of a helix: the radius rotated about the axis of its plane (Rodrigues)."""
     part = np.linspace(0.0, 1.0, 2001)[:, None]
     radius = start - centre
     turned = radius * np.cos(angle * part) + np.cross(axis, radius) * np.sin(angle * part)
@@ -154,7 +154,7 @@ def test_an_arc_by_its_centre_is_the_turned_radius(
     path = along(start, middle, axis, angle, climb)
     np.testing.assert_allclose(path[-1], end, atol=1e-6)
     assert made.length == pytest.approx(integral(path), rel=1e-6)
-    # F is the speed in the plane; the helix goes along.
+    # F is the speed in the plane; the axis across follows.
     flat = along(start, middle, axis, angle, 0)
     assert made.time == pytest.approx(integral(flat) / 500 * 60, rel=1e-6)
 
@@ -281,7 +281,7 @@ class Edge:
         return np.asarray(tangent if self.radius > 0 else -tangent)
 
     def points(self, count: int = 400) -> Vector:
-        """Along the edge, without its last point."""
+        """Return points along the edge, without its last point."""
         if not self.radius:
             return self.start[None, :]
         first = math.atan2(*(self.start - self.centre)[::-1])
@@ -305,7 +305,7 @@ class Edge:
 
 @st.composite
 def contours(draw: st.DrawFn, arcs: bool) -> list[Edge]:
-    """A polygon around the origin, counter-clockwise, convex or not, some of its sides arcs."""
+    """Draw a polygon around the origin, counter-clockwise, convex or not, some sides arcs."""
     count = draw(st.integers(3, 7))
     turns = [2 * math.pi * (i + draw(st.floats(-0.2, 0.2))) / count for i in range(count)]
     far = [draw(st.floats(40, 100)) for _ in range(count)]
@@ -321,13 +321,13 @@ def contours(draw: st.DrawFn, arcs: bool) -> list[Edge]:
 
 
 def turn_at(edge: Edge, behind: Edge) -> float:
-    """The turn at a corner, plus = to the left."""
+    """Return the turn at a corner, plus = to the left."""
     u, v = edge.direction(edge.end), behind.direction(behind.start)
     return math.atan2(u[0] * v[1] - u[1] * v[0], u.dot(v))
 
 
 def fits(edges: list[Edge], part: Polygon, radius: float, side: int) -> bool:
-    """Whether a tool of this radius reaches a bit of every side. `side` plus = to the left."""
+    """Return whether a tool of this radius reaches a bit of every side; `side` 1 = to the left."""
     if not part.is_valid:
         return False
     room = 4 * radius
@@ -349,7 +349,7 @@ def fits(edges: list[Edge], part: Polygon, radius: float, side: int) -> bool:
 
 
 def tool_path(moves: Sequence[cncsub.Move], start: Vector) -> Vector:
-    """The way of the tool's centre over the ground, arcs in many points."""
+    """Return the path of the tool centre over the ground, arcs in many points."""
     path, here = [start], start
     for move in moves:
         there = np.array([move.mx, move.my], dtype=float)
@@ -405,7 +405,7 @@ def test_the_tool_keeps_its_radius_from_the_part_and_touches_every_side(
     assume(fits(edges, part, radius, side))
     begin = data.draw(st.integers(0, len(edges) - 1), label="first side")
     edges = edges[begin:] + edges[:begin]
-    assume(not edges[0].radius)  # in and out over the middle of a line
+    assume(not edges[0].radius)  # the tool comes and goes at the middle of a line
 
     middle = np.round(edges[0].middle(), 7)
     normal = side * np.array([-edges[0].chord[1], edges[0].chord[0]]) / edges[0].size
@@ -424,9 +424,9 @@ def test_the_tool_keeps_its_radius_from_the_part_and_touches_every_side(
     np.testing.assert_allclose([made[-1].mx, made[-1].my], far, atol=1e-6)
     path = tool_path(made[1:-1], far)[1:]
     way = LineString(path)
-    near = 2e-4 if arcs or "19607#2" in parameters else 1e-6  # the chords of the arcs
+    near = 2e-4 if arcs or "19607#2" in parameters else 1e-6  # arcs are chords here
     assert way.distance(part.exterior) >= radius - near
-    assert part.contains(Point(path[0])) == part.contains(Point(far))  # and it never crosses
+    assert part.contains(Point(path[0])) == part.contains(Point(far))  # the path never crosses
     for edge in edges:
         touching = path[np.linalg.norm(path - edge.middle(), axis=1).argmin()]
         if edge.radius:
@@ -438,7 +438,7 @@ def test_the_tool_keeps_its_radius_from_the_part_and_touches_every_side(
 
 @given(data=st.data())
 def test_the_nose_of_a_lathe_tool_keeps_its_radius_from_the_part(data: st.DataObject) -> None:
-    """A rising profile, cut from the face to the left with G42; the centre is tip 0."""
+    """The part is a rising profile, cut from the face to the left with G42; the centre is tip 0."""
     count = data.draw(st.integers(2, 6))
     rise = [data.draw(st.floats(3, 12)) for _ in range(count)]
     run_ = [data.draw(st.floats(3, 12)) for _ in range(count)]
@@ -488,7 +488,7 @@ def test_a_corner_round_is_the_part_opened_by_its_radius(
     near_corner = path[np.linalg.norm(path - corner, axis=1) < 60]
     assert max(opened.exterior.distance(Point(p)) for p in near_corner[::20]) < 1e-3
     np.testing.assert_allclose(point(made[-1], "xy"), end, atol=1e-6)
-    tangent = radius * math.tan(abs(turn) / 2)  # from the corner to where the round begins
+    tangent = radius * math.tan(abs(turn) / 2)  # from the corner to the begin of the round
     assert np.linalg.norm(point(made[1], "xy") - corner) == pytest.approx(tangent, abs=1e-4)
     assert np.linalg.norm(point(made[2], "xy") - corner) == pytest.approx(tangent, abs=1e-4)
 
@@ -585,7 +585,7 @@ def test_a_rotation_turns_points_by_its_matrix(
     [("X10. Z10.", 54.142, 20.0), ("X28.284 Z10.", 67.071, 7.071), ("X20. Z10.", 61.213, 12.929)],
 )
 def test_the_table_of_g68_1(block: str, x: float, z: float) -> None:
-    """`G68.1 X40 Z20 R45` of the 988TA. [TA 5]"""
+    """The table is `G68.1 X40 Z20 R45` of the 988TA. [TA 5]"""
     made = moves_of("G68.1 X40. Z20. R45.", f"G1 {block} F100.", control="gsk-988ta")[-1]
     assert made.x == pytest.approx(x, abs=1.1e-3)
     assert made.z == pytest.approx(z, abs=1.1e-3)
@@ -642,7 +642,7 @@ orders = st.lists(
 def test_the_machine_stands_at_the_sum_of_its_offsets(
     orders: list[tuple[str, tuple[float, float, float]]],
 ) -> None:
-    """machine = work + EXT + G54... + G92 + G52; what sets an offset moves nothing."""
+    """machine = work + EXT + G54... + G92 + G52; a block that sets an offset moves nothing."""
     external = np.array([1.0, 2.0, 3.0])
     machine = np.zeros(3)
     zero, shift, local = np.array(SYSTEMS["G54"]), np.zeros(3), np.zeros(3)
@@ -682,7 +682,7 @@ def test_the_machine_stands_at_the_sum_of_its_offsets(
 def parts(
     moves: Sequence[cncsub.Move], start: Vector, axes: str
 ) -> Iterator[tuple[cncsub.Move, Vector, Vector]]:
-    """Every move with where it begins and ends."""
+    """Yield every move with its start and its end."""
     here = start
     for move in moves:
         there = point(move, axes)
@@ -732,7 +732,7 @@ def test_every_hole_is_as_deep_as_it_is_written(
         assert not (abs(way[2]) > 0 and np.hypot(way[0], way[1]) > 0)
         assert there[2] >= bottom - 1e-6
         if move.kind == "rapid" and way[2] < 0:
-            assert there[2] > bottom  # never rapid onto the bottom
+            assert there[2] > bottom  # no rapid ends on the bottom
         if move.kind == "feed" and way[2] < 0:
             feed_down -= way[2]
         if move.kind == "feed" and abs(there[2] - bottom) < 1e-6 and way[2] < 0:
@@ -750,7 +750,7 @@ def test_every_hole_is_as_deep_as_it_is_written(
 
 @st.composite
 def profiles(draw: st.DrawFn) -> list[tuple[float, float]]:
-    """Points (z, radius) of a shaft that only grows, from its face at Z0."""
+    """Draw points (z, radius) of a shaft that only grows, from its face at Z0."""
     count = draw(st.integers(1, 5))
     z, radius = 0.0, draw(st.integers(2, 15))
     found = [(z, float(radius))]

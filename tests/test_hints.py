@@ -1,4 +1,4 @@
-"""What leads on from an alarm, and options that had no effect."""
+"""Hints after an alarm, and options that had no effect."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def test_the_parameter_that_allows_a_block_is_named_and_does(tmp_path: Path) -> 
         ("%\nN1O1(PART)\nN2 G0 X1.\nN3 #V1=5\nN4 #IF V1 > 3 THEN GOTO :END\nM30\n", "Fadal"),
         ("%PART,MX--,\n(P100=5)\n(IF P100 EQ 5 GOTO N10)\nG0 X10\nN10 M30\n", "Fagor"),
         ("@100=5\nG0 X1.\nM30\n", "LNC"),
-        # Two parts of one name: nothing runs, and the language is told all the same.
+        # Two parts have one name: nothing runs, but the hint names the language.
         ("o11 sub\no11 endsub\no11 call\nM2\n", "-c linuxcnc"),
         ("%_N_A_MPF\nM30\n%_N_B_SPF\nM17\n", "-c siemens-one"),
     ],
@@ -175,7 +175,7 @@ def test_a_control_that_the_project_names_is_told(
     ("text", "line"),
     [
         ("O1\nN10 IF[#1000 EQ 0]GOTO10\nM30\n", "signals = { 1000 = 1 }"),
-        ("O1\nN10 IF[#1000 EQ 1]GOTO10\nM30\n", ""),  # it is 0 until somebody says so
+        ("O1\nN10 IF[#1000 EQ 1]GOTO10\nM30\n", ""),  # the signal is 0 until a user sets it
         ("O1\n#500=0\nN10 IF[#500 EQ 0]GOTO10\nM30\n", "writes = [{ 500 = 1 }]"),
     ],
 )
@@ -194,7 +194,7 @@ def test_explain_of_nothing_explains_nothing(asked: str) -> None:
     assert "no alarm, cause or rule is called" in explain(asked)
 
 
-# ---- what a hint may recommend ----
+# ---- the parameters that a hint may recommend ----
 
 
 def test_no_hint_makes_a_program_mean_something_else(tmp_path: Path) -> None:
@@ -210,7 +210,7 @@ def test_no_hint_makes_a_program_mean_something_else(tmp_path: Path) -> None:
             assert hints(done.stderr) == []
 
 
-PERMITTED = {  # what a bit allows or refuses, and never what something means
+PERMITTED = {  # bits that allow or refuse, and never change a meaning
     *("1202#2", "3404#6", "5006#1", "6000#0", "6005#0", "6006#0", "7712#4"),
 }
 

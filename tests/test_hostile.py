@@ -1,4 +1,4 @@
-"""Programs written to break the reader or the machine: each ends, at once, with an alarm or without one."""
+"""Programs written to break the reader or the machine: each ends soon, with or without an alarm."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ INFINITE = "*".join(["EXP[110]"] * 7)  # above the largest double
 
 
 def ends(text: str, control: str | cncsub.Control) -> cncsub.Run:
-    """The run of a program that must come to an end, whatever that is."""
+    """Return the run of a program that must come to an end, whatever that is."""
     run = cncsub.loads(text, control=control).run(max_blocks=10_000, max_seconds=20)
     assert run.stop in {"end", "alarm", "cycles", "limit", "waiting"}
     assert (run.alarm is not None) == (run.stop == "alarm")
@@ -68,8 +68,8 @@ LONG = {
 
 @pytest.mark.parametrize("name", LONG)
 def test_a_line_that_is_wrong_costs_what_it_is_long(name):
-    """In proportion it takes some thousandths of a second; each of its words once looked at all of
-    it, and took a minute.
+    """A cost in proportion to the line is some thousandths of a second. If each of its words looked
+    at all of the line, it would be a minute.
     """
     for control in NAMES:
         begun = time.process_time()

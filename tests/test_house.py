@@ -1,4 +1,4 @@
-"""The rooms of the engine and of the package, and which way their arrows point."""
+"""The rooms of the engine and of the package, and the direction of the arrows between them."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ import cncsub
 ROOT = Path(__file__).parent.parent
 ENGINE = ROOT / "cpp" / "cncsub"
 
-# What a room may know besides itself. A dialect knows no other dialect, and nobody knows a dialect
-# but the reader of libraries, which is handed it.
+# The rooms that a room may know. A dialect knows no other dialect, and no room knows a dialect; the
+# reader of libraries gets them as an argument.
 KNOWS = {
     "system": set(),
     "text": {"system"},
@@ -27,7 +27,7 @@ KNOWS = {
     "motion": {"system", "text", "control", "code", "trace"},
     "machine": {"system", "text", "control", "code", "trace", "motion"},
     "analysis": {"system", "text", "control", "code", "trace"},
-    # What a run executed, as a program: it has to run one, and nobody runs it but the bindings.
+    # What a run executed, as a program: this room runs it, and only the bindings use this room.
     "flat": {"system", "text", "control", "code", "trace", "motion", "machine"},
     "controls": {"text", "control"},
 }
@@ -45,7 +45,7 @@ def sources() -> Iterator[Path]:
 
 def included(file: Path) -> Iterator[tuple[str, Path]]:
     for name in re.findall(r'^#include "([^"]+)"', file.read_text("utf-8"), re.MULTILINE):
-        if name not in {"controls/list.def", "dialect/list.def"}:  # written by the build
+        if name not in {"controls/list.def", "dialect/list.def"}:  # the build writes these
             yield name, ROOT / "cpp" / name
 
 
@@ -65,7 +65,7 @@ def test_the_arrows_of_a_room_point_one_way(of: str) -> None:
     assert not wrong
 
 
-# The rooms inside the large rooms, each of which knows those before it; files beside them know all.
+# The rooms inside the large rooms: each knows those before it. Files beside them know all.
 INNER = {
     "motion": ["state", "frame", "path", "cycle", "block"],
     "machine": ["state", "values", "statements", "calls", "run"],
@@ -112,8 +112,8 @@ def test_the_engine_knows_neither_python_nor_a_terminal() -> None:
 
 PACKAGE = ROOT / "python" / "cncsub"
 
-# The modules at the top are three rooms: `base`, what programs, controls and options are; `face`,
-# what users hold; and `package`, the names that `import cncsub` gives.
+# The modules at the top are three rooms: `base`, the programs, controls and options; `face`, the
+# objects that users hold; and `package`, the names that `import cncsub` gives.
 _FACE = {"library", "run", "stream", "loading", "sibling_files"}
 MAY_IMPORT = {
     "base": set(),
@@ -134,7 +134,7 @@ MAY_IMPORT = {
 
 
 def modules() -> dict[str, Path]:
-    """The modules of the package by name; of `cncsub.plot` the name stands for its `__init__`."""
+    """Return the modules of the package by name; `cncsub.plot` stands for its `__init__`."""
     files = sorted(PACKAGE.rglob("*.py"))
     parts = {file: file.relative_to(PACKAGE.parent).with_suffix("").parts for file in files}
     return {".".join(p[:-1] if p[-1] == "__init__" else p): f for f, p in parts.items()}
@@ -153,8 +153,10 @@ def room_of(module: str) -> str:
 
 
 def imports_of(module: str) -> Iterator[str]:
-    """What a module imports of the package, in functions too. What only annotates is not imported,
-    and a method `plot` imports what draws when a picture is asked for: it needs plotly.
+    """Yield the modules of the package that a module imports, in functions too.
+
+    Imports for annotations do not count. A method `plot` may import what draws, because plotly is
+    needed only if a picture is asked for.
     """
     waiting: list[tuple[ast.AST, bool]] = [(ast.parse(MODULES[module].read_text("utf-8")), False)]
     while waiting:
@@ -212,7 +214,7 @@ def test_the_names_that_are_imported_later_stand_below_the_package() -> None:
 
 
 def test_an_option_of_a_run_is_stated_in_three_files() -> None:
-    """What hands options on names none of them: not the library, the commands, the stubs."""
+    """The files that pass options on name none of them: the library, the commands, the stubs."""
     stated_in = {
         "python/cncsub/run_options.py",
         "python/bindings/options.cpp",
@@ -223,7 +225,7 @@ def test_an_option_of_a_run_is_stated_in_three_files() -> None:
     handed_on = [PACKAGE / "library.py", PACKAGE / "_core.pyi", *PACKAGE.glob("comparison/*.py")]
     assert not [f for f in handed_on if _names(f, "max_memory|max_seconds|optional_stop")]
     assert not [f for f in PACKAGE.glob("cli/*.py") if _names(f, "max_memory|max_cycles")]
-    # One that nothing but the engine asks for stands there and where it is obeyed.
+    # An option that only the engine asks for stands in these files and where it is obeyed.
     files = [
         str(file.relative_to(ROOT))
         for folder in (PACKAGE / "cli", PACKAGE / "analysis", ROOT / "python" / "bindings", ENGINE)

@@ -1,4 +1,4 @@
-"""Ctrl-C stops reading, running and stepping soon, and leaves Python and what ran whole."""
+"""Ctrl-C soon stops reading, running and stepping, and leaves Python and what ran whole."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ RUNS = {
 
 
 def interrupted(code: str, *, after: float) -> tuple[str, float]:
-    """What a program prints when Ctrl-C is pressed while it runs, and how long that took."""
+    """Return what a program prints when Ctrl-C is pressed while it runs, and how long that took."""
     child = subprocess.Popen(
         [sys.executable, "-c", START + code], stdout=subprocess.PIPE, text=True
     )
@@ -210,16 +210,16 @@ def test_a_contour_of_very_many_blocks_is_broken_off() -> None:
 @pytest.mark.parametrize("trace", ["none", "moves"])
 def test_a_block_of_very_many_moves_is_broken_off(trace: str) -> None:
     library = cncsub.loads(HOLES, control="fanuc-0i-f")
-    setup = cncsub.Setup(limits={"X": (-1, 999_999)})  # each move is looked at: none goes directly
+    setup = cncsub.Setup(limits={"X": (-1, 999_999)})  # every move is checked against them
     machine = library.machine(trace=trace, setup=setup)
     machine.step()
     old = signal.signal(signal.SIGALRM, signal.default_int_handler)
     try:
-        signal.setitimer(signal.ITIMER_REAL, 0.01)  # the block takes several times that
+        signal.setitimer(signal.ITIMER_REAL, 0.01)  # the block takes several times as long
         run = machine.run()
         assert run is not None
         assert run.stop is cncsub.Stop.INTERRUPTED
-        # It did nothing, and is executed as a whole when the run goes on.
+        # The block did nothing, and is executed as a whole when the run goes on.
         assert (machine.blocks, machine.position["X"], machine.alarm) == (1, 0, None)
         signal.setitimer(signal.ITIMER_REAL, 0.01)
         with pytest.raises(KeyboardInterrupt):
@@ -294,7 +294,7 @@ def test_what_another_signal_raises_goes_on_to_the_caller() -> None:
         signal.signal(signal.SIGALRM, old)
 
 
-# What goes over all rows of a table.
+# Accesses that go over all rows of a table.
 LOOKS: dict[str, Callable[[cncsub.Run], object]] = {
     "columns of the moves": lambda run: run.moves._fetch(["time", "length", "mx"]),
     "axes that few moves name": lambda run: [run.moves._fetch(["c"]) for _ in range(20)],
@@ -319,7 +319,7 @@ def test_a_look_at_very_many_rows_is_given_up(name: str, long_run: cncsub.Run) -
         raise Rang
 
     look = LOOKS[name]
-    look(long_run)  # NumPy is imported, not while the clock runs
+    look(long_run)  # so that NumPy is imported before the clock runs
     begun = time.monotonic()
     look(long_run)
     whole = time.monotonic() - begun

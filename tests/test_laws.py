@@ -18,11 +18,11 @@ NAMES = sorted(cncsub.controls)
 MACRO_CONTROLS = ["fanuc-16i", "fanuc-30i", "gsk-988ta", "mitsubishi-m700"]
 
 
-# Every run is made by the short ways and by the general way alone, and has to come out alike.
+# Every run is made by the short ways and by the general way alone, and both must agree.
 
 
 def outcome(run: cncsub.Run) -> tuple[object, ...]:
-    """What two runs must share to be the same run."""
+    """Return what two runs must share to be the same run."""
     alarm = run.alarm and (run.alarm.cause, run.alarm.number, run.alarm.program, run.alarm.line)
     moves = [(m.step, m.kind, m.x, m.y, m.z) for m in run.moves]
     steps = [(s.program, s.line, s.depth, s.repeat) for s in run.steps]
@@ -61,7 +61,7 @@ dwell = st.builds(
     number,
 )
 text = st.lists(st.builds(str.__add__, code, block) | assignment | dwell, max_size=8)
-# LinuxCNC reads a bare address otherwise where a comment stands behind it.
+# LinuxCNC reads a bare address otherwise if a comment follows it.
 OTHERS = [name for name in NAMES if name != "linuxcnc"]
 
 
@@ -84,7 +84,7 @@ line = st.builds(
 
 @st.composite
 def round_block(draw: st.DrawFn) -> str:
-    """An arc about a point, most of them with an end on the circle; some full circles."""
+    """Draw an arc about a point, most of them with an end on the circle; some are full circles."""
     names = draw(st.sampled_from(["XYIJ", "XYIJ", "ZXKI", "YZJK"]))
     i, j, turn = (draw(st.integers(-20, 20)) for _ in range(3))
     end = (i - i * math.cos(turn) + j * math.sin(turn), j - i * math.sin(turn) - j * math.cos(turn))
@@ -102,7 +102,7 @@ moving = st.builds(
     st.one_of(line, round_block()),
     st.sampled_from(["", "", "", "F200.", "F0"]),
 )
-MILLS = [n for n in NAMES if n not in ("gsk-928te", "siemens-one")]  # that read ISO programs
+MILLS = [n for n in NAMES if n not in ("gsk-928te", "siemens-one")]  # they read ISO programs
 WIDE = dict.fromkeys("XYZ", (-1e8, 1e8))
 
 
@@ -232,7 +232,7 @@ def test_a_repeated_call_is_that_many_calls(repeats: int, control: str) -> None:
     assert once.variables[100] == many.variables[100] == repeats
 
 
-# ---- expressions, against Python's own arithmetic ----
+# ---- expressions, compared with Python's arithmetic ----
 
 Value = tuple[str, Callable[[], float]]
 
@@ -264,7 +264,7 @@ def half_away(value: float) -> float:
 
 
 class EdgeError(Exception):
-    """A step function stands so near its step that rounding decides."""
+    """A step function that is so near its step that rounding decides."""
 
 
 def stepped(compute: Callable[[float], float], step: float) -> Callable[[float], float]:
@@ -312,7 +312,8 @@ def test_expressions_have_pythons_value(expression: Value, control: str) -> None
     except EdgeError:
         return
     except (ValueError, ZeroDivisionError):
-        # Python refuses: so does the control, unless rounding of an angle made the value just possible.
+        # Python refuses: so does the control, unless the rounding of an angle made the value just
+        # possible.
         assert run.alarm is not None or run.variables[100] is not None
         return
     if run.alarm is not None:
@@ -355,7 +356,7 @@ def test_comparisons_tell_vacant_from_zero_in_eq_and_ne_only(
         assert (run.variables.get(100) == 1) is expected, word
 
 
-# ---- no cut takes no time ----
+# ---- every cut takes time ----
 
 cut_word = st.builds(
     str.__add__,
@@ -413,7 +414,7 @@ def test_a_rotary_axis_does_not_know_inches(control: str, words: list[str], feed
     assert metric[1] == feed
 
 
-# ---- what is told about the moves: finite, in order, and one sum of times ----
+# ---- values of the moves: finite, in order, and one sum of times ----
 
 measured = st.one_of(
     place, place, st.sampled_from(["0", "99999.999", "-99999.999", "99999999", "-0."])

@@ -1,4 +1,4 @@
-"""Limits hold: whatever a program does, it ends in time, at `max_blocks`, `max_seconds` or an alarm.
+"""Limits hold: every program ends in time, at `max_blocks`, `max_seconds` or an alarm.
 
 The bounds on time are generous, for machines that have other work to do.
 """
@@ -21,12 +21,12 @@ import cncsub
 
 NAMES = sorted(cncsub.controls)
 SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")
-SECONDS = 0.2  # what a run is allowed
-SLACK = 20.0  # what a block, a busy machine and a sanitizer may add to it
+SECONDS = 0.2  # the limit of a run
+SLACK = 20.0  # the time that a block, a busy machine and a sanitizer may add to it
 
 
 def nested(levels: int, body: str = "") -> str:
-    """Programs that call each other 9999 times on each of so many levels."""
+    """Return programs that call each other 9999 times on each of so many levels."""
     calls = [f"O{k}\nM98 P{k + 1} L9999\nM99\n" for k in range(2, levels + 1)]
     return "O1\nM98 P2 L9999\nM30\n" + "".join(calls) + f"O{levels + 1}\n{body}\nM99\n"
 
@@ -66,7 +66,7 @@ ENDLESS = {
 WITHOUT_BOUNDS = cncsub.controls["fanuc-0i-f"].replace(
     max_nesting=999_999_999, max_macro_nesting=999_999_999, max_total_nesting=0
 )
-# Programs that keep more and more: each kind of what a run keeps, in few blocks and in many.
+# Programs that keep more and more: each kind of data that a run keeps, in few blocks and in many.
 GROWING = {
     "steps": ("fanuc-0i-f", "O1\nN10 GOTO10\n"),
     "steps of blocks without a word": ("fanuc-0i-f", "O1\nN10 (A)\nN11\nGOTO10\n"),
@@ -219,7 +219,7 @@ VALUES = [
     0, 1, -1, 0.5, 1 / 3, -0.0, 2.0**31 - 1, 2.0**31, -(2.0**31), 2.0**32, 2.0**53, 2.0**53 + 1,
     2.0**63, -(2.0**63), 2.0**64, 1e47, -1e47, 1e300, 1e308, -1e308, 5e-324, None,
 ]  # fmt: skip
-# Every number below 20,000, and what lies around the ends of the ranges above.
+# Every number below 20,000, and the numbers around the ends of the ranges above.
 NUMBERS = [
     *range(20_100),
     *(n + d for n in (100_000, 110_000, 200_000, 500_000, 980_000) for d in range(-2, 60)),
@@ -403,7 +403,7 @@ def test_every_parameter_takes_every_value_or_refuses_it() -> None:
             cncsub.loads("O1\nG0 X1.\nG65 P1\nM30\n", control=changed).run(max_blocks=20)
 
 
-MOST_KEPT = 110  # bytes of memory a byte of text, of the worst text there is
+MOST_KEPT = 110  # bytes of memory for each byte of text, for the worst text there is
 SHORT_LINES = ["M98", "O1", "G65", "M99", "#", "X", "[", "G", "O{i}", "M98P1", "#1=", "N1X", "%{i}"]
 READ = """
 import resource, sys, cncsub

@@ -1,4 +1,4 @@
-"""Lines are counted in one way, however they end, by everything that tells a line."""
+"""Everything that reports a line counts lines in one way, however they end."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cncsub.notebook import program_html
 from cncsub.variables_file import read_variables
 
 CONTROL = "fanuc-0i-f"
-PUNCHED = b"\n\r\r"  # what FANUC ends a block with
+PUNCHED = b"\n\r\r"  # the end of a block on a FANUC
 ENDS = [b"\n", b"\r", b"\r\n", PUNCHED, b"\n\r", b"\r\r\n"]
 TEXT = [b"%", b"O1 (PART)", b"", b"N10 M8", b"  N20 G1 X1. F100 XX", b"", b"", b"N30 M30", b"%"]
 

@@ -1,5 +1,5 @@
-"""Generated programs of LinuxCNC's motion do on cncsub what they do on its interpreter, where that is
-installed.
+"""Generated programs of LinuxCNC's motion do the same on cncsub and on its interpreter, where that
+is installed.
 
 `python tests/differential/linuxcnc_paths.py --programs 100000 --together 50` does the same with more.
 """

@@ -1,4 +1,4 @@
-"""What ran, block by block: `run.listing()` and `cncsub run --listing`."""
+"""The blocks that ran, one by one: `run.listing()` and `cncsub run --listing`."""
 
 from __future__ import annotations
 

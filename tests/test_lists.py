@@ -1,4 +1,4 @@
-"""A code of a control's own list is never refused with the control's number."""
+"""A code of the list of a control is never refused with the number of the control."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import pytest
 import cncsub
 
 MACHINES = ("mill", "lathe-a", "lathe-b")
-# Codes that are read before their moves are asked for: calls and their ends.
+# Codes that are read before their moves are looked up: calls and their ends.
 CALLS = {"65", "66", "66.1", "67"}
 
 

@@ -1,4 +1,4 @@
-"""The house is no worse than its page says, in what costs seconds to measure."""
+"""The house is no worse than its page says; these are the measures that take seconds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The places that `python tests/mutants` changes, and how it tells what a row noticed."""
+"""The places that `python tests/mutants` changes, and how it decides that a row noticed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ COMMAND = ROOT / "tests" / "mutants"
 
 
 def changes(source: str) -> set[str]:
-    """Every mutant of one line, as its text."""
+    """Return every mutant of one line, as its text."""
     return {mutant.applied(source) for mutant in mutants_of("x.cpp", source)}
 
 

@@ -1,4 +1,4 @@
-"""What a notebook shows: bounded pages of HTML without scripts."""
+"""The view of objects in a notebook: bounded pages of HTML without scripts."""
 
 from __future__ import annotations
 
@@ -140,7 +140,7 @@ def test_only_public_names_are_listed_and_all_have_words() -> None:
 
 
 def public_classes() -> list[type]:
-    """The classes that have a public name, and those of what one is handed."""
+    """Return the classes that have a public name, and those of the objects that a user gets."""
     machine = cncsub.loads("O1\nM30\n", control=CONTROL).machine()
     handed = [machine.steps, machine.calls, machine.moves, machine.watch, machine.codes]
     handed += [machine.variables, machine.signals, machine.coverage(), machine.coverage().blocks]
@@ -152,14 +152,14 @@ def public_classes() -> list[type]:
 
 
 def members(kind: type) -> list[tuple[str, Any]]:
-    """The public names of a class that the package gives it, and what they are."""
+    """Return the public names of a class that the package gives it, and their values."""
     own = [base for base in kind.__mro__ if base.__module__.startswith("cncsub")]
     found = {name: value for base in reversed(own) for name, value in vars(base).items()}
     return [(name, value) for name, value in found.items() if not name.startswith("_")]
 
 
 def functions(value: Any) -> list[Any]:
-    """The functions behind a member of a class."""
+    """Return the functions of a member of a class."""
     for name in ("__func__", "fget", "func"):
         value = getattr(value, name, None) or value
     return [value] if callable(value) else []
@@ -188,7 +188,9 @@ def test_every_function_has_words_and_names_its_options() -> None:
 
 
 def test_the_import_brings_no_heavy_module() -> None:
-    """Its time is measured by `tests/benchmarks`: a clock of a busy machine is no test."""
+    """The time of the import is measured by `tests/benchmarks`: the clock of a busy machine is no
+    test.
+    """
     code = "import sys, cncsub; print(*{name.partition('.')[0] for name in sys.modules})"
     told = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
     heavy = {"numpy", "pandas", "pyarrow", "plotly", "typer", "rich", "pytest", "dask", "pydantic"}

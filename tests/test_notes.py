@@ -1,4 +1,6 @@
-"""What is easily overlooked in a memory is told, and two programs of one number are not guessed."""
+"""A note reports what is easily overlooked in a memory; of two programs of one number, none is
+guessed.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,7 @@ OLD = "O9001\nM99\n"
 
 @pytest.fixture
 def job(tmp_path: Path) -> Path:
-    """A main program, its macro, and an old copy of that which comes first by the alphabet."""
+    """A main program, its macro, and an old copy of the macro that comes first in the alphabet."""
     for name, text in {
         "main.nc": "O1\nG65 P9001\nM30\n",
         "macros/o9001.nc": MACRO,
@@ -53,7 +55,7 @@ def run(*arguments: str | Path) -> tuple[int, str, str]:
         ("O1\nM30\nO2\nM99\nO0002\nM99\n", ["copy"]),
         ("O1\nM30\nO2\nM99\nO0002\nG4 X1.\nM99\n", ["conflict"]),
         ("PART 12\n%\nO1\nM30\n%\n", ["left-out"]),
-        ("G0 X1.\nM30\n", []),  # one text without a head is how many files are
+        ("G0 X1.\nM30\n", []),  # many files are one text without a head
     ],
 )
 def test_notes_of_a_text(text: str, wanted: list[str]) -> None:
@@ -85,7 +87,7 @@ def test_where_files_name_programs_no_head_is_missing(control: str, tmp_path: Pa
     assert kinds(cncsub.load(tmp_path, control=control)) == []
 
 
-# ---- which of two counts ----
+# ---- the one of two that counts ----
 
 
 @pytest.mark.parametrize("folder", ["a", "macros"])
@@ -152,7 +154,7 @@ def test_there_is_nothing_to_prefer_without_files(arguments: list[str]) -> None:
 
 def test_json_has_the_notes(job: Path) -> None:
     status, out, _ = run(job / "main.nc", job, "--prefer", job / "a", "--format", "json")
-    assert status == 2  # a folder is no file that is read
+    assert status == 2  # a folder is not a file that is read
     _, out, _ = run(job / "main.nc", job, "--prefer", job / "a" / "o9001.nc", "--format", "json")
     assert [note["kind"] for note in json.loads(out)["notes"]] == ["conflict"]
 

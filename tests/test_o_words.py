@@ -1,4 +1,4 @@
-"""Generated programs of O-words do on cncsub what they do on LinuxCNC, where that is installed.
+"""Generated programs of O-words do the same on cncsub and on LinuxCNC, where that is installed.
 
 `python tests/differential/o_words.py --programs 100000 --together 50` does the same with more.
 """

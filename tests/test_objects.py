@@ -1,4 +1,4 @@
-"""Whatever a caller does with an object or a class of ours, and however the process ends: Python
+"""Whatever a caller does with an object or a class of ours, and however the process ends, Python
 goes on, or raises. Each claim is tried in a process of its own.
 """
 
@@ -26,8 +26,8 @@ def ends_well(code: str, folder: Path | None = None, *, timeout: float = 120) ->
     return done.stdout
 
 
-# Every class of the package and of the engine, and objects of each. A class without an object here
-# is named, so that a new one is not forgotten.
+# Every class of the package and of the engine, and objects of each. A class without an object is
+# named here, so that a new one is not forgotten.
 OBJECTS = """
 import abc, collections.abc, copy, gc, inspect, itertools, pickle, pkgutil, typing, importlib
 import cncsub
@@ -317,7 +317,8 @@ def test_without_memory_python_raises_in(name: str) -> None:
         )  # fmt: skip
         said = done.stderr[-1500:]
         assert done.returncode in (0, 1), (room, done.returncode, said)
-        # What cannot be loaded for want of memory is an ImportError, or a SystemError of Python's.
+        # A module that cannot be loaded for want of memory is an ImportError, or a SystemError of
+        # Python.
         assert (
             done.returncode == 0
             or "MemoryError" in said

@@ -1,4 +1,4 @@
-"""A control of one's own: made from a built-in one by what a TOML file says."""
+"""A control of one's own, made from a built-in one by a TOML file."""
 
 from __future__ import annotations
 
@@ -185,7 +185,7 @@ def test_any_value_anywhere_is_a_value_error(tmp_path: Path) -> None:
                 assert pickle.loads(pickle.dumps(made)).name == made.name
 
 
-# ---- where people name it ----
+# ---- places that name the control ----
 
 PROJECT = "[control]\n" + SHEET.replace("[", "[control.")
 

@@ -1,4 +1,4 @@
-"""What the installed package is made of: version, types, files, and what importing it costs."""
+"""The contents of the installed package: version, types, files, and what importing it costs."""
 
 import re
 import subprocess
@@ -72,7 +72,7 @@ def test_the_licence_comes_with_the_package() -> None:
 
 @pytest.fixture(scope="module")
 def imported() -> set[str]:
-    """Names of the modules that `import cncsub` loads in a fresh interpreter."""
+    """Return the names of the modules that `import cncsub` loads in a fresh interpreter."""
     return set(
         run_python(
             "import sys; before = set(sys.modules); import cncsub;"
@@ -117,7 +117,7 @@ def test_wheels_are_built_for_every_python_that_the_package_takes() -> None:
     numbers = {int(re.fullmatch(r"cp3(\d+)t?-\*", name)[1]) for name in built}  # type: ignore[index]
     assert numbers == set(range(oldest, max(numbers) + 1))
     assert any("t-" in name for name in built), "no free-threaded build"
-    # What the classifiers claim was run; what is built beyond it says so itself, by its tests.
+    # The versions that the classifiers claim were run; the build of any other tests itself.
     claimed = re.findall(r":: Python :: 3\.(\d+)", " ".join(project["project"]["classifiers"]))
     assert {oldest} <= set(map(int, claimed)) <= numbers
 

@@ -1,4 +1,4 @@
-"""The pictures: what they draw is what ran, what they leave out they tell, and pages need nothing."""
+"""The pictures draw what ran and report what they leave out, and pages need nothing."""
 
 from __future__ import annotations
 
@@ -53,17 +53,17 @@ def note(figure: Any) -> str:
 
 
 def lines(figure: Any) -> list[Any]:
-    """The traces of a path; entries of the legend alone are none."""
+    """Return the traces of a path, without those that are only entries of the legend."""
     return [t for t in figure.data if t.mode == "lines" and t.x[0] is not None]
 
 
 def entries(figure: Any) -> list[Any]:
-    """What the legend names."""
+    """Return the entries of the legend."""
     return [trace for trace in figure.data if trace.showlegend]
 
 
 def segments(figure: Any) -> Any:
-    """The straight lines that a figure draws, as pairs of points."""
+    """Return the straight lines that a figure draws, as pairs of points."""
     found = []
     for trace in lines(figure):
         points = np.column_stack((trace.x, trace.y, trace.z)).astype(float)
@@ -112,7 +112,7 @@ def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
     figure = ran().plot()
     texts = [text for trace in lines(figure) for text in trace.text if text]
     at_points = {text for text in texts if "O3 N10" in text and "move 4," in text}
-    (inner,) = {text.rpartition(", ")[0] for text in at_points}  # but for the time
+    (inner,) = {text.rpartition(", ")[0] for text in at_points}  # all but the time
     assert len(at_points) > 1
     assert inner.startswith("<b>O3 N10 line 17</b><br>N10 G3 X10. R5.<br>")
     assert "in G65 O3 from O2 N20" in inner
@@ -183,7 +183,7 @@ def test_coordinates_of_two_offsets_lie_apart_in_machine_coordinates() -> None:
     work, machine = run.plot(play=False), run.plot(coordinates="machine", play=False)
     assert "Other coordinates came into force" in note(work)
     assert "Other coordinates" not in note(machine)
-    assert segments(work)[..., 0].min() == -90  # the way to G55 X0 begins at G54 X10
+    assert segments(work)[..., 0].min() == -90  # the path to G55 X0 begins at G54 X10
     feed = next(trace for trace in machine.data if trace.name == "feed")
     assert [x for x in feed.x if x == x] == [0, 10, 100, 110]
     gap = np.isnan(np.array(feed.x, dtype=float))
@@ -301,8 +301,8 @@ def test_lines_over_lines_are_drawn_once_and_said_so() -> None:
 
 
 def drawn_until(line: Any, frame_line: Any) -> Any:
-    """Which points of a trace are drawn at an instant: those whose colour is not the one that is
-    none.
+    """Return which points of a trace are drawn at an instant: those whose colour is not the
+    transparent one.
     """
     stops = [(float(at), colour) for at, colour in frame_line.colorscale]
     numbers = np.array(line.color, dtype=float)
@@ -333,7 +333,7 @@ def test_an_instant_shows_the_path_up_to_then(color: str, text: str) -> None:
             assert all(ends[move] >= now - 1e-9 for move in moves)
     for path, then in zip(paths, figure.frames[-1].data):
         assert np.all(drawn_until(path.line, then.line) | np.isnan(np.array(path.x, dtype=float)))
-        assert path.line.colorscale == then.line.colorscale  # as it is before anybody plays it
+        assert path.line.colorscale == then.line.colorscale  # the picture before the slider plays
 
 
 def test_the_slider_leads_the_tool_along_the_path() -> None:
@@ -462,7 +462,7 @@ def test_the_graph_of_a_library() -> None:
     assert len(set(at.values())) == 5
     assert at["O1"][0] < at["O2"][0] < at["O9"][0]
     beside = {t: p for trace in named.values() for t, p in zip(trace.text, trace.textposition)}
-    assert beside["O2"] == "top center"  # it calls, so that an arrow goes to the right
+    assert beside["O2"] == "top center"  # it calls, so an arrow leads to the right
     assert beside["O9"] == "middle right"
 
 

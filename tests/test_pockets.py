@@ -1,5 +1,6 @@
 """G71 and G72 of type II, cut in a stock that is a depth over a fine grid: the tool never goes into
-the finished part, no rapid goes through stock, no cut is deeper than it may be, and nothing is left.
+the finished part, no rapid goes through stock, no cut is deeper than it may be, and nothing is
+left.
 """
 
 from __future__ import annotations
@@ -17,8 +18,8 @@ import cncsub
 
 Points = NDArray[np.float64]
 
-# A point of a profile: how far along the cut, how deep below the start; and whether an arc leads to
-# it, and which way it turns.
+# A point of a profile: how far along the cut, how deep below the start; and the code of the arc
+# that leads to it, or 0.
 Profile = list[tuple[float, float, int]]
 
 
@@ -37,19 +38,19 @@ def profiles(draw: st.DrawFn) -> Profile:
 
 
 class Side:
-    """How depths and places lie on the machine."""
+    """The place of depths and lengths on the machine."""
 
     def __init__(self, cycle: str, inside: bool) -> None:
         self.cycle, self.inside = cycle, inside
 
     def point(self, place: float, deep: float) -> tuple[float, float]:
-        """X (a diameter) and Z."""
+        """Return X (a diameter) and Z."""
         if self.cycle == "G72":
             return 2 * (60 - place), -deep
         return 2 * (20 + deep if self.inside else 60 - deep), -place
 
     def back(self, x: Points, z: Points) -> Points:
-        """The place and the depth of a point."""
+        """Return the place and the depth of a point."""
         radius = x / 2
         if self.cycle == "G72":
             return np.array([60 - radius, -z])
@@ -61,7 +62,7 @@ class Side:
         return f"U{-2 * value if self.inside else 2 * value:.4f} W0."
 
     def turn(self, code: int) -> int:
-        """The code of an arc that turns as `code` does outside."""
+        """Return the code of an arc that turns as `code` does outside."""
         mirrored = self.inside if self.cycle == "G71" else True
         return 5 - code if mirrored else code
 
@@ -88,7 +89,7 @@ def program(side: Side, profile: Profile, depth: float, escape: float, allowance
 
 
 def tool_path(side: Side, moves: Sequence[cncsub.Move]) -> list[tuple[str, Points]]:
-    """Every move as points (place, depth), arcs in small steps."""
+    """Return every move as points (place, depth), arcs in small steps."""
     made = []
     here = np.array(side.point(0, 0)) / [2, 1]
     for move in moves:
@@ -108,7 +109,7 @@ def tool_path(side: Side, moves: Sequence[cncsub.Move]) -> list[tuple[str, Point
 
 
 def depths(points: Points, grid: Points) -> Points:
-    """How deep a way is over the grid; minus infinity beside it."""
+    """Return how deep a path is over the grid, minus infinity beside it."""
     place, deep = points.T
     order = np.argsort(place, kind="stable")
     if place.max() - place.min() < 1e-6:
@@ -149,7 +150,7 @@ def test_pockets_are_cut_level_by_level_and_nothing_is_left(
     made = [m for m in run.moves if m.step == 2]
     path = tool_path(side, made)
 
-    # The part, from a pass over it that nothing else is known of: the profile itself.
+    # The part, computed from the profile alone.
     grid = np.linspace(0.013, profile[-1][0] - 0.013, 1500)
     part = np.full_like(grid, -np.inf)
     before = np.array([0.0, 0.0])
@@ -173,7 +174,7 @@ def test_pockets_are_cut_level_by_level_and_nothing_is_left(
     part -= allowance
 
     stock = np.full_like(grid, -allowance)
-    for kind, points in path[:-1]:  # the last one goes home
+    for kind, points in path[:-1]:  # the last move leads home
         tool = depths(points, grid)
         assert np.all(tool <= part + 2e-3), (kind, points, text)
         cut = tool - stock

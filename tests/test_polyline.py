@@ -1,4 +1,4 @@
-"""The path as points, where moves begin, and the codes with their steps."""
+"""The path as points, the places where moves begin, and the codes with their steps."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def ran(text: str, control: str = CONTROL, **options: Any) -> cncsub.Run:
 
 
 def distances(points: Any, line: Any) -> Any:
-    """From each point to the nearest chord of a line."""
+    """Return the distance of each point from the nearest chord of a line."""
     a, way = line[:-1], np.diff(line, axis=0)
     length = np.maximum((way**2).sum(axis=1), 1e-300)
     part = np.clip(((points[:, None] - a) * way).sum(axis=2) / length, 0, 1)
@@ -43,7 +43,7 @@ def distances(points: Any, line: Any) -> Any:
 
 
 def true_arc(start: Any, end: Any, centre: Any, plane: int, clockwise: bool, count: int) -> Any:
-    """The arc as the words say it: round to the end, once where that is the start."""
+    """Return points of the arc that the words mean; a full circle if its end is its start."""
     a, b, _ = PLANES[plane]
     first = math.atan2(start[b] - centre[b], start[a] - centre[a])
     last = math.atan2(end[b] - centre[b], end[a] - centre[a])
@@ -103,10 +103,10 @@ def test_every_chord_is_within_the_tolerance_of_the_true_arc_and_ends_are_exact(
     assert arc[-1].tolist() == [move.x, move.y, move.z]
     line = np.vstack((path.points[path.move == 0][-1], arc))
     found = [5.0 if value is None else value for value in (move.cx, move.cy, move.cz)]
-    assert found == pytest.approx(centre, abs=2e-3)  # a control rounds what is written
+    assert found == pytest.approx(centre, abs=2e-3)  # a control rounds the words
     truth = true_arc(line[0], line[-1], found, plane, clockwise, 1 + 40 * len(arc))
     assert distances(truth, line).max() <= tolerance + 1e-6
-    # The points lie on the arc, so that no chord can leave it by more where it is that near.
+    # The points lie on the arc, so a chord leaves it by no more if it is that near.
     assert distances(arc, truth).max() <= 1e-6 + radius * (math.pi / 40 / len(arc)) ** 2
 
 

@@ -1,4 +1,4 @@
-"""A probe and a workpiece: touches against sampling, the interface, and the examples."""
+"""A probe and a workpiece: touches compared with sampling, the interface, and the examples."""
 
 import math
 import pickle
@@ -20,7 +20,7 @@ Point = tuple[float, float, float]
 
 
 def touch(part: Workpiece, start: Point, end: Point) -> Point | None:
-    """Where a G31 between two points stops, `None` where it meets nothing."""
+    """Return where a G31 between two points stops, `None` if it meets nothing."""
     library = cncsub.loads("O1\nN10 G90 G31 X#1 Y#2 Z#3 F500\nN20 M30\n", control="fanuc-0i-f")
     run = library.run(
         setup={"start": dict(zip("XYZ", start, strict=True)), "increment": 1e-7},
@@ -36,7 +36,7 @@ def touch(part: Workpiece, start: Point, end: Point) -> Point | None:
     return None if move.skip == "missed" else (move.x, move.y, move.z)
 
 
-# How far a point is outside a body, written anew and from the definition.
+# The distance of a point from a body, written again from the definition.
 
 
 def outside_box(p: Point, low: Point, high: Point) -> float:
@@ -195,7 +195,7 @@ def test_a_workpiece_stays_where_it_is_when_the_program_moves_its_zero_point() -
     library = cncsub.loads(PROGRAM, control="fanuc-0i-f")
     inputs = Inputs(workpiece=Workpiece([Plane({"Z": 4})], stylus=2))
     run = library.run(setup=SETUP, inputs=inputs)
-    # G54 Z becomes 6: from there the face at Z-296 of the machine lies out of reach.
+    # G54 Z becomes 6, so the face at Z-296 of the machine lies out of reach from then on.
     assert run.variables[100] == 106
     assert run.variables[101] == 6
     assert [move.skip for move in run.moves if move.skip != "no"] == ["touched", "missed"]
@@ -209,7 +209,7 @@ def test_machine_coordinates_and_a_stylus_of_another_length() -> None:
         setup=SETUP, inputs={"workpiece": Workpiece(face, coordinates="machine", stylus=1)}
     )
     assert run.variables[101] == 4
-    # The offset says 100, and the stylus is 90 long: it meets the face ten lower.
+    # The offset says 100, but the stylus is 90 long: it meets the face ten lower.
     run = library.run(
         setup=SETUP, inputs={"workpiece": Workpiece(face, coordinates="machine", length=90)}
     )
@@ -395,7 +395,7 @@ def test_wrong_inputs_are_told_with_their_place(
         library.run(inputs=inputs)
 
 
-# What the macros of examples/fanuc/probing find, and what part.toml says.
+# The results of the macros of examples/fanuc/probing, as part.toml says.
 FOUND = {
     510: 0.04,  # the top
     511: 0.12,  # the left side
@@ -424,7 +424,7 @@ def test_probing_cycles_find_the_workpiece(control: str) -> None:
     run.raise_for_alarm()
     for number, value in FOUND.items():
         assert run.variables[number] == pytest.approx(value, abs=2e-6), f"#{number}"
-    # Moves on the way to a place are G31 too, and meet nothing.
+    # Moves on the way to a place are also G31, and meet nothing.
     assert {(missed.program, missed.n) for missed in run.missed_skips} == {("O9810", 120)}
 
 

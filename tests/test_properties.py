@@ -1,4 +1,4 @@
-"""Any input at all has a defined outcome: reading never fails, and every run ends as a `Run`."""
+"""Any input has a defined outcome: reading never fails, and every run ends as a `Run`."""
 
 from __future__ import annotations
 

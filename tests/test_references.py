@@ -1,4 +1,4 @@
-"""What blocks refer to, and who calls whom, without running anything."""
+"""The references of blocks, and the call graph, without running anything."""
 
 import json
 import sys
@@ -257,7 +257,7 @@ def test_what_a_graph_tells_is_what_a_run_does() -> None:
 
 
 def test_every_call_of_a_row_is_in_the_graph() -> None:
-    """A modal call is one of whoever moves, and stands in the graph where it is switched on."""
+    """A modal call belongs to whatever moves, but the graph shows it where it is switched on."""
     seen = 0
     for row in rows():
         if row.case.mdi is not None or row.control == "linuxcnc":

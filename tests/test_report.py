@@ -1,4 +1,4 @@
-"""The page that tells a run: whole in itself, escaped, bounded, with links that lead somewhere."""
+"""The page of a run: complete in itself, escaped, bounded, with links that lead somewhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Texts are read by several threads, cut anywhere: what comes out is what one thread makes."""
+"""Several threads read texts that are cut anywhere, with the result that one thread makes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def read(control: str, files: list[File], threads: int, piece: int | None = None
 
 
 def programs_of(library: Library) -> list[Any]:
-    """Every program, also those that another one hides, with all that its blocks say."""
+    """Return every program, also those that another one hides, with all that its blocks say."""
     code = library.code
     found: list[Any] = [code.leaders]
     for place in range(len(code)):
@@ -40,7 +40,7 @@ def programs_of(library: Library) -> list[Any]:
 
 
 def meaning_of(library: Library) -> list[Any]:
-    """What the blocks refer to, and what a run of each program does."""
+    """Return what the blocks refer to, and what a run of each program does."""
     found: list[Any] = []
     for name, program in library.items():
         found += [(b.calls, b.jumps, b.reads, b.writes) for b in program.blocks]
@@ -60,7 +60,7 @@ def check(control: str, files: list[File], piece: int, *, deep: bool = True) -> 
 
 
 def texts_of_rows() -> dict[str, list[str]]:
-    """By control, the programs of the rows."""
+    """Return, by control, the programs of the rows."""
     texts: defaultdict[str, list[str]] = defaultdict(list)
     for row in rows():
         given = [row.case.program, *(row.case.files or {}).values()]
@@ -113,14 +113,16 @@ def test_any_text_is_the_same_wherever_it_is_cut(
 
 
 def test_large_texts_are_the_same_on_all_cores() -> None:
-    """As `load` cuts them: a long program, many of some length, and many small files."""
+    """The texts are those that `load` cuts: a long program, many of some length, and many small
+    files.
+    """
     moves = "".join(f"N{n} G1 X{n % 1000}. Y{n % 7}.5\n" for n in range(1, 60_000))
     long = f"O1\nG1 F100\n{moves}(END)\nM30\n"
     several = "".join(f"O{n} (P{n})\n{moves[: 997 * (n % 50)]}\nM99\n" for n in range(2, 60))
     small = [
         (f"{n}.nc", str(n), f"O{n}\nG1 X{n}. F#1\nM98 P{n + 1}\nM99\n") for n in range(100, 30_100)
     ]
-    headless = f"{moves}%\n{moves}M30\n"  # lines before the first mark of a tape may be no program
+    headless = f"{moves}%\n{moves}M30\n"  # lines before the first % may be no program
     for files in (
         [("1.nc", "1", long)],
         [("2.nc", "2", several)],
@@ -142,7 +144,7 @@ NUMBERS = st.sampled_from([1, 2, 3, 255, 256, 257, 9_998, 65_536, 99_999])
 
 @given(st.lists(NUMBERS | st.integers(1, 99_999), min_size=1, max_size=60))
 def test_blocks_are_found_by_numbers_in_any_order(numbers: list[int]) -> None:
-    """Of one number it is the nearest block behind the jump."""
+    """If a number stands twice, the nearest block after the jump is found."""
     blocks = "".join(f"N{n} #1={place}\n" for place, n in enumerate(numbers))
     for wanted in {*numbers[:3], *numbers[-3:]}:
         library = cncsub.loads(f"O1\nGOTO{wanted}\n{blocks}M30\n", control="gsk-988ta")

@@ -1,4 +1,4 @@
-"""The pages that are made at the build say all there is to say, and lead somewhere."""
+"""The pages that the build makes are complete, and their links lead somewhere."""
 
 from __future__ import annotations
 

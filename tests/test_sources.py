@@ -19,7 +19,7 @@ EVERY = list(cncsub.controls)
 
 
 def facts(control: cncsub.Control) -> Iterator[tuple[str, str, str]]:
-    """What it is, its source and its evidence."""
+    """Yield each fact, its source and its evidence."""
     for rule in control.rules:
         yield rule.name, rule.source, rule.evidence
         for entry, (source, evidence) in rule.sources.items():
@@ -38,7 +38,7 @@ CODES = [*(f"M{code:02}" for code in range(1000)), "G65", "G66", "G66.1", "G67"]
 
 
 def places(rule: _core.Rule) -> list[tuple[str, object]]:
-    """A rule with its value, of a set each entry, of roles each code."""
+    """Return a rule with its value, of a set each entry, of roles each code."""
     held = str(rule.value).split()
     if rule.name == "roles":
         roles = dict(entry.split("=") for entry in held)
@@ -49,12 +49,12 @@ def places(rule: _core.Rule) -> list[tuple[str, object]]:
 
 
 def answers_by_entry(control: cncsub.Control) -> dict[str, object]:
-    """The answers, of sets entry by entry."""
+    """Return the answers, those of sets entry by entry."""
     return dict(place for rule in control.rules for place in places(rule))
 
 
 def origins(control: cncsub.Control) -> dict[str, tuple[str, str]]:
-    """Where the answers come from, of sets entry by entry."""
+    """Return the sources of the answers, those of sets entry by entry."""
     return {
         place: rule.sources.get(place.partition(":")[2], (rule.source, rule.evidence))
         for rule in control.rules
@@ -91,7 +91,7 @@ def test_a_family_default_is_the_default_of_the_family(name: str) -> None:
     others = []
     for rule in cncsub.controls[name].rules:
         value, family = rule.value, rule.family
-        if rule.entries or rule.name == "roles":  # what has no source of its own
+        if rule.entries or rule.name == "roles":  # the entries that have no source of their own
             value, family = (
                 {e for e in str(those).split() if e.partition("=")[0] not in rule.sources}
                 for those in (value, family)
@@ -135,7 +135,7 @@ def test_a_rule_that_the_caller_sets_says_so() -> None:
         assert {name for name, _ in others} == {"max_nesting"}
 
 
-# What stands in the place of a source where nobody has one.
+# The words in place of a source if there is none.
 NO_SOURCE = re.compile(r"general knowledge|policy|inferred|^family default$")
 
 
@@ -148,7 +148,7 @@ def test_every_fact_cites_a_known_source_or_says_that_it_has_none(name: str) -> 
 
 
 def test_every_comment_of_the_engine_cites_a_known_source() -> None:
-    """What stands in square brackets at the end of a comment, or of a sentence in it."""
+    """A source stands in square brackets at the end of a comment, or of a sentence in it."""
     root = Path(__file__).parents[1]
     unknown = []
     for file in sorted((root / "cpp").rglob("*")):
@@ -163,7 +163,7 @@ def test_every_comment_of_the_engine_cites_a_known_source() -> None:
 
 
 def set_by(control: cncsub.Control, name: str) -> set[str]:
-    """The rules, of sets the entries, that some value of a parameter changes."""
+    """Return the rules, of sets the entries, that some value of a parameter changes."""
     before, changed = answers_by_entry(control), set()
     for value in (0, 1) if "#" in name else (0, 1, 2, 30):
         after = answers_by_entry(control.with_parameters({name: value}))
@@ -171,7 +171,7 @@ def set_by(control: cncsub.Control, name: str) -> set[str]:
     return changed
 
 
-# Two bits that say one thing together: the second counts where the first is 0.
+# Two bits that decide one thing together: the second counts if the first is 0.
 TOGETHER = {("5001#0", "5001#1")}
 
 

@@ -1,5 +1,5 @@
-"""However deep a program, a folder or an argument goes, the machine's stack does not: each is tried
-in a thread of 256 kB, in a process of its own.
+"""However deep a program, a folder or an argument is nested, the stack of the machine is not. Each
+is tried in a thread of 256 kB, in a process of its own.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-# The sanitizers' frames are several times as large.
+# The frames of the sanitizers are several times as large.
 STACK = (256 if "libasan" not in os.environ.get("LD_PRELOAD", "") else 2048) << 10
 START = """
 import copy, pickle, threading
@@ -74,7 +74,7 @@ ISLANDS = (
     + "N90 G1 X100. Z-900.\nM30\n"
 )
 START_POINT = "O1\nS500 M3 F0.2\nG0 X100. Z5.\n"
-# What goes deep, as expressions that give texts of programs.
+# Nested texts of programs, as expressions that give them.
 DEEP = {
     "turning of very many levels": [
         f"{START_POINT}{first}\nG{code} P10 Q90 U0.4 W0.1 F0.2\n{PROFILE}"
@@ -114,7 +114,8 @@ DEEP = {
             "X1" + "/X1" * depth, "X1" + "".join(f"/{k % 9 + 1}X1" for k in range(depth)), "G65 P2 X1" + "=1" * depth,
         )
     ],
-    # Every operator of a level waits for its right value, and more values wait than there are brackets.
+    # Every operator of a level waits for its right operand, and more operands wait than there are
+    # brackets.
     "values that wait for each other": [
         f"{head}{to}={unit * depth}{value}{close * depth}\nM30\n"
         for depth in (5, 20, 49, 64, 90, 99)
@@ -183,7 +184,7 @@ for way in (dict(), dict(external="job/d")):
 """,
             tmp_path,
         )
-    finally:  # pytest goes down the folders by calls
+    finally:  # pytest descends into folders by recursive calls
         for folder, file in zip(reversed(folders), reversed(files), strict=True):
             file.unlink()
             folder.rmdir()

@@ -1,6 +1,6 @@
-"""A machine in any hands: stepped, copied, changed, reset and run on in any order it keeps its word.
+"""A machine that is stepped, copied, changed, reset and run on in any order keeps its state right.
 
-Hypothesis makes the programs and the order of what is done; the model is what was seen before.
+Hypothesis makes the programs and the order of the actions; the model is what was seen before.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ options = st.fixed_dictionaries(
 
 
 def state(machine: cncsub.Machine) -> dict[str, Any]:
-    """All that can be read of a machine but its tables."""
+    """Return all that can be read of a machine but its tables."""
     return {
         "stop": machine.stop,
         "alarm": str(machine.alarm),
@@ -74,7 +74,7 @@ def tables(machine: cncsub.Machine | cncsub.Run) -> tuple[list[Any], list[Any], 
 
 
 class Hands(RuleBasedStateMachine):
-    """Several machines on one library, each with what it showed when it was touched last."""
+    """Several machines on one library, each with the state that it showed at its last action."""
 
     machines = Bundle("machines")
 
@@ -143,7 +143,7 @@ class Hands(RuleBasedStateMachine):
         except KeyError:
             return  # the control has no such variable
         if machine.variables[number] is None and self.control == "hnc-21m" and number >= 200:
-            return  # the local variables of a level that is not open
+            return  # a local variable of a level that is not open
         assert machine.variables[number] == value
         assert (number in machine.variables) == (value is not None)
         self.touched(machine)

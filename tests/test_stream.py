@@ -25,12 +25,12 @@ from pyarrow import parquet
 import cncsub
 
 CONTROL = "fanuc-0i-f"
-# The address sanitizer keeps memory that was given back.
+# The address sanitizer keeps memory that was freed.
 KEPT = 600 if "asan" in os.environ.get("LD_PRELOAD", "") else 0  # MiB
 TABLES = ("steps", "calls", "moves")
 
-# What a part may cut through: calls within calls, arguments, cycles, compensation, an arc, an axis
-# that comes late, a held corner, messages.
+# Things that a part may cut through: nested calls, arguments, cycles, compensation, an arc, an axis
+# that comes late, a corner that waits, messages.
 PROGRAM = """\
 O1
 N10 G90 G54 G0 X0 Y0 Z5. F100. S500 M3
@@ -83,7 +83,7 @@ def assert_same(parts: list[cncsub.Part], run: cncsub.Run) -> None:
         rows = getattr(run, table)
         for name in rows.columns:
             np.testing.assert_array_equal(together(parts, table, name), rows.column(name), name)
-    # A call comes in the part where it ended, with its number.
+    # A call comes in the part in which it ended, with its number.
     order = np.argsort(together(parts, "calls", "call"))
     for name in run.calls.columns:
         np.testing.assert_array_equal(
@@ -243,7 +243,7 @@ def test_a_ctrl_c_between_a_file_and_its_writer_leaves_no_part_of_a_file(
 
     def writer(*arguments: object, **options: object) -> object:
         made.append(real(*arguments, **options))
-        if len(made) == 8:  # none of them is the first of its table
+        if len(made) == 8:  # each table has had its first file
             raise KeyboardInterrupt
         return made[-1]
 
@@ -275,7 +275,7 @@ def test_a_stream_that_is_cut_off_leaves_whole_files(tmp_path: Path) -> None:
                 os.kill(process.pid, number)
                 told = process.communicate(timeout=60)[0]
             finally:
-                process.kill()  # it would run for ever
+                process.kill()  # without this it would run for ever
         if number == signal.SIGINT:
             assert told.strip() == "interrupted"
             assert not list(tmp_path.glob("*.part"))
@@ -313,7 +313,7 @@ def test_tables_reach_other_libraries_with_one_copy() -> None:
                 assert numbers.base is not None or nullable, f"pandas copies {name}"
                 assert not np.shares_memory(numbers, column), "a frame is its own"
                 series = pl.DataFrame(rows)[name]
-                if series.null_count():  # polars has no array of NumPy for nulls
+                if series.null_count():  # polars has no NumPy array with nulls
                     continue
                 assert np.shares_memory(series.to_numpy(allow_copy=False), column), name
 
@@ -372,7 +372,7 @@ def test_a_copy_of_a_long_run_shares_its_rows() -> None:
 
 
 def resident() -> float:
-    """MiB in memory now."""
+    """Return the MiB in memory now."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
 
@@ -431,7 +431,7 @@ def test_memory_is_limited(what: str) -> None:
     )
     assert run.stop is cncsub.Stop.LIMIT
     assert run.alarm is None
-    # A long block that is broken off has done nothing, so that its moves do not count.
+    # A long block that is broken off has done nothing, so its moves do not count.
     assert 0.9 * limit < run.core.memory < 2 * limit
     machine = cncsub.loads(WRITERS[what], control=CONTROL).machine(
         max_memory=2**20, max_blocks=10**9

@@ -1,5 +1,5 @@
-"""What is of one operating system stands in one place of each language, and the package reads and
-writes alike on all of them.
+"""Code for one operating system stands in one place of each language, and the package reads and
+writes alike on all systems.
 """
 
 from __future__ import annotations
@@ -46,14 +46,14 @@ NOT_EVERYWHERE = {
     "asyncio": "start_unix_server open_unix_connection \\w*ChildWatcher",
     "shutil": "chown",
 }
-# Methods that paths have everywhere and that fail, or mean something else, on some systems.
+# Methods of paths that exist everywhere but fail, or mean something else, on some systems.
 OF_PATHS = {"owner", "hardlink_to", "symlink_to", "lchmod", "chmod", "readlink", "rename"}
 MODULES = {
     *("fcntl", "grp", "pwd", "termios", "tty", "pty", "resource", "syslog", "curses", "readline"),
     *("msvcrt", "winreg", "winsound", "_winapi", "nt", "posix", "select", "mmap", "platform"),
 }
 
-# Headers that are of a system, and what compilers spell each in its own way.
+# Headers of one system, and what compilers spell each in its own way.
 HEADERS = {
     *("fcntl.h", "unistd.h", "io.h", "windows.h", "malloc.h", "dirent.h", "pthread.h", "signal.h"),
     *("dlfcn.h", "sched.h", "immintrin.h", "x86intrin.h", "intrin.h", "arm_neon.h", "strings.h"),
@@ -89,7 +89,7 @@ def test_what_is_of_one_compiler_stands_in_the_same_folder() -> None:
 
 
 def test_doubles_are_read_and_written_by_one_file() -> None:
-    """`from_chars` and `to_chars` of doubles are missing from libraries that compile all else."""
+    """Some libraries that compile the rest lack `from_chars` and `to_chars` of doubles."""
     wrong = []
     for file in NATIVE:
         if file.stem == "decimal":
@@ -104,7 +104,7 @@ def test_doubles_are_read_and_written_by_one_file() -> None:
 
 
 def _names(tree: ast.AST) -> list[tuple[int, str, str]]:
-    """The names that a file takes of modules: line, module, name."""
+    """Return the names that a file takes of modules: line, module, name."""
     found = []
     for node in ast.walk(tree):
         if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
@@ -117,7 +117,7 @@ def _names(tree: ast.AST) -> list[tuple[int, str, str]]:
 
 
 def _not_everywhere(file: str) -> list[str]:
-    """What a file names that some systems lack: line, and what it is."""
+    """Return the names in a file that some systems lack, each with its line."""
     tree = ast.parse(file)
     wrong = []
     for line, module, name in _names(tree):
@@ -180,7 +180,7 @@ def test_a_name_that_is_everywhere_is_not(text: str) -> None:
 
 
 def test_every_text_file_is_opened_in_an_encoding_that_is_named() -> None:
-    """Without one it is that of the country on Windows."""
+    """A file without a named encoding would be opened in that of the country on Windows."""
     wrong = []
     for file in PYTHON:
         for node in ast.walk(ast.parse(file.read_text("utf-8"))):
@@ -192,7 +192,7 @@ def test_every_text_file_is_opened_in_an_encoding_that_is_named() -> None:
             ) in ("os", "options"):
                 continue
             if name == "write_text" and isinstance(node.func, ast.Name):
-                continue  # our own, of the command line
+                continue  # our own function, of the command line
             said = [ast.unparse(a) for a in [*node.args, *(k.value for k in node.keywords)]]
             named = {keyword.arg for keyword in node.keywords} & {"encoding"}
             binary = any("b" in text for text in said[-1:] if text.strip("'\"") in ("rb", "wb"))
@@ -237,7 +237,7 @@ def test_a_reader_that_left_is_known_by_what_its_system_says(
     assert not system.nobody_reads(ValueError())
     monkeypatch.setattr(system, "WINDOWS", True)
     assert system.nobody_reads(OSError(22, "Invalid argument"))
-    assert not system.nobody_reads(OSError(22, "Invalid argument", "a?.nc"))  # no name of a file
+    assert not system.nobody_reads(OSError(22, "Invalid argument", "a?.nc"))  # no file name
     assert not system.nobody_reads(OSError(13, "Permission denied"))
 
 

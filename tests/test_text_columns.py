@@ -1,4 +1,4 @@
-"""Columns of texts compare with texts, and what is missing is a null wherever there are nulls."""
+"""Columns of texts compare with texts; a missing text is null wherever there are nulls."""
 
 from __future__ import annotations
 

@@ -40,7 +40,7 @@ N420 M99
 
 
 def outcome(run: cncsub.Run) -> tuple[object, ...]:
-    """What a run left, as values to compare."""
+    """Return the result of a run, as values to compare."""
     return (
         run.stop,
         str(run.alarm),
@@ -54,7 +54,7 @@ def outcome(run: cncsub.Run) -> tuple[object, ...]:
 
 
 def in_threads(work: Callable[[int], object]) -> list[object]:
-    """`work` of 0 to 15, all begun at once."""
+    """Return the results of `work` of 0 to 15, all begun at once."""
     together = threading.Barrier(THREADS)
 
     def begin(number: int) -> object:
@@ -62,7 +62,7 @@ def in_threads(work: Callable[[int], object]) -> list[object]:
         return work(number)
 
     interval = sys.getswitchinterval()
-    sys.setswitchinterval(1e-5)  # threads change places in the middle of things
+    sys.setswitchinterval(1e-5)  # threads switch in the middle of things
     try:
         with ThreadPoolExecutor(THREADS) as pool:
             return list(pool.map(begin, range(THREADS)))

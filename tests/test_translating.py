@@ -1,4 +1,4 @@
-"""Calls are rewritten for another control, which then does what the first one did; or refused."""
+"""Calls are rewritten for another control, which then does what the first did, or are refused."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_p_that_names_a_block_becomes_a_program_of_its_own() -> None:
 
 
 def test_a_program_without_a_head_calls_as_the_other_control_does() -> None:
-    """LinuxCNC's main program holds the blocks of those behind it: each is rewritten once."""
+    """LinuxCNC's main program holds the blocks of those after it; each block is rewritten once."""
     library = cncsub.loads(f"N10 M98 P2 L3\nN20 M30\n{SUB}", control="linuxcnc")
     made = translate(library, "gsk-980mdi")
     assert made.texts["<text>"].startswith("N10 M98 P30002\nN20 M30\nO2\n")
@@ -153,7 +153,7 @@ RETURNS = "O1\nN10 M98 P2 L3\nN20 G0 X9.\nN70 G0 X3.\nN80 M30\nO2\nN30 G0 X1.\nN
 @pytest.mark.parametrize(
     ("source", "target", "call"),
     [
-        # At once: the first M99 P ends the passes. At the last pass: all are made before.
+        # At once: the first M99 P ends the passes. At the last pass: all passes are made before.
         ("fanuc-0i-f", "mitsubishi-m700", "N10 M98 P2"),
         ("mitsubishi-m700", "fanuc-0i-f", "N10 M98 P2 L3"),
         ("fanuc-0i-f", "haas-ngc", "N10 M98 P2"),
@@ -203,7 +203,7 @@ def test_the_head_of_a_main_program_goes_where_the_control_takes_none() -> None:
     assert made.texts["<text>"].startswith("(PART)\nN10 M98 P2 L2\n")
 
 
-# ---- what is refused ----
+# ---- programs that are refused ----
 
 
 @pytest.mark.parametrize(
@@ -336,24 +336,24 @@ PROGRAMS = {
 
 
 def outcome(library: cncsub.Library, target: str, machine: str) -> cncsub.Translation | str:
-    """The translation, or why there is none."""
+    """Return the translation, or why there is none."""
     try:
         return translate(library, target, setup={"machine": machine})
     except TranslateError as error:
         known = error.program is not None or "reads the programs otherwise" in error.reason
         return "refused" if error.reason and known else f"no place: {error}"
-    except ValueError as error:  # a control that can be no lathe
+    except ValueError as error:  # a control that cannot be a lathe
         return "no such machine" if machine in str(error) else str(error)
 
 
 def machine_of(*names: str) -> str:
-    """A lathe where one of them is one."""
+    """Return the lathe if one of the controls is one, else a mill."""
     own = [r.value for name in names for r in cncsub.controls[name].rules if r.name == "machine"]
     return next((str(machine) for machine in own if machine != "mill"), "mill")
 
 
 def test_every_pair_of_controls_is_translated_or_refused_with_a_reason() -> None:
-    """Each pair with two of the programs; each program with many pairs."""
+    """Each pair is tried with two of the programs, and each program with many pairs."""
     told: Counter[str] = Counter()
     names = list(PROGRAMS)
     for place, (source, target) in enumerate(itertools.product(cncsub.controls, repeat=2)):

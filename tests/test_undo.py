@@ -1,4 +1,4 @@
-"""A block that alarms leaves everything that can be read as it was before it."""
+"""A block that alarms leaves everything that can be read as it was before the block."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ NUMBERS = [
 
 
 def seen(machine: cncsub.Machine) -> dict[str, object]:
-    """All that can be read of a machine, but for what says that it stands."""
+    """Return all that can be read of a machine, except what says that it stopped."""
     return {
         "variables": {number: machine.variables.get(number) for number in NUMBERS},
         "position": dict(machine.position),
@@ -48,13 +48,15 @@ def seen(machine: cncsub.Machine) -> dict[str, object]:
 def to_the_alarm(
     library: cncsub.Library, **options: object
 ) -> tuple[dict[str, object], ...] | None:
-    """What can be read before the block that alarms and behind it, and again behind a reset and a
-    second run, which shows the offsets and inputs that no variable tells. None without an alarm.
+    """Return what can be read before and after the block that alarms, and after a reset and a
+    second run.
+
+    The second run shows the offsets and inputs that no variable has. Returns None without an alarm.
     """
     machine = library.machine(max_blocks=60, **options)  # type: ignore[arg-type]
     before = machine.copy()
     while machine.step() is not None:
-        if machine.alarm is not None:  # a step: its words came first
+        if machine.alarm is not None:  # the alarm came in a step whose words came first
             return None
         before = machine.copy()
     if machine.alarm is None:
@@ -132,7 +134,7 @@ def test_a_block_that_alarms_changes_nothing(
         assert second == again
 
 
-# Blocks of other languages, that assign and speak and do something besides.
+# Blocks of other languages that assign, print messages and do something else too.
 TOGETHER = {
     "linuxcnc": [
         "#31=12 A-12.392 G84", "#1=2 D-0.001", "#501=0 G73", "#5221=3 #5222=4 G1 X1 F0 G93", "#<_a>=3 G2 X1",

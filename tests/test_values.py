@@ -1,4 +1,4 @@
-"""What a run hands out is a value: it does not change with the machine or by being looked at."""
+"""A result of a run is a value: it does not change with the machine or by being looked at."""
 
 from __future__ import annotations
 

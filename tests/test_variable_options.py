@@ -15,7 +15,7 @@ import cncsub
 from cncsub.cli import app
 
 MITSUBISHI = "mitsubishi-m700"
-# Whose variables are #1, #100 ...
+# The controls whose variables are #1, #100 ...
 WITH_MACROS = [name for name in cncsub.controls if name not in ("gsk-928te", "siemens-one")]
 WITH_COMMONS = [
     name
@@ -30,7 +30,7 @@ def commons(control: cncsub.Control) -> str:
 
 
 def ranges(text: str) -> list[tuple[int, int]]:
-    """`100-199 500` as pairs of first and last."""
+    """Return `100-199 500` as pairs of first and last."""
     pairs = [entry.split("-") for entry in text.split()]
     return [(int(pair[0]), int(pair[-1])) for pair in pairs]
 
@@ -44,7 +44,7 @@ def run(control: cncsub.Control, *blocks: str, **options: object) -> cncsub.Run:
     return cncsub.loads(text, control=control).run(**options)  # type: ignore[arg-type]
 
 
-# ---- what replace takes ----
+# ---- values that replace takes ----
 
 
 @pytest.mark.parametrize(
@@ -128,7 +128,7 @@ def test_what_is_given_is_put_in_order_and_options_that_share_numbers_are_one() 
     assert run(control.replace(commons=""), "#100=1").alarm.cause == "illegal-variable"  # type: ignore[union-attr]
 
 
-# ---- which variables are there ----
+# ---- the variables that exist ----
 
 
 SPAN = st.tuples(
@@ -141,7 +141,7 @@ SPAN = st.tuples(
 @settings(max_examples=20)
 @given(data=st.data())
 def test_exactly_the_commons_that_were_given_hold_values(name: str, data: st.DataObject) -> None:
-    """Written, read back, read by a computed number, step by step, and from Python alike."""
+    """They are written, read back, read by computed number, step by step, and from Python alike."""
     base = cncsub.controls[name]
     pairs: list[tuple[int, int]] = []
     for first, more in sorted(data.draw(st.lists(SPAN, min_size=1, max_size=4))):
@@ -179,7 +179,7 @@ def test_exactly_the_commons_that_were_given_hold_values(name: str, data: st.Dat
 
 @pytest.mark.parametrize("name", WITH_OPTIONS)
 def test_an_alarm_names_an_option_that_has_the_variable_and_how_it_is_fitted(name: str) -> None:
-    """What the detail says, done, lets the same program run."""
+    """If a user does what the detail says, the same program runs."""
     control = cncsub.controls[name]
     for option in control.variable_options.values():
         for number in {end for pair in ranges(option.numbers) for end in pair}:
@@ -206,7 +206,7 @@ def test_what_no_option_brings_is_only_said_not_to_be_there() -> None:
 
 
 def test_an_option_stays_fitted_where_the_list_of_the_control_does_not_change() -> None:
-    """A control's own variables stay what they were, whatever its commons are."""
+    """The variables of the control itself stay what they were, whatever its commons are."""
     for name in WITH_OPTIONS:
         few = cncsub.controls[name].replace(commons="100")
         assert run(few, "#5221=4", "#100=#5221").variables[100] == 4.0
@@ -262,7 +262,7 @@ def test_the_memory_of_a_run_counts_its_commons() -> None:
     assert run(most, "#100=1", max_memory=200_000).stop is not cncsub.Stop.END
 
 
-# ---- where they are shown ----
+# ---- the places that show them ----
 
 
 def test_the_options_of_a_control_name_their_source() -> None:

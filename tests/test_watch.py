@@ -1,4 +1,4 @@
-"""The variables that are watched: a row per change, whoever made it."""
+"""The variables that are watched: there is a row per change, whoever made it."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from conformance import Row, rows
 
 
 class Watched(NamedTuple):
-    """`changes` are written `N20 #100=5`: the block by its N, or its line as `:4`."""
+    """A watched run; `changes` are written `N20 #100=5`: the block by its N, or by line as `:4`."""
 
     control: str
     text: str
@@ -141,7 +141,7 @@ def test_a_row_for_each_change(name: str, trace: str) -> None:
     assert ", ".join(map(told, run.watch)) == of.changes
 
 
-# ---- the law: a row wherever a variable reads otherwise behind a step ----
+# ---- the law: there is a row wherever a variable reads otherwise after a step ----
 
 NUMBERS = [*range(1, 6), *range(100, 104), 500, 501, 2001, 3001, 4001, 5041, 5221]
 
@@ -158,7 +158,7 @@ def readable(library: cncsub.Library) -> list[int]:
 
 
 def seen(machine: cncsub.Machine, numbers: Sequence[int]) -> list[cncsub.Change]:
-    """What somebody notes who looks at every variable behind every step."""
+    """Return the changes that an observer notes who reads every variable after every step."""
     before = {number: machine.variables[number] for number in numbers}
     noted = []
     while (step := machine.step()) is not None:
@@ -173,7 +173,7 @@ def seen(machine: cncsub.Machine, numbers: Sequence[int]) -> list[cncsub.Change]
 
 
 def some_rows() -> Iterator[Row]:
-    """Of every control each seventeenth row of those in which something is computed or called."""
+    """Yield, for every control, each seventeenth row in which something is computed or called."""
     met: dict[str, int] = {}
     for row in rows():
         text = str(row.case.program)
@@ -194,14 +194,14 @@ def test_watching_notes_what_somebody_sees_who_looks_behind_every_step(row: Row)
     run = library.run(watch=numbers, **options)
     machine = library.machine(**options)
     assert list(run.watch) == seen(machine, numbers)
-    # And watching changes nothing.
+    # Watching changes nothing.
     assert (run.stop, run.alarm, run.blocks) == (plain.stop, plain.alarm, plain.blocks)
     assert list(run.steps) == list(plain.steps)
     assert dict(run.variables) == dict(plain.variables)
     assert run.moves.x.tolist() == plain.moves.x.tolist()
 
 
-# ---- where a run begins, and what is set from outside ----
+# ---- the start of a run, and values that are set from outside ----
 
 
 def test_the_beginning_is_told_and_is_no_row() -> None:

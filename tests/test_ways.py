@@ -16,7 +16,7 @@ from ways import by_both_ways, parting, runs_of
 
 
 def by_folder() -> dict[str, list[Row]]:
-    """The rows, a list for each folder of the tables."""
+    """Return the rows, a list for each folder of the tables."""
     lists = defaultdict(list)
     for row in rows():
         lists["/".join(row.case.topic.split("/")[:-1])].append(row)

@@ -1,4 +1,4 @@
-"""Wrong use is told in plain words, that name what was wrong and what there is instead."""
+"""Wrong use is reported in plain words that name what was wrong and what to use instead."""
 
 from __future__ import annotations
 
@@ -253,7 +253,7 @@ RAW = ("incompatible function arguments", "No constructor defined", "Unable to c
 
 
 def uses(odd: Any, tmp_path: Path) -> Iterator[Callable[[], object]]:
-    """Every function and operator of the public face with an odd argument at each place."""
+    """Yield every function and operator of the public face with an odd argument at each place."""
     known = cncsub.controls[CONTROL]
     library = cncsub.loads(TEXT, control=CONTROL)
     run = library.run()
@@ -354,7 +354,7 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
     assert source[mark.index("^")] == "?"
 
 
-# ---- the command line calls things by its own names ----
+# ---- the command line uses its own names for things ----
 
 
 @pytest.mark.parametrize(

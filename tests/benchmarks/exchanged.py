@@ -1,11 +1,11 @@
-"""Whether `cncsub.compare` names the rule that was exchanged, over many generated pairs of controls.
+"""Check that `cncsub.compare` names the rule that was exchanged, over many generated pairs.
 
     python tests/benchmarks/exchanged.py            # 1,000 pairs that differ
     python tests/benchmarks/exchanged.py 50 --seed 7
 
-A pair is a control and the same one with another value for one rule, and a program of the rows with
-changes made at random (blocks doubled, left out or moved). Prints how many pairs were named rightly
-and each that was not.
+A pair is a control and the same control with another value for one rule. The program is that of a
+row, changed at random (blocks are doubled, left out or moved). Prints how many pairs were named
+rightly and each that was not.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from conformance import Case, rows
 
 
 def changed(text: str, chance: random.Random) -> str:
-    """The program with up to two blocks doubled, left out or moved."""
+    """Return the program with up to two blocks doubled, left out or moved."""
     lines = text.split("\n")
     for _ in range(chance.randrange(3)):
         at, to = chance.randrange(len(lines)), chance.randrange(len(lines))
@@ -40,7 +40,7 @@ def changed(text: str, chance: random.Random) -> str:
 
 
 def pairs(seed: int) -> Iterator[tuple[Case, str, cncsub.Control, cncsub.Control, str]]:
-    """Cases, their programs changed, a control, the one with another value of a rule, the rule."""
+    """Yield a case, its changed program, a control, the control with a changed rule, that rule."""
     chance = random.Random(seed)
     known = [
         row
@@ -69,13 +69,13 @@ def pairs(seed: int) -> Iterator[tuple[Case, str, cncsub.Control, cncsub.Control
 def named(
     case: Case, text: str, one: cncsub.Control, other: cncsub.Control, rule: str
 ) -> tuple[str, str]:
-    """`"same"`, `"named"` or `"misnamed"`, and what is wrong."""
+    """Return `"same"`, `"named"` or `"misnamed"`, and what is wrong."""
     options = {"max_blocks": 2000, **case.options}
     external = None if case.external is None else outcome._folder(case, "external")
     library = cncsub.loads(text, control=one, external=external)
     try:
         compared = cncsub.compare(library, controls=[one, other], **options)
-    except (KeyError, ValueError) as error:  # its main program or its start is none
+    except (KeyError, ValueError) as error:  # the text has no such main program or start
         return "same", str(error)
     if compared.same:
         return "same", ""
@@ -86,7 +86,7 @@ def named(
 
 
 def look(count: int, seed: int) -> tuple[int, list[str]]:
-    """How many of `count` pairs that differ were named rightly, and what is wrong with others."""
+    """Return how many of `count` pairs that differ were named rightly, and the faults of others."""
     right, wrong = 0, []
     for pair in pairs(seed):
         found, told = named(*pair)

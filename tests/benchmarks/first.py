@@ -1,10 +1,10 @@
-"""What is paid once and what is paid each time: `python tests/benchmarks/first.py [--rounds N]`.
+"""Measure what is paid once and what each time: `python tests/benchmarks/first.py [--rounds N]`.
 
-A process pays the system for each page that it touches first, so the first run of a command is
-measured as a process of its own: processor seconds, page faults, the most memory. Beside it stands
-what the same costs when it is done again in one process. The figures are processor time, the
-fastest of some rounds: other work only adds to them. Reading by two threads is told by the time of
-the thread that waits for both, and by that of both together.
+A process pays the system for each page that it touches first. So the first run of a command is
+measured as a process of its own: processor seconds, page faults, the most memory. Next to it stands
+the cost of the same work repeated in one process. The figures are processor time, the fastest of
+some rounds, because other work only adds to them. Reading by two threads is reported twice: the
+time of the thread that waits for both, and the time of both together.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ WATCHED = [*range(100, 150)]
 
 
 def first_times(folder: Path, rounds: int) -> Iterator[tuple[str, str, str, str]]:
-    """Title, milliseconds of processor time, page faults, megabytes of processes of their own."""
+    """Yield titles with processor time (ms), page faults and megabytes of a new process."""
     run = [sys.executable, "-m", "cncsub", "run", "--control", CONTROL]
     commands = {
         "`python -c pass`": [sys.executable, "-c", "pass"],
@@ -54,7 +54,7 @@ def first_times(folder: Path, rounds: int) -> Iterator[tuple[str, str, str, str]
 
 
 def fastest(work: Callable[[], object], rounds: int) -> tuple[float, float]:
-    """Processor seconds of all threads, and of this one."""
+    """Return the processor seconds of all threads, and those of this thread."""
     best = (float("inf"), float("inf"))
     for _ in range(rounds):
         all_before, own_before = time.process_time(), time.thread_time()
@@ -71,7 +71,7 @@ def reading(path: Path, threads: int) -> Callable[[], object]:
 
 
 def again(folder: Path, rounds: int) -> Iterator[tuple[str, str, str]]:
-    """Title, all threads, the thread that asked: in one process, done before."""
+    """Yield titles with the times of all threads and of the thread that asked, in one process."""
 
     def row(
         title: str, unit: str, times: float, work: Callable[[], object]
@@ -127,7 +127,7 @@ def main() -> None:
         return
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made)
-        # In a process of its own: what this one holds would show in the memory of the others.
+        # This runs in a process of its own: the memory of this one would show in the others.
         subprocess.run([sys.executable, __file__, "--write", made], check=True)
         heads = ["a process of its own", "ms", "page faults", "MB"]
         print("\n".join(report.markdown(heads, list(first_times(folder, arguments.rounds)))))

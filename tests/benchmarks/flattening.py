@@ -1,8 +1,8 @@
-"""Flattening: `python tests/benchmarks/flattening.py [--blocks N]`.
+"""Measure flattening: `python tests/benchmarks/flattening.py [--blocks N]`.
 
-Each way to come to a million blocks by itself: how many blocks of the run are flattened a second of
-processor time (reading is not counted), the run alone without and with its moves beside it, and what
-memory the text took that is written in pieces.
+Measures each way to come to a million blocks: how many blocks of the run are flattened in a second
+of processor time (reading is not counted), the run alone without and with its moves, and the memory
+of the text, which is written in pieces.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ import report
 import cncsub
 
 CONTROL = "fanuc-0i-f"
-_PASSES = 9999  # of an M98 L
+_PASSES = 9999  # the repeats of one M98 L
 
-# By name: the program that executes about so many blocks.
+# For each name, the program that executes about so many blocks.
 KINDS: dict[str, Callable[[int], str]] = {
     "plain moves, once each": lambda n: (
         "O1\nG90 G1 F900\n"

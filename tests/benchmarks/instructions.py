@@ -1,12 +1,12 @@
-"""Counts instructions, which no other work on the machine changes: `python tests/benchmarks/instructions.py`.
+"""Count instructions, which depend on no other work: `python tests/benchmarks/instructions.py`.
 
-Every workload runs in three sizes under valgrind's callgrind, each four times the one before. What
-one more block costs is the slope between two sizes. Two things fail: a slope that grows with the
-size, because the cost is to stay in proportion; and a slope above that of `instructions.json` by
-more than the margin. `--store` makes those of now the measure.
+Every workload runs in three sizes under valgrind's callgrind, each four times the one before. The
+cost of one more block is the slope between two sizes. Two things fail: a slope that grows with the
+size, because the cost has to stay in proportion; and a slope above that of `instructions.json` by
+more than the margin. `--store` writes the counts of this run into that file.
 
-Counts depend on the compiler. Where `instructions.json` has none of the compiler that built the
-module, those of another are compared with a margin so wide that only a blunder exceeds it.
+Counts depend on the compiler. If `instructions.json` has no counts of the compiler that built the
+module, those of another are compared, with a margin so wide that only a blunder exceeds it.
 """
 
 from __future__ import annotations
@@ -33,22 +33,22 @@ import texts
 
 STORED = Path(__file__).resolve().with_name("instructions.json")
 STEPS = (1, 4, 16)
-PROPORTION = 1.10  # the slope may grow by so much: tables that double, columns that begin small
-MARGIN = 1.10  # above the stored count of the same compiler: its patch level, the C library
+PROPORTION = 1.10  # how much the slope may grow: tables double, columns begin small
+MARGIN = 1.10  # above the stored count of the same compiler: for its patch level and the C library
 OTHER_MARGIN = 1.75  # above the count of another compiler
 
 
 @dataclass(frozen=True)
 class Counted:
-    """A workload: its text by its size, and how many units of work a size has."""
+    """A workload: its text for a size, and how many units of work a size has."""
 
-    title: str  # of one unit
+    title: str  # the name of one unit
     text: Callable[[int], str]
-    units: int  # in size 1
+    units: int  # the units of size 1
     control: str = "fanuc-0i-f"
     trace: str = "none"
-    reads: bool = False  # reading it is counted too
-    kind: kinds.Kind | None = None  # a block of this kind, with its setup
+    reads: bool = False  # reading is counted too
+    kind: kinds.Kind | None = None  # the units are blocks of this kind, with its setup
 
 
 COUNTED = {
@@ -117,11 +117,11 @@ COUNTED = {
 }
 
 
-BLOCKS = 400  # of a kind, in size 1
+BLOCKS = 400  # the blocks of a kind in size 1
 
 
 def of_kind(kind: kinds.Kind) -> Counted:
-    """Blocks of a kind, their steps and moves kept."""
+    """Return a workload of blocks of a kind whose steps and moves are kept."""
 
     def text(size: int) -> str:
         return kind.text(BLOCKS * size)[0]
@@ -148,16 +148,16 @@ class Slope:
 
 
 def mark() -> None:
-    """callgrind writes down its count, and begins a new one, whenever this is called."""
+    """Make callgrind write down its count and begin a new one."""
     os.getpriority(os.PRIO_PROCESS, 0)
 
 
 def work(folder: Path) -> None:
-    """What is counted: reading and running every file, in the order of `names`."""
+    """Read and run every file in the order of `names`; this is the work that is counted."""
     import cncsub
 
-    gc.disable()  # when Python looks for garbage depends on much that is of no interest here
-    for size in (STEPS[0], *STEPS):  # the first time is for what is made once
+    gc.disable()  # garbage collection would add counts that depend on unrelated allocations
+    for size in (STEPS[0], *STEPS):  # the first pass makes what is made only once
         for name, counted in COUNTED.items():
             file = folder / f"{name} {size}.nc"
             mark()
@@ -171,7 +171,7 @@ def work(folder: Path) -> None:
 
 
 def names() -> Iterator[str]:
-    """What lies between two marks; nothing where it is of no interest."""
+    """Yield the name of the work between two marks, empty where its count is not used."""
     for _ in (STEPS[0], *STEPS):
         for name, counted in COUNTED.items():
             yield ""
@@ -180,7 +180,7 @@ def names() -> Iterator[str]:
 
 
 def count(folder: Path) -> list[int]:
-    """The counts between the marks of `work`, in a Python under callgrind."""
+    """Return the counts between the marks of `work`, in a Python under callgrind."""
     for name, counted in COUNTED.items():
         for size in STEPS:
             (folder / f"{name} {size}.nc").write_text(counted.text(size), encoding="ascii")
@@ -202,7 +202,7 @@ def count(folder: Path) -> list[int]:
 
 
 def total(file: Path) -> int:
-    """Where one file is written at each mark, the n-th has what was before the n-th mark."""
+    """Return the count of one file of callgrind: the n-th has what was before the n-th mark."""
     found = re.search(r"^(?:totals|summary): (\d+)", file.read_text(), re.MULTILINE)
     if found is None:
         raise SystemExit(f"{file.name} of callgrind has no total")
@@ -210,7 +210,7 @@ def total(file: Path) -> int:
 
 
 def slopes(counts: list[int]) -> dict[str, Slope]:
-    """By the name of what was counted."""
+    """Return the slopes by the name of the workload."""
     by_name: dict[str, list[int]] = {}
     for name, instructions in zip(names(), counts):
         if name:
@@ -230,7 +230,7 @@ def slopes(counts: list[int]) -> dict[str, Slope]:
 
 
 def compiler() -> str:
-    """Who built the module, by what compilers leave in it, and for which processors."""
+    """Return the compiler that built the module, by the mark it leaves there, and the processor."""
     module = util.find_spec("cncsub._core")
     assert module is not None
     assert module.origin is not None
@@ -242,7 +242,7 @@ def compiler() -> str:
 
 
 def allowed(stored: Mapping[str, Mapping[str, float]], built: str) -> dict[str, float]:
-    """The most instructions of each workload: the stored ones with the margin that fits."""
+    """Return the most instructions of each workload: the stored ones with the margin that fits."""
     if built in stored:
         return {name: count * MARGIN for name, count in stored[built].items()}
     most: dict[str, float] = {}
@@ -253,7 +253,7 @@ def allowed(stored: Mapping[str, Mapping[str, float]], built: str) -> dict[str, 
 
 
 def faults(found: Mapping[str, Slope], most: Mapping[str, float]) -> list[str]:
-    """What is wrong: costs out of proportion, and costs that rose."""
+    """Return what is wrong: costs out of proportion, and costs that rose."""
     wrong = []
     for name, slope in found.items():
         if not slope.in_proportion:
@@ -270,7 +270,7 @@ def faults(found: Mapping[str, Slope], most: Mapping[str, float]) -> list[str]:
 
 
 def table(found: Mapping[str, Slope]) -> str:
-    """What one more of everything costs."""
+    """Return a table of what one more unit of each workload costs."""
 
     def cell(name: str) -> str:
         return f"{found[name].large:,.0f}" if name in found else ""

@@ -1,10 +1,10 @@
-"""Every common kind of block by itself: `python tests/benchmarks/kinds.py [KIND...]`.
+"""Measure every common kind of block by itself: `python tests/benchmarks/kinds.py [KIND...]`.
 
-A kind is a few lines, said again and again with other numbers. Reading them and running them with
-moves are timed apart, in processor time, the fastest of some rounds in one process: the noise of
-other work only adds to it. All of it is done on one core, as by LinuxCNC's `rs274`, which runs the
-same file where it is installed and knows the kind: of several cores, each takes a part of a large
-file, and more processor time is spent in all.
+A kind is a few lines, repeated with other numbers. Reading them and running them with moves are
+timed apart, in processor time, the fastest of some rounds in one process, because the noise of
+other work only adds to it. Everything runs on one core, as LinuxCNC's `rs274` does, which runs the
+same file where it is installed and knows the kind. On several cores each would take a part of a
+large file, which spends more processor time in all.
 """
 
 from __future__ import annotations
@@ -29,17 +29,17 @@ CONTROL = "fanuc-0i-f"
 
 @dataclass(frozen=True)
 class Kind:
-    """Lines by a number that changes, behind a beginning."""
+    """Lines for a number that changes, with what stands before and after them."""
 
     title: str
     lines: Callable[[int], str]
     before: str = ""
-    behind: str = ""  # the M30: programs that are called
+    behind: str = ""  # after the M30: programs that are called
     lathe: bool = False
     peer: bool = True  # rs274 runs the same text
 
     def text(self, blocks: int) -> tuple[str, int]:
-        """The program and how many blocks it has."""
+        """Return the program and how many blocks it has."""
         count = len(self.lines(0).splitlines())
         body = "\n".join(self.lines(i) for i in range(max(1, blocks // count)))
         text = f"{self.head}{self.before}{body}\nM30\n{self.behind}"
@@ -47,7 +47,7 @@ class Kind:
 
     @property
     def setup(self) -> cncsub.Setup:
-        """What lies at the machine: a tool, its offsets, a reference point."""
+        """Return the setup of the machine: a tool, its offsets, a reference point."""
         if self.lathe:
             return cncsub.Setup(
                 machine="lathe-a", tools={n: {"R": 0.4 if n == 2 else 1.0} for n in (1, 2, 3)}
@@ -66,12 +66,12 @@ class Kind:
         )
 
 
-# The tools of rs274 with the same offsets, in its inches: of a length, of a diameter.
+# The same tools for rs274, whose unit is inches: Z is a length, D a diameter.
 TOOLS = "".join(f"T{n} P{n} Z0.3937 D0.0787\n" for n in range(1, 10))
 
 
 def at(i: int, step: int = 0) -> str:
-    """A place with three decimals near the origin."""
+    """Return a place near the origin with three decimals."""
     return f"X{(i * 37 + step * 11) % 1000 / 10:.3f} Y{(i * 53 + step * 7) % 1000 / 10:.3f}"
 
 
@@ -114,7 +114,7 @@ KINDS = {
     "dwell": Kind("G4", lambda i: "G4 P1"),
     "comment": Kind("comment", lambda i: f"(CUT {i})\nG1 {at(i)} (SIDE {i % 9})"),
     "slash": Kind("block skip", lambda i: f"/G1 {at(i)}"),
-    # Offsets, zero points and turned coordinates.
+    # Offsets, zero points and rotated coordinates.
     "machine": Kind("G53 G0", lambda i: f"G53 G0 {at(i)}"),
     "systems": Kind("G54, G55", lambda i: "G54 G0 X1.\nG55 G0 X2."),
     "extra": Kind("G54.1 P", lambda i: f"G54.1 P{i % 40 + 1}\nG0 X1.", peer=False),
@@ -269,7 +269,7 @@ KINDS = {
 
 
 def measured(kind: Kind, blocks: int, rounds: int) -> tuple[float, float]:
-    """Seconds a block of reading, and of running with moves."""
+    """Return the seconds a block of reading, and of running with moves."""
     text, count = kind.text(blocks)
     reads, runs = [], []
     for _ in range(rounds):
@@ -287,7 +287,7 @@ def measured(kind: Kind, blocks: int, rounds: int) -> tuple[float, float]:
 
 
 def peer(kind: Kind, blocks: int, program: str) -> float | None:
-    """Seconds a block of rs274, its start subtracted; nothing where it refuses the text."""
+    """Return the seconds a block of rs274, its start subtracted; None where it refuses the text."""
     with tempfile.TemporaryDirectory() as folder:
         file, tools = Path(folder) / "kind.ngc", Path(folder) / "tools.tbl"
         tools.write_text(TOOLS)
@@ -311,7 +311,7 @@ def peer(kind: Kind, blocks: int, program: str) -> float | None:
 
 
 def one_core() -> None:
-    """Keeps this process to one of its cores, where the system lets it."""
+    """Keep this process to one of its cores, where the system lets it."""
     if hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
 

@@ -1,10 +1,11 @@
-"""One measurement in a process of its own: `python measure.py <JOB` prints what it took, as JSON.
+"""Make one measurement in its own process: `python measure.py <JOB` prints the figures as JSON.
 
 A job names who does the work, the files, and how much work it is. A module does it twice: `first`
-are the seconds in a new process, where memory is touched that nobody had before, `seconds` those of
-the second time. They are those of the processor, so that other work on the machine does not count;
-where threads work side by side they are those of the clock, less what a thread stood ready without
-a core. Importing a module is not counted. What somebody cannot run prints as `{"refused": why}`.
+is the seconds in a new process, whose memory is touched for the first time, `seconds` those of the
+second time. Both are seconds of the processor, so that other work on the machine does not count.
+Threads that work side by side are measured by the clock, less the time in which a thread was ready
+but had no core. Importing a module is not counted. A peer that cannot run the work prints
+`{"refused": why}`.
 """
 
 from __future__ import annotations
@@ -22,16 +23,16 @@ from pathlib import Path
 from typing import Any
 
 Figures = dict[str, Any]
-STEPPED = 50_000  # blocks that are executed one by one
-PATIENCE = 20  # seconds, after which nothing is done once more
+STEPPED = 50_000  # the blocks that are executed one by one
+PATIENCE = 20  # seconds after which no work is repeated
 
 
 class RefusedError(Exception):
-    """A peer cannot run a workload; the text says why."""
+    """A peer that cannot run a workload; the text says why."""
 
 
 def memory(field: str) -> int:
-    """Bytes of this process by `/proc/self/status`: VmRSS now, VmHWM at most."""
+    """Return the bytes of this process in `/proc/self/status`: VmRSS is now, VmHWM the most."""
     for line in Path("/proc/self/status").read_text().splitlines():
         if line.startswith(field + ":"):
             return int(line.split()[1]) * 1024
@@ -39,13 +40,13 @@ def memory(field: str) -> int:
 
 
 def forget_peak() -> None:
-    """VmHWM begins again at the memory of now, where the system allows that."""
+    """Reset VmHWM to the memory of now, where the system allows that."""
     with contextlib.suppress(OSError):
         Path("/proc/self/clear_refs").write_text("5")
 
 
 def expect(what: str, found: int, expected: int) -> None:
-    """A little more than expected is what some write for the start and the end."""
+    """Check a count; some peers write a little more than expected for the start and the end."""
     if not expected <= found <= expected + 4:
         raise RefusedError(f"makes {found:,} {what}, not {expected:,}")
 
@@ -54,18 +55,18 @@ def expect(what: str, found: int, expected: int) -> None:
 
 
 def run_cncsub(files: list[str], control: str, trace: str, blocks: int) -> Figures:
-    """Load and run one file, and once more: memory is that of the first time."""
-    first = load_and_run(files[0], control, trace, blocks)[0]  # whose moves are given back
+    """Load and run one file twice; the memory is that of the first time."""
+    first = load_and_run(files[0], control, trace, blocks)[0]  # the moves of this run are freed
     again, run = load_and_run(files[0], control, trace, blocks)
     times = {key: again[key] for key in ("seconds", "read", "run")}
     stepped = step_through(files[0], control, trace)
-    # NumPy comes last: its threads turn round for a while, and their seconds would count.
+    # NumPy comes last: its threads spin for a while, and their seconds would count.
     opened = {"columns": open_columns(run.moves), "step columns": open_columns(run.steps)}
     return first | times | {"first": first["seconds"], "stepped": stepped} | opened
 
 
 def load_and_run(file: str, control: str, trace: str, blocks: int) -> tuple[Figures, Any]:
-    """The figures, and the run."""
+    """Return the figures, and the run."""
     import cncsub
 
     began = time.process_time()
@@ -93,7 +94,7 @@ def load_and_run(file: str, control: str, trace: str, blocks: int) -> tuple[Figu
 
 
 def step_through(file: str, control: str, trace: str) -> float:
-    """Seconds of a block that is executed by `machine.step()`, over the first blocks of a file."""
+    """Return the seconds of one `machine.step()`, over the first blocks of a file."""
     import cncsub
 
     machine = cncsub.load(file, control=control).machine(trace=trace)
@@ -103,8 +104,9 @@ def step_through(file: str, control: str, trace: str) -> float:
 
 
 def open_columns(table: Any) -> float:
-    """Seconds for all columns of a table as NumPy arrays; the import of NumPy is not counted. Those
-    of all threads count.
+    """Return the seconds of all threads for all columns of a table as NumPy arrays.
+
+    The import of NumPy is not counted.
     """
     importlib.import_module("numpy")
     began = time.process_time()
@@ -114,14 +116,14 @@ def open_columns(table: Any) -> float:
 
 
 def waited() -> float:
-    """Seconds this thread stood ready and was given no core, where the system tells."""
+    """Return the seconds in which this thread was ready but had no core, if the system says so."""
     with contextlib.suppress(OSError):
         return int(Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
     return 0
 
 
 def read_and_run(path: str, control: str, moves: int) -> float:
-    """Every program of a file or folder; the seconds of the clock, less those without a core."""
+    """Run every program of a file or folder; return the seconds less those without a core."""
     import cncsub
 
     began = time.perf_counter() - waited()
@@ -133,9 +135,9 @@ def read_and_run(path: str, control: str, moves: int) -> float:
 
 
 def run_threads(files: list[str], control: str, moves: int) -> Figures:
-    """Files or folders one after the other, then each in a thread of its own.
+    """Run files or folders one after the other, then each in a thread of its own.
 
-    Waiting for another thread counts, waiting for a core that another process has does not.
+    Waiting for another thread counts; waiting for a core that another process has does not.
     """
     importlib.import_module("cncsub")
 
@@ -151,22 +153,23 @@ def run_threads(files: list[str], control: str, moves: int) -> Figures:
 
     first, peak = processor(in_turn), memory("VmHWM")
     seconds = processor(in_turn)
-    # Threads that run short programs hand Python's lock to each other ten thousand times: whatever
-    # else the machine does meanwhile costs them more than it takes, so the best of some rounds.
+    # Threads that run short programs pass Python's lock to each other ten thousand times, so other
+    # work on the machine costs them more than its own time. Therefore the best of some rounds is
+    # taken.
     one = min(in_turn() for _ in range(5))
     two = min(side_by_side() for _ in range(10))
     return {"seconds": seconds, "first": first, "peak": peak, "one": one, "two": two}
 
 
 def processor(work: Callable[[], object]) -> float:
-    """Seconds of the processor."""
+    """Return the seconds of the processor that the work takes."""
     began = time.process_time()
     work()
     return time.process_time() - began
 
 
 def import_cncsub() -> Figures:
-    """Seconds of `import cncsub`, and which heavy modules it brought along."""
+    """Return the seconds of `import cncsub`, and the heavy modules that it imported."""
     began = time.process_time()
     cncsub = importlib.import_module("cncsub")
     seconds = time.process_time() - began
@@ -179,7 +182,7 @@ def import_cncsub() -> Figures:
 
 
 class Canon:
-    """What the interpreter of LinuxCNC calls for everything a program does: it counts the moves."""
+    """The callbacks of LinuxCNC's interpreter for all that a program does; it counts the moves."""
 
     def __init__(self) -> None:
         self.parameter_file = ""
@@ -228,7 +231,7 @@ def run_nc_gcode_interpreter(module: Any, file: str, moves: int, blocks: int) ->
 
 
 def parse_pygcode(module: Any, file: str, moves: int, blocks: int) -> None:
-    """Line by line, and each is forgotten at once: kept it takes 1.8 kB."""
+    """Parse line by line and keep no line: a kept line takes 1.8 kB."""
     text = Path(file).read_text(encoding="ascii")
     lines = [line for line in text.splitlines() if not line.startswith("O")]
     expect("lines", sum(len(module.Line(line).block.gcodes) > 0 for line in lines), moves)
@@ -247,7 +250,7 @@ MODULES: dict[str, Callable[[Any, str, int, int], None]] = {
 
 
 def run_module(peer: str, files: list[str], moves: int, blocks: int) -> Figures:
-    """The module reads the files itself, or gets their texts; once more where that is soon done."""
+    """Let the module read the files, or hand it their texts; repeat this if it is fast."""
     module = importlib.import_module(peer.replace("-", "_"))
 
     def work() -> float:
@@ -255,7 +258,7 @@ def run_module(peer: str, files: list[str], moves: int, blocks: int) -> Figures:
         for file in files:
             try:
                 MODULES[peer](module, file, moves // len(files), blocks // len(files))
-            except ValueError as error:  # what those in Python raise at words they do not know
+            except ValueError as error:  # what peers in Python raise at words that they do not know
                 raise RefusedError(str(error).partition("{")[0].strip()) from error
         return time.process_time() - began
 
@@ -267,12 +270,12 @@ def run_module(peer: str, files: list[str], moves: int, blocks: int) -> Figures:
 
 
 def run_rs274(files: list[str], program: str) -> Figures:
-    """Its start is counted; the moves it prints are thrown away."""
+    """Run the program; its start is counted, and the moves it prints are thrown away."""
     folder = Path(files[0]).parent
     tools, variables = folder / "tool.tbl", folder / "rs274.var"
     for file in (tools, variables):
         file.touch()
-    home = os.environ | {"HOME": str(folder)}  # where it keeps a file that two at once would spoil
+    home = os.environ | {"HOME": str(folder)}  # for a file that two at once would spoil
     command = [program, "-t", str(tools), "-v", str(variables), "-g", files[0]]
     with subprocess.Popen(
         command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, env=home

@@ -1,4 +1,4 @@
-"""Programs as CAM systems write them: everything that real programs mix, generated to any length."""
+"""Programs as CAM systems write them: all that real programs mix, generated to any length."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ import math
 import random
 from collections.abc import Iterator
 
-LAST_N = 99_990  # then the numbers begin again, as posts let them
-MILL_ROUND = 5_010  # blocks, after which a mill's operations come again
+LAST_N = 99_990  # after it the numbers begin again, as posts let them
+MILL_ROUND = 5_010  # the blocks after which the operations of a mill repeat
 TURNED_PART = 92
 
 
 class Mill:
-    """Operation after operation on a machining centre, in the words of a control or of LinuxCNC."""
+    """Operations in turn on a machining centre, in the words of a control or of LinuxCNC."""
 
     def __init__(self, linuxcnc: bool) -> None:
         self.chance = random.Random(3)
         self.linuxcnc = linuxcnc
 
     def operations(self) -> Iterator[str]:
-        """The blocks, without their numbers; comments begin with a bracket."""
+        """Yield the blocks without their numbers; comments begin with a bracket."""
         kinds = (self.rough, self.contours, self.drill, self.helices, self.surface)
         for number in range(1_000_000):
             tool = number % len(kinds) + 1
@@ -44,7 +44,7 @@ class Mill:
         return f"{self.chance.uniform(-150, 150):.3f}"
 
     def rough(self) -> Iterator[str]:
-        """Lanes with rounded ends, a level below the other."""
+        """Yield lanes with rounded ends, each level below the one before."""
         for level in range(1, 6):
             yield f"G1 Z-{level * 1.5:.3f} F200."
             yield "F1200."
@@ -63,7 +63,7 @@ class Mill:
             yield "X-43.75 Y0."
 
     def contours(self) -> Iterator[str]:
-        """Pockets that compensation leads around."""
+        """Yield pockets with radius compensation."""
         for number in range(60):
             x, y = number % 10 * 60.0, number // 10 * 60.0
             yield f"G0 X{x + 20:.3f} Y{y + 20:.3f}"
@@ -100,7 +100,7 @@ class Mill:
             yield "G0 Z5."
 
     def surface(self) -> Iterator[str]:
-        """A blade, with five axes."""
+        """Yield a blade, milled with five axes."""
         yield "G1 F2500."
         for lane in range(12):
             for i in range(100):
@@ -114,7 +114,7 @@ class Mill:
 
 
 def milling(blocks: int, linuxcnc: bool = False) -> str:
-    """So many blocks of a mill, with N in every one that is no comment."""
+    """Return so many blocks of a mill; every block but a comment has an N."""
     lines, count = [], 0
     for line in Mill(linuxcnc).operations():
         if line[0] == "(":
@@ -130,7 +130,7 @@ def milling(blocks: int, linuxcnc: bool = False) -> str:
 
 
 def turning(blocks: int) -> str:
-    """So many blocks of a lathe: roughing cycles and the profile they follow, nose radius, threads."""
+    """Return so many blocks of a lathe: roughing cycles with a profile, nose radius, threads."""
     chance, lines = random.Random(4), []
     for part in range(-(-blocks // TURNED_PART)):
         first, last = part % 400 * 20 + 1000, part % 400 * 20 + 1010

@@ -1,4 +1,4 @@
-"""The other programs that are measured: which of them are here, and what they can be given."""
+"""The other programs that are measured: which of them are installed, and what they can run."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from workloads import Workload
 
 @dataclass(frozen=True)
 class Peer:
-    """A program or module; `program` is its path, and empty for a module."""
+    """A program or module; `program` is its path, which is empty for a module."""
 
     name: str
     source: str
     found: Callable[[], str | None]  # its version, path or name; None where it is not installed
-    job: str  # of measure.py
+    job: str  # a job of measure.py
     only_reads: bool = False
 
     def refuses(self, workload: Workload) -> str | None:
-        """Why it is not even tried."""
+        """Return why the peer is not even tried, or None."""
         if self.job == "lua":
             return None if self.name in workload.own_words else "another language"
         if self.job == "rs274" and len(workload.files) > 1:
@@ -36,7 +36,7 @@ class Peer:
         return None
 
     def measurement(self, workload: Workload, files: list[str]) -> dict[str, Any]:
-        """The job that measures it."""
+        """Return the job that measures it."""
         if self.job == "module":
             given = {"peer": self.name, "moves": workload.moves, "blocks": workload.blocks}
         else:
@@ -50,7 +50,7 @@ def module_version(name: str) -> str | None:
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:
-        return "installed"  # by no package manager of Python
+        return "installed"  # no package manager of Python installed it
 
 
 def module(name: str, source: str = "package index", **more: Any) -> Peer:

@@ -1,9 +1,9 @@
-"""Time and memory over five decades of blocks: `python tests/benchmarks/proportion.py`.
+"""Measure time and memory over five decades of blocks: `python tests/benchmarks/proportion.py`.
 
 Prints a table; `--write FILE.svg` draws it too, which needs matplotlib. Every point is a process of
-its own, the median of several runs in it, in seconds of the processor. The exponent is that of the
-size from ten thousand blocks on, where the start of a run, some microseconds, no longer shows: 1
-where the cost is in proportion, 0 where it stays the same.
+its own: the median of several runs in it, in seconds of the processor. The exponent is that of the
+size from ten thousand blocks on, where the start of a run, some microseconds, no longer shows. It
+is 1 where the cost is in proportion, 0 where it stays the same.
 """
 
 from __future__ import annotations
@@ -28,22 +28,22 @@ import texts
 
 DECADES = range(6)
 SPEND = 0.2  # seconds after which a point is not repeated
-PAGE = 4096  # bytes; less cannot be seen from outside
+PAGE = 4096  # bytes; a smaller change cannot be seen from outside
 
 
 @dataclass(frozen=True)
 class Line:
-    """What is drawn as one line: a text of about so many blocks, and what of it is measured."""
+    """One line of the drawing: a text of about so many blocks, and what of it is measured."""
 
     label: str
     text: Callable[[int], str]
     smallest: int  # blocks
-    trace: str  # of the run; "read" where the reading is measured
+    trace: str  # the trace of the run, or "read" to measure the reading
     memory: bool = False  # the memory of the run is drawn too
 
 
 def call_loop(blocks: int) -> str:
-    """Passes of nine blocks."""
+    """Return a program of passes of nine blocks."""
     passes = max(1, blocks // 9)
     return texts.call_loop(max(1, passes // 9999), min(passes, 9999))
 
@@ -71,14 +71,14 @@ Point = tuple[int, float, int]  # blocks, seconds, bytes
 
 
 def point(line: Line, blocks: int) -> Point:
-    """The seconds of one size, and the bytes of a run above those before it."""
+    """Return the blocks, the seconds, and the bytes of a run above those before it."""
     import cncsub
 
     with tempfile.NamedTemporaryFile("w", suffix=".nc") as file:
         file.write(line.text(blocks))
         file.flush()
         library = cncsub.load(file.name, control="fanuc-0i-f")
-        library.run(max_blocks=1)  # the first time is for what is made once
+        library.run(max_blocks=1)  # the first run makes what is made only once
 
         def once() -> object:
             if line.trace == "read":
@@ -100,12 +100,12 @@ def seconds_of(act: Callable[[], object]) -> float:
     began = time.process_time()
     made = act()
     done = time.process_time()
-    del made  # giving it back is not counted
+    del made  # freeing it is not counted
     return done - began
 
 
 def points(line: Line) -> list[Point]:
-    """All sizes, each measured in a process of its own."""
+    """Measure all sizes, each in a process of its own."""
     found = []
     for decade in DECADES:
         command = [sys.executable, __file__, "--point", line.label, str(line.smallest * 10**decade)]
@@ -115,7 +115,7 @@ def points(line: Line) -> list[Point]:
 
 
 def exponent(values: list[tuple[int, float]]) -> float:
-    """By which power of the size the values grow, from the least squares of the logarithms.
+    """Return the power of the size with which the values grow, by least squares of the logarithms.
 
     >>> round(exponent([(10_000, 5.0), (100_000, 50.0), (1_000_000, 500.0)]), 3)
     1.0

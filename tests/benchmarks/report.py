@@ -20,7 +20,7 @@ Row = tuple[str, ...]
 
 
 def report(results: Results) -> str:
-    """All tables, with the machine and what could not be measured."""
+    """Return all tables, with the machine and what could not be measured."""
     return "\n".join(
         [
             *markdown(
@@ -38,8 +38,8 @@ def report(results: Results) -> str:
 
 
 def write(file: Path, mark: str, text: str) -> None:
-    """Replace what stands between two marks of a file, such as those of this function's callers in
-    the page: `<!-- benchmark -->` and `<!-- end of benchmark -->`.
+    """Replace the text between two marks of a file, such as `<!-- benchmark -->` and
+    `<!-- end of benchmark -->` of the page.
     """
     head, begin, rest = file.read_text(encoding="utf-8").partition(f"<!-- {mark} -->")
     _, end, tail = rest.partition(f"<!-- end of {mark} -->")
@@ -49,12 +49,12 @@ def write(file: Path, mark: str, text: str) -> None:
 
 
 def markdown(heads: list[str], rows: Iterable[Row]) -> list[str]:
-    """A table whose columns but the first stand to the right."""
+    """Return a table; all columns but the first are aligned to the right."""
     lines = [heads, ["---", *["---:"] * (len(heads) - 1)], *rows]
     return [f"| {' | '.join(cells)} |" for cells in lines]
 
 
-# ---- beside the peers ----
+# ---- compared with the peers ----
 
 
 def peer_rows(results: Results) -> Iterator[Row]:
@@ -98,7 +98,7 @@ def times(results: Results, workload: str, who: str) -> str:
 
 
 def notes(results: Results) -> Iterator[str]:
-    """Machine, versions, and what is behind each dash."""
+    """Yield the machine, the versions, and the reason for each dash."""
     version = results.last("import", "cncsub", "version")
     known = [f"{peer} {known}" for peer, known in results.versions.items() if known[0].isdigit()]
     yield f"{', '.join([f'cncsub {version}', *known])}; {machine()}; rounds: {results.size.rounds}."
@@ -113,7 +113,7 @@ def notes(results: Results) -> Iterator[str]:
 
 
 def refusals(results: Results, peer: str) -> Iterator[str]:
-    """The workloads a peer could not run, those for the same reason together."""
+    """Yield the workloads that a peer could not run, grouped by the reason."""
     by_reason: dict[str, list[str]] = {}
     for workload in results.workloads:
         if why := results.refused.get((workload.name, peer)):
@@ -131,11 +131,11 @@ def machine() -> str:
     return f"{day}, {cpu}, {os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}"
 
 
-# ---- what was aimed at ----
+# ---- targets ----
 
 
 def target_rows(results: Results) -> Iterator[Row]:
-    """Each with its figure; a peer that is not there leaves it open."""
+    """Yield each target with its figure; a peer that is not installed leaves it open."""
     for workload, least, what in (
         ("flat", 25, "flat G1, load and run with moves"),
         ("calls", 150, "M98 loop, load and run with moves"),
@@ -194,7 +194,7 @@ def own_rows(results: Results) -> Iterator[Row]:
 
 
 def trace_rows(results: Results, workload: Workload) -> Iterator[Row]:
-    """What each trace costs in time and memory."""
+    """Yield what each trace costs in time and memory."""
     what, name = workload.title, workload.name
     yield (
         f"{what}: `load`",
@@ -225,7 +225,7 @@ def trace_rows(results: Results, workload: Workload) -> Iterator[Row]:
 
 
 def seconds_text(seconds: float) -> str:
-    """Three figures and the unit that fits.
+    """Return the seconds in three figures and the unit that fits.
 
     >>> [seconds_text(seconds) for seconds in (25.31, 0.0425, 0.0000123, 41.25e-9)]
     ['25.3 s', '42.5 ms', '12.3 us', '41.2 ns']

@@ -1,4 +1,4 @@
-"""What a run of the benchmark measured."""
+"""The figures that a run of the benchmark measured."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ Key = tuple[str, str]  # the name of a workload, and who ran it
 
 @dataclass
 class Results:
-    """The figures of every round, and what a peer could not run."""
+    """The figures of every round, and the workloads that a peer could not run."""
 
     size: Size
     workloads: list[Workload]
     figures: dict[Key, list[Figures]] = field(default_factory=lambda: defaultdict(list))
     refused: dict[Key, str] = field(default_factory=dict)
-    missing: dict[str, str] = field(default_factory=dict)  # peer to where it comes from
+    missing: dict[str, str] = field(default_factory=dict)  # for each peer, where it comes from
     versions: dict[str, str] = field(default_factory=dict)
 
     def workload(self, name: str) -> Workload:
@@ -40,5 +40,5 @@ class Results:
         return self.figures[workload, who][-1][key]
 
     def ratio(self, workload: str, who: str) -> float:
-        """How many times the seconds of cncsub."""
+        """Return how many times the seconds of cncsub `who` takes."""
         return self.median(workload, who) / self.median(workload)

@@ -1,7 +1,7 @@
-"""Measures cncsub beside its peers: `python tests/benchmarks/run.py [--size small|full]`.
+"""Measure cncsub and its peers: `python tests/benchmarks/run.py [--size small|full]`.
 
-Every measurement is a process of its own on the same files; the rounds are interleaved, so that
-what else the machine does falls on all of them. Prints tables of medians for the page;
+Every measurement is a process of its own on the same files. The rounds are interleaved, so that
+other work on the machine falls on all of them. Prints tables of medians for the page;
 `--write docs/performance.md` puts them there, between the marks.
 """
 
@@ -23,12 +23,12 @@ from results import Figures, Key, Results
 from workloads import SIZES, Size, Workload
 
 HERE = Path(__file__).resolve().parent
-TRACED = ("flat", "calls")  # the workloads that show what keeping less costs
-Jobs = Iterator[tuple[Key, Figures]]  # a job of measure.py for a workload and who runs it
+TRACED = ("flat", "calls")  # the workloads that show what a smaller trace saves
+Jobs = Iterator[tuple[Key, Figures]]  # each is a job of measure.py for a workload and who runs it
 
 
 def measured(job: Figures) -> Figures:
-    """The figures of one process."""
+    """Return the figures of one process."""
     command = [sys.executable, str(HERE / "measure.py")]
     done = subprocess.run(
         command, input=json.dumps(job), capture_output=True, text=True, check=False
@@ -60,13 +60,13 @@ def own_jobs(size: Size, loads: list[Workload], folder: Path) -> Jobs:
 
 
 def threads(paths: list[Path], moves: int) -> Figures:
-    """Libraries one after the other, and each in a thread of its own."""
+    """Return the job of libraries one after the other, and each in a thread of its own."""
     files = [str(path) for path in paths]
     return {"job": "threads", "files": files, "control": "fanuc-0i-f", "moves": moves}
 
 
 def peer_jobs(results: Results, folder: Path) -> Jobs:
-    """Those of the peers that are installed; the others are noted as missing."""
+    """Yield the jobs of the peers that are installed; note the others as missing."""
     for peer in PEERS:
         version = peer.found()
         if version is None:
@@ -98,7 +98,7 @@ def measure_all(size: Size, folder: Path) -> Results:
 
 
 def tried(key: Key, job: Figures, results: Results) -> Figures | None:
-    """The figures, or nothing and a note why not; cncsub has to run everything."""
+    """Return the figures, or None and note the reason; cncsub has to run everything."""
     try:
         figures = measured(job)
     except RuntimeError as error:
@@ -118,7 +118,7 @@ def progress(text: str) -> None:
 
 
 def check(results: Results) -> None:
-    """The peers came to the same sum."""
+    """Check that all peers computed the same sum."""
     sums = {
         who: figures[-1]["result"]
         for (workload, who), figures in results.figures.items()
@@ -138,7 +138,7 @@ def main() -> None:
     if arguments.rounds:
         size = replace(size, rounds=arguments.rounds)
     with tempfile.TemporaryDirectory() as folder:
-        # In a process of its own: what this one holds would show in the memory of the others.
+        # This runs in a process of its own: the memory of this one would show in the others.
         writer = [sys.executable, str(HERE / "workloads.py"), arguments.size, folder]
         subprocess.run(writer, check=True)
         results = measure_all(size, Path(folder))

@@ -1,7 +1,7 @@
-"""What is measured: `python workloads.py SIZE FOLDER` writes the files of all workloads.
+"""The workloads that are measured: `python workloads.py SIZE FOLDER` writes the files of all.
 
-A workload is a list of files, how much work they are, and how a peer says the same in words of its
-own where those of a control are none it knows.
+A workload is a list of files, how much work they are, and the same work in the words of a peer that
+does not know those of a control.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ import mixed
 import texts
 
 Text = Callable[[], str]
-DEPTH = 12  # of the nested calls
-REPEATS = 9999  # of an M98 L
-MACRO_BLOCKS = 1000  # G65 blocks, run again and again
-HALVES = ("a", "b")  # the two folders of the folder, each for a thread
+DEPTH = 12  # the depth of the nested calls
+REPEATS = 9999  # the count of one M98 L
+MACRO_BLOCKS = 1000  # G65 blocks in the loop
+HALVES = ("a", "b")  # the two halves of the folder, each read by a thread
 
 
 @dataclass(frozen=True)
 class Size:
-    """How large the workloads are, and how often each is measured."""
+    """The sizes of the workloads, and how often each is measured."""
 
     rounds: int
-    blocks: int  # of the flat files
-    calls: int  # M98 L9999 blocks
+    blocks: int  # the blocks of the flat files
+    calls: int  # the M98 L9999 blocks
     subprograms: int
-    macro_repeats: int  # of 1,000 G65 blocks
+    macro_repeats: int  # the repeats of 1,000 G65 blocks
     holes: int
-    passes: int  # of the loops
-    around: int  # blocks before the jump loop, and behind it
-    programs: int  # of the folder
+    passes: int  # the passes of the loops
+    around: int  # the blocks before the jump loop, and those after it
+    programs: int  # the programs of the folder
     patience: float = 20  # seconds of one program on one workload, after which it is not repeated
 
 
@@ -47,30 +47,30 @@ SIZES = {
 
 @dataclass(frozen=True)
 class Workload:
-    """Programs that every peer gets, and what a right execution of them is."""
+    """Programs that every peer gets, and the result of a right execution."""
 
     name: str
     title: str
     files: Mapping[str, Text]
-    count: int  # of the units a figure is given for
+    count: int  # how many of the units the figures are given for
     unit: str
-    blocks: int  # that are executed; 0: whatever comes of it
-    moves: int = 0  # that are made; a run keeps them where there are any
+    blocks: int  # the blocks that are executed; 0: not known
+    moves: int = 0  # the moves that are made; a run keeps them where there are any
     control: str = "fanuc-0i-f"
-    plain: bool = False  # nothing but moves, so that a mere parser has its part
-    own_words: Mapping[str, Mapping[str, Text]] = field(default_factory=dict)  # by peer
+    plain: bool = False  # nothing but moves, so that a mere parser can take part
+    own_words: Mapping[str, Mapping[str, Text]] = field(default_factory=dict)  # texts for a peer
 
     @property
     def trace(self) -> str:
         return "moves" if self.moves else "none"
 
     def paths(self, folder: Path, peer: str = "") -> list[Path]:
-        """The files for a peer."""
+        """Return the files for a peer."""
         return [folder / name for name in self.own_words.get(peer, self.files)]
 
 
 def workloads(size: Size) -> list[Workload]:
-    """All of them, in the order of the table."""
+    """Return all workloads, in the order of the table."""
     return [
         *flat_workloads(size),
         *mixed_workloads(size),
@@ -81,7 +81,7 @@ def workloads(size: Size) -> list[Workload]:
 
 
 def mixed_workloads(size: Size) -> list[Workload]:
-    """What real programs mix. How many blocks and moves the cycles make of them is theirs."""
+    """Return programs that mix what real ones do; the blocks of their cycles are not counted."""
     count = size.blocks
     return [
         Workload(
@@ -152,7 +152,7 @@ def call_workloads(size: Size) -> list[Workload]:
             count=DEPTH * REPEATS,
             unit="call",
             blocks=(2 * DEPTH - 1) * REPEATS + 2,
-            control="gsk-988ta",  # allows twelve
+            control="gsk-988ta",  # allows twelve levels
         ),
         Workload(
             "subprograms",
@@ -217,7 +217,7 @@ def jump_workload(name: str, around: int, passes: int) -> Workload:
 
 
 def short_jump(size: Size) -> Workload:
-    """What the jump in a long program is compared with."""
+    """Return the workload that the jump in a long program is compared with."""
     return jump_workload("short jump", 5, size.passes)
 
 
@@ -241,14 +241,14 @@ def folder_of(size: Size) -> Workload:
 
 
 def linuxcnc(name: str, text: Callable[..., str], *arguments: int) -> dict[str, dict[str, Text]]:
-    """The same work in the words of LinuxCNC, for its two faces."""
+    """Return the same work in the words of LinuxCNC, for its two faces."""
     files = {f"{name}.ngc": partial(text, *arguments)}
     return {"rs274": files, "gcode": files}
 
 
 def other_files(size: Size) -> dict[str, Text]:
-    """What cncsub is measured with beside the workloads: a short jump loop, and one library for each
-    of two threads.
+    """Return what is measured besides the workloads: a short jump loop, a library for each of two
+    threads.
     """
     threads = {
         f"threads/{folder}.nc": partial(texts.flat, size.blocks // 2, seed)

@@ -1,8 +1,8 @@
-"""The rows of the conformance tables: what a row says and how it is written.
+"""The rows of the conformance tables: the content of a row and how it is written.
 
-The topics stand in folders, a folder for each family of controls and `shared` for what several
-families say: a file calls `case` once per claim, and `rows()` reads all files. What a row says is
-compared with the engine by `cncsub.testing`.
+The topics stand in folders: a folder for each family of controls, and `shared` for what several
+families say. A file calls `case` once per claim, and `rows()` reads all files. `cncsub.testing`
+compares what a row says with the engine.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ UNKNOWN = cases_of.UNKNOWN
 
 @dataclass(frozen=True, kw_only=True)
 class Case(cases_of.Case):
-    """A case of these tables: with the worth of its source, and the rules that it pins."""
+    """A case of these tables, with the worth of its source and the rules that it pins."""
 
     evidence: Mapping[str, str]  # of each control: as stated, but no stronger than its source there
-    pins: tuple[str, ...]  # rules of which another value makes the row fail
+    pins: tuple[str, ...]  # rules that make the row fail if they have another value
 
     def told_on(self, control: str) -> str:
         return f"{super().told_on(control)} ({self.evidence[control]})"
@@ -58,11 +58,11 @@ def case(
     pins: str = "",
     **said: Any,
 ) -> None:
-    """Write one row: what `cncsub.testing.case` takes, and what it is worth.
+    """Write one row: what `cncsub.testing.case` takes, and what the row is worth.
 
-    `pins` are the rules of which another value makes the row fail (`mutation.py`). Without
+    `pins` are the rules that make the row fail if they have another value (`mutation.py`). Without
     `evidence` the source has to be one of the source documents. `source`, `evidence`, `number` and
-    `word` are mappings where the controls of a row differ in them.
+    `word` are mappings if the controls of a row differ in them.
     """
     caller = sys._getframe(1)
     topic = Path(caller.f_code.co_filename).relative_to(FOLDER).with_suffix("").as_posix()
@@ -80,18 +80,18 @@ def case(
     _cases.append(Case(**fields, evidence=worth, pins=tuple(pins.split())))
 
 
-# Rules that no row can notice on a control, and the reason: what rows say beside `unpinned.py`.
+# Rules that no row can notice on a control, with the reason: rows give these besides `unpinned.py`.
 _inert: dict[str, dict[str, str]] = {}
 
 
 def inert(rules: str, *, control: str, reason: str) -> None:
-    """Say of rules that no row can notice them on a control, and why."""
+    """Say that no row can notice these rules on a control, and why."""
     for rule in rules.split():
         _inert.setdefault(rule, {})[control] = reason
 
 
 def inert_rules() -> Mapping[str, Mapping[str, str]]:
-    """What the rows say by `inert`: by rule and control, the reason."""
+    """Return what the rows say by `inert`: for each rule and control, the reason."""
     cases()
     return _inert
 
@@ -99,7 +99,7 @@ def inert_rules() -> Mapping[str, Mapping[str, str]]:
 def _evidence(
     source: str | Mapping[str, str], stated: str | Mapping[str, str] | None, control: str
 ) -> str:
-    """What a row is worth on a control, empty where it does not say."""
+    """Return what a row is worth on a control, empty where it does not say."""
     text = source if isinstance(source, str) else source.get(control, "")
     said = stated if isinstance(stated, str | None) else stated.get(control)
     if said is None and re.match(r"source 00\d", text):
@@ -110,15 +110,15 @@ def _evidence(
 
 
 def topic_files() -> list[Path]:
-    """The files that hold rows: everything in the folders, while the harness stands beside them."""
+    """Return the files that hold rows: all in the folders; the harness stands outside of them."""
     return sorted(FOLDER.glob("*/**/*.py"))
 
 
 @functools.cache
 def cases() -> tuple[Case, ...]:
-    """All rows of all topic files."""
+    """Return the cases of all topic files."""
     for file in topic_files():
-        # Not by its bare name: topics of two families are called alike.
+        # Two families have topics of one name, so a module is not named by its file alone.
         name = ".".join(("conformance_rows", *file.relative_to(FOLDER).with_suffix("").parts))
         spec = importlib.util.spec_from_file_location(name, file)
         assert spec is not None
@@ -128,5 +128,5 @@ def cases() -> tuple[Case, ...]:
 
 
 def rows() -> list[Row]:
-    """Every case once for each of its controls."""
+    """Return every case once for each of its controls."""
     return [Row(case, control) for case in cases() for control in case.controls]

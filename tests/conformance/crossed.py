@@ -1,5 +1,5 @@
-"""Rows at another place of the machine: crossed with work offsets of three decimals, tool offsets,
-wide limits and a start beside the one that they name.
+"""Rows at another place of the machine: they are crossed with work offsets of three decimals, tool
+offsets, wide limits and another start than the one that they name.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from ways import same
 
 AXES = "XYZ"
 WIDE = dict.fromkeys(AXES, (-1e8, 1e8))
-# What names a place of the machine: codes, and variables of positions and offsets.
+# The words that name a place of the machine: codes, and variables of positions and offsets.
 PLACES = re.compile(
     r"G\s*0*(?:10|22|27|28|29|30|36|37|53|54\.1|110|111|112|154)(?!\d)|G0*54\s*P"
     r"|#\s*(?:5[0234]\d\d|[27]\d{3}|1\d{4})\b|#<_|PFRAME|TRANS|\$A",
     re.IGNORECASE,
 )
-BEYOND = "a scale written over a scale"  # leads further than any limit
+BEYOND = "a scale written over a scale"  # this row leads further than any limit
 COLUMNS = ("step", "kind", *"xyzabc", "cx", "cy", "cz", "plane", "feed", "feed_mode", "spindle")
 COLUMNS = (*COLUMNS, "tool", "skip", "cycle", "compensated")
 
 
 def names_a_place(case: Case) -> bool:
-    """Whether a row says where on the machine something is."""
+    """Return whether a row says where on the machine something is."""
     texts = [case.program, case.mdi, *(case.files or {}).values(), *(case.external or {}).values()]
     named = any(PLACES.search(t if isinstance(t, str) else t.decode("latin-1")) for t in texts if t)
     setup = {"limits", "reference", "area"} & set(case.setup or {})
@@ -36,7 +36,7 @@ def names_a_place(case: Case) -> bool:
 
 
 def told(run: cncsub.Run, *, lengths: bool) -> list[object]:
-    """What of a run knows no place of the machine; with how long moves are, and take."""
+    """Return what does not depend on the place; `lengths` adds how long moves are, and take."""
     alarm = run.alarm
     columns = (*COLUMNS, "length", "time") if lengths else COLUMNS
     moves = [[getattr(move, name) for name in columns] for move in run.moves]
@@ -45,7 +45,7 @@ def told(run: cncsub.Run, *, lengths: bool) -> list[object]:
 
 
 def setup_of(case: Case) -> dict[str, Any]:
-    """The setup of a row, with the place where its axes start written out."""
+    """Return the setup of a row, with the place where its axes start written out."""
     setup = dict(case.setup or {})
     start = {axis: -_zero_point(setup).get(axis, 0.0) for axis in AXES}
     return {**setup, "start": {**start, **setup.get("start", {})}}
@@ -58,7 +58,7 @@ def _zero_point(setup: Mapping[str, Any]) -> dict[str, float]:
 
 
 def moved(setup: Mapping[str, Any], random: Random) -> dict[str, Any]:
-    """The same with all zero points elsewhere on a machine whose limits are wide."""
+    """Return the setup with all zero points elsewhere, on a machine whose limits are wide."""
     offsets = {axis: round(random.uniform(-1000, 1000), 3) for axis in AXES}
     systems = {name: dict(axes) for name, axes in setup.get("work_offsets", {}).items()}
     if systems:
@@ -71,7 +71,9 @@ def moved(setup: Mapping[str, Any], random: Random) -> dict[str, Any]:
 
 
 def shifted(setup: Mapping[str, Any], part: float) -> Iterator[dict[str, Any]]:
-    """The same with other starts, lengths and tool offsets: by whole numbers and this part."""
+    """Yield the setup with another start, other lengths, other tool offsets: a whole number plus
+    `part`.
+    """
     by = {"X": 24 + 2 * part, "Y": 23 + part, "Z": -7 + part}
     yield {**setup, "start": {axis: setup["start"][axis] + by[axis] for axis in AXES}}
     lengths = setup.get("length_offsets", {})
@@ -84,7 +86,7 @@ def shifted(setup: Mapping[str, Any], part: float) -> Iterator[dict[str, Any]]:
 
 
 def changes(case: Case, control: str, random: Random) -> Iterator[str]:
-    """What else changes in a row beside machine positions."""
+    """Yield what else changes in a row besides machine positions."""
     library = load(case, cncsub.controls[control])
 
     def run(setup: Mapping[str, Any], *, lengths: bool) -> list[object]:
@@ -99,7 +101,7 @@ def changes(case: Case, control: str, random: Random) -> Iterator[str]:
     other = run(elsewhere, lengths=True)
     if not same(plain, other):
         yield f"with {elsewhere}: {_first(plain, other)}"
-    # What does not know a start or an offset by whole numbers does not know its decimals either.
+    # A row that does not depend on a start or an offset does not depend on its decimals either.
     plain = run(setup, lengths=False)
     fine = round(random.uniform(0, 1), 3) + 0.0004
     for whole, parts in zip(shifted(setup, 0), shifted(elsewhere, fine), strict=True):

@@ -1,9 +1,9 @@
-"""Lists are pinned entry by entry: for each entry a row that fails where it is missing.
+"""Checks that lists are pinned entry by entry: without the entry, a row has to fail.
 
-`entries.json` names that row for every entry of every list of every control. The test of it runs
-these rows alone; `python tests/conformance/entries.py` looks through all rows for the entries that
-have none, and forgets what is gone. An entry that no row can notice has its reason here, or its
-whole rule has it in `unpinned.py`.
+`entries.json` names that row for every entry of every list of every control. The test runs these
+rows alone. `python tests/conformance/entries.py` looks through all rows for the entries that have
+no row, and forgets what is gone. An entry that no row can notice has its reason here, or its whole
+rule has one in `unpinned.py`.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ LETTERS = (  # noqa: SIM905
     " lead_growth thread_words_not_computed"
 ).split()  # lists of one character an entry; the others have blanks between
 
-# Rule, the controls or none for all, entries, and why no row can notice them.
+# Each is a rule, a control or None for all, the entries, and why no row can notice them.
 TE, HNC, SYNTEC = "gsk-928te", "hnc-21m", "syntec-22ma"
 REASONS = [
     (
@@ -64,12 +64,14 @@ REASONS = [
     ("longer_words", None, "D", "a control without the word has it by default"),
 ]
 
-# Control, rule, claim, and the entries whose want it notices, separated by blanks.
+# Control, rule, claim, and the entries whose absence that row notices, separated by blanks.
 Pins = dict[str, dict[str, dict[str, str]]]
 
 
 def lists(control: cncsub.Control) -> Iterator[Any]:
-    """The rules that are lists; what may be in a set is pinned as rules are, but for `refuses`."""
+    """Yield the rules that are lists; entries of a set are pinned as rules are, except for
+    `refuses`.
+    """
     for rule in control.rules:
         is_list = isinstance(rule.value, str) and not rule.choices
         if is_list and (not rule.entries or rule.name == "refuses"):
@@ -80,7 +82,7 @@ def entries(rule: Any) -> list[str]:
     return list(dict.fromkeys(rule.value if rule.name in LETTERS else rule.value.split()))
 
 
-# How `replace` takes a list as a whole, where one that is given is otherwise added to.
+# How `replace` takes a list as a whole; otherwise it adds to the list.
 _PROBE = next(iter(cncsub.controls.values())).replace(g_codes="=0")
 _WHOLE = "" if any(rule.value == "=0" for rule in _PROBE.rules) else "="
 
@@ -92,13 +94,13 @@ def without(control: cncsub.Control, rule: Any, entry: str) -> cncsub.Control:
 
 
 def excused(control: cncsub.Control, rule: Any, entry: str) -> bool:
-    """Whether an entry stands for a reason where no row can notice it."""
+    """Return whether there is a reason why no row can notice an entry."""
     if any(is_inert(control, word) for word in (rule.name, f"{rule.name}:{entry}")):
         return True
     if rule.name.startswith("codes_not_with"):
         codes = str(answers(control.name)["g_codes"]).split()
         if codes and entry not in codes:
-            return True  # a relative's code, which this control does not have
+            return True  # the code of a relative, which this control does not have
     return any(
         rule.name == name and only in (None, control.name) and entry in inert.split()
         for name, only, inert, _ in REASONS
@@ -116,8 +118,8 @@ def _by_entry(pins: Pins, control: str, rule: str) -> dict[str, str]:
 
 
 def unnoticed() -> list[str]:
-    """The entries of the lists in the file that no row notices: the row that is named for them, or
-    any other where that one is gone. A list that is new joins when the file is written.
+    """Return the entries of the lists in the file that no row notices. The row that is named for an
+    entry is tried first, and then any other. A new list joins when the file is written.
     """
     by_place = {(row.control, row.case.claim): row.case for row in rows()}
     pins, found = read_pins(), []
@@ -143,7 +145,7 @@ def unnoticed() -> list[str]:
 def named_elsewhere(
     pins: Pins, by_place: Mapping[tuple[str, str], Case], rule: str, entry: str
 ) -> Iterator[Case]:
-    """The rows that are named for the same entry of another control's list."""
+    """Yield the rows that are named for the same entry in the list of another control."""
     for control in pins:
         claim = _by_entry(pins, control, rule).get(entry, "")
         if (control, claim) in by_place:
@@ -157,7 +159,7 @@ def _text(case: Case) -> str:
 
 
 def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
-    """Whether a row has what the entry is about: its code, its name, its cause, its letter."""
+    """Return whether a row has the subject of the entry: its code, name, cause or letter."""
     if rule == "refuses":
         return case.alarm == entry
     if rule == "functions":
@@ -172,7 +174,7 @@ def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
 
 
 def find_pins() -> Pins:
-    """The pins that hold, and for the other entries the first row that notices."""
+    """Return the pins that hold, and for the other entries the first row that notices."""
     old, pins = read_pins() if FILE.exists() else {}, {}
     every = [(row, _text(row.case)) for row in rows()]
     for name, control in cncsub.controls.items():

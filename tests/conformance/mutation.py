@@ -1,12 +1,13 @@
 """Changes one rule of a control at a time: a row that pins the rule has to fail.
 
-A row says what it pins, `pins="zero_repeats"`; of a set it says the entry, `pins="conditions:bare"`,
-which is taken away there or put in. For every rule of every control, and every entry that a set may
-have, there is one: its own, or one of a control with the same answer, if it holds on this control
-too. So a relative needs rows for what it answers otherwise, no more. Of what a control refuses,
-and of roles, there is one for every entry that some row pins. `python tests/conformance/mutation.py` says for those that
-have none which rows could. What no row can notice on a control has its reason, in `unpinned.py` or
-beside the rows (`inert`), which is a reason for relatives that answer alike too.
+A row says what it pins, `pins="zero_repeats"`; for a set it names the entry,
+`pins="conditions:bare"`, which is then taken away or put in. Every rule of every control, and every
+entry that a set may have, needs such a row: its own, or one of a control with the same answer if it
+holds on this control too. So a relative needs rows only for what it answers otherwise. Of the set
+`refuses` and of roles, only the entries that some row pins need one. For the others the command
+`python tests/conformance/mutation.py` names the rows that could pin them. A rule that no row can
+notice on a control has its reason in `unpinned.py` or with the rows (`inert`), which holds for
+relatives that answer alike too.
 """
 
 from __future__ import annotations
@@ -29,13 +30,13 @@ MOTION = ("motion", "turning")
 
 
 def pinning(control: str, word: str) -> list[Case]:
-    """The rows of a control that say that they pin a rule, or an entry of a set."""
+    """Return the rows of a control that say that they pin a rule, or an entry of a set."""
     return [case for case, name in rows_that_pin().get(word, ()) if name == control]
 
 
 @functools.cache
 def rows_that_pin() -> dict[str, list[Row]]:
-    """By what they pin, in the order of the rows."""
+    """Return the rows by what they pin, in the order of the rows."""
     by_word: dict[str, list[Row]] = {}
     for row in rows():
         for word in row.case.pins:
@@ -44,7 +45,7 @@ def rows_that_pin() -> dict[str, list[Row]]:
 
 
 def words(control: cncsub.Control) -> Iterator[str]:
-    """What there is to pin: the rules, and what may be in a set."""
+    """Yield what can be pinned: the rules, and the entries that may be in a set."""
     said = rows_that_pin()
     for rule in control.rules:
         entries = entries_of(rule)
@@ -57,7 +58,7 @@ def words(control: cncsub.Control) -> Iterator[str]:
 
 
 def unpinned() -> list[tuple[str, str]]:
-    """What no row which says so notices, by control."""
+    """Return the controls and words that no row which pins them notices."""
     return [
         (name, word)
         for name, control in cncsub.controls.items()
@@ -71,7 +72,7 @@ def unpinned() -> list[tuple[str, str]]:
 
 
 def excused(control: cncsub.Control, word: str) -> bool:
-    """Whether no row can notice it on the control, or on a relative that answers alike."""
+    """Return whether no row can notice it on the control, or on a relative that answers alike."""
     reasons = UNPINNED.get(word, {})
     own = answer(control.name, word)
     return control.name in reasons or any(
@@ -79,13 +80,13 @@ def excused(control: cncsub.Control, word: str) -> bool:
     )
 
 
-# A relative answers all rules as the other does, but for this part of them.
+# The part of all rules in which a relative may answer otherwise.
 APART = 0.15
 
 
 @functools.cache
 def kin(name: str) -> list[str]:
-    """The controls that answer most rules as this one does."""
+    """Return the controls that answer most rules as this one does."""
     own = answers(name)
     others = (other for other in cncsub.controls if other != name)
     return [o for o in others if sum(answers(o).get(r) != own[r] for r in own) <= APART * len(own)]
@@ -97,14 +98,14 @@ def answers(name: str) -> dict[str, Any]:
 
 
 def answer(name: str, word: str) -> Any:
-    """What a control answers: the value of a rule, or whether a set has an entry."""
+    """Return what a control answers: the value of a rule, or whether a set has an entry."""
     rule, _, entry = word.partition(":")
     value = answers(name).get(rule)
     return entry in str(value).split() if entry else value
 
 
 def lent(control: cncsub.Control, word: str) -> Iterator[Case]:
-    """The rows that pin it on controls with the same answer."""
+    """Yield the rows that pin it on controls with the same answer."""
     claims = set()
     for case, other in rows_that_pin().get(word, ()):
         if other == control.name or case.claim in claims:
@@ -115,36 +116,36 @@ def lent(control: cncsub.Control, word: str) -> Iterator[Case]:
 
 
 def on(case: Case, control: str) -> Case:
-    """A row as it stands for another control, which has alarm numbers of its own."""
+    """Return a row for another control, which has alarm numbers of its own."""
     return dataclasses.replace(case, controls=(control,), number={})
 
 
 def notices(case: Case, control: cncsub.Control, word: str) -> bool:
-    """Whether some other value of the rule makes the row fail."""
+    """Return whether some other value of the rule makes the row fail."""
     return any(not passes(case, mutant) for mutant in mutants(control, word))
 
 
 def mutants(control: cncsub.Control, word: str) -> Iterator[cncsub.Control]:
-    """The control with another value of the rule, for each value worth trying."""
+    """Yield the control with another value of the rule, for each value worth trying."""
     name, _, entry = word.partition(":")
     rule = next((rule for rule in control.rules if rule.name == name), None)
-    if rule is None:  # of a group that the control does not have
+    if rule is None:  # a rule of a group that the control does not have
         return
     if entry:
         there = entry in str(rule.value).split()
         yield control.replace(**{name: f"-{entry}" if there else entry})
         return
-    whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a list as a whole
+    whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a whole list
     options = [o.name for o in control.variable_options.values() if o.rule == rule.name]
     for value in [*other_values(rule), *options]:
         try:
             yield control.replace(**{rule.name: whole + value if whole else value})
         except ValueError:
-            continue  # A value the rule cannot take.
+            continue  # the rule cannot take the value
 
 
 def other_values(rule: Any) -> list[Any]:
-    """The other values to try: near numbers, other choices, a list with an entry less or more."""
+    """Return the values to try: near numbers, other choices, a list with an entry less or more."""
     if isinstance(rule.value, bool):
         return [not rule.value]
     if isinstance(rule.value, int):
@@ -155,7 +156,7 @@ def other_values(rule: Any) -> list[Any]:
 
 
 def _other_lists(rule: Any) -> Iterator[str]:
-    """A list of letters or codes without one of its entries, and as other controls have it."""
+    """Yield a list of letters or codes without one of its entries, and lists of other controls."""
     separator = " " if " " in rule.value or len(rule.value) > 30 or rule.entries else ""
     entries = rule.value.split() if separator else list(rule.value)
     for entry in dict.fromkeys(entries):
@@ -166,7 +167,7 @@ def _other_lists(rule: Any) -> Iterator[str]:
 def passes(case: Case, control: cncsub.Control) -> bool:
     try:
         return next(differences(case, control), None) is None
-    except Exception:  # A changed rule may break anything, and that is noticed too.
+    except Exception:  # a changed rule may break anything; that counts as noticed
         return False
 
 
@@ -175,7 +176,7 @@ def is_about_moves(control: cncsub.Control, word: str) -> bool:
 
 
 def could_pin(control: cncsub.Control, word: str) -> Iterator[Case]:
-    """The rows that notice the rule; those of its topic elsewhere first."""
+    """Yield the rows that notice the rule; those of its topic elsewhere come first."""
     cases = [row.case for row in rows() if row.control == control.name]
     if is_about_moves(control, word):
         cases = [case for case in cases if case.wants_moves or "motion" in case.topic]

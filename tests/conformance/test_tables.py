@@ -1,4 +1,4 @@
-"""The tables themselves: their size, their sources, and that nothing of the engine escapes them."""
+"""The tables themselves: their size, their sources, and that they cover the whole engine."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_every_row_says_where_it_comes_from() -> None:
 
 
 def test_no_row_is_stronger_than_its_source_is_on_the_control() -> None:
-    """Another maker's or model's manual is no manual of the control, whatever a row says."""
+    """The manual of another maker or model is no manual of the control, whatever a row says."""
     stronger = []
     for case, control in rows():
         keys = _core.cited(case.source_on(control))
@@ -64,7 +64,7 @@ def test_no_row_is_stronger_than_its_source_is_on_the_control() -> None:
 
 
 def test_the_text_of_an_alarm_is_that_of_the_printed_list() -> None:
-    """One list for each that is printed: number and text stand in it together."""
+    """Number and text of an alarm stand together in the list that is printed."""
     for file, own in (("fanuc/alarms_30i.def", ("fanuc-30i", "fanuc-0i-f", "fanuc-0i-d")),):
         listed = dict(re.findall(r'LISTED\("(\w+)", "(.*?)"[,)]', (LISTS / file).read_text()))
         for name in own:
@@ -121,7 +121,7 @@ def test_every_rule_has_a_meaning_and_a_source() -> None:
 
 
 def test_every_motion_alarm_of_a_row_names_its_word() -> None:
-    """A row that alarms for a cause with a word of its own says which word is under the caret."""
+    """A row that alarms for a cause with a word says which word is under the caret."""
     causes = set(_core.causes_with_words())
     lacking = [
         str(row)
@@ -132,13 +132,13 @@ def test_every_motion_alarm_of_a_row_names_its_word() -> None:
 
 
 def test_every_rule_is_pinned() -> None:
-    """Change any rule of any control, and a row that says that it pins it has to notice."""
+    """If any rule of any control changes, a row that says that it pins it has to notice."""
     missing = [f"{control}: {word}" for control, word in unpinned()]
     assert missing == [], f"{HOW_TO_FIND}; no row that pins it notices\n{chr(10).join(missing)}"
 
 
 def test_a_language_of_its_own_asks_every_rule_that_it_prints() -> None:
-    """A row of the control, in its language, notices each of them: none is excused as a whole."""
+    """A row of the control, in its language, notices each rule: no rule is excused as a whole."""
     own = [name for name, control in cncsub.controls.items() if control.dialect != "iso"]
     assert own
     idle = []
@@ -156,8 +156,8 @@ def test_a_language_of_its_own_asks_every_rule_that_it_prints() -> None:
 
 
 def test_a_row_notices_what_it_pins() -> None:
-    """On one of its controls at least: a rule may be inert beside others of a control. Of rows that
-    a loop writes, one.
+    """It does so on one of its controls at least: other rules of a control may make a rule inert.
+    Of the rows that a loop writes, one is enough.
     """
     written: dict[tuple[str, int, str], list[tuple[Case, str]]] = {}
     for row in rows():
@@ -173,7 +173,7 @@ def test_a_row_notices_what_it_pins() -> None:
 
 
 def test_every_entry_of_every_list_is_pinned() -> None:
-    """Take any code, letter, name or cause out of any list, and the row that pins it has to fail."""
+    """If a code, letter, name or cause is missing in its list, the row that pins it has to fail."""
     assert unnoticed() == [], HOW_TO_PIN
 
 
@@ -191,7 +191,7 @@ def test_what_is_unpinned_is_noticed_nowhere() -> None:
 
 
 def _reasons() -> dict[str, set[str]]:
-    """By control, the rules that no row can notice there."""
+    """Return, by control, the rules that no row can notice there."""
     by_control: dict[str, set[str]] = {}
     for rule, controls in UNPINNED.items():
         for control in controls:
@@ -200,7 +200,7 @@ def _reasons() -> dict[str, set[str]]:
 
 
 def _line_of(case: Case, alarm: cncsub.Alarm) -> str | None:
-    """The line that an alarm names, in the text of the row."""
+    """Return the line that an alarm names, in the text of the row."""
     texts = [case.mdi] if alarm.file == "MDI" else [case.program, *(case.files or {}).values()]
     if case.files is not None or case.external is not None:
         named = {**(case.external or {}), **(case.files or {})}
@@ -211,7 +211,7 @@ def _line_of(case: Case, alarm: cncsub.Alarm) -> str | None:
 
 
 def _is_whole(line: str, start: int, word: str) -> bool:
-    """Neither a name nor a number is cut, and no address stands without its value."""
+    """Return whether `word` cuts no name or number, and no address stands without its value."""
     name = re.compile(r"[A-Za-z0-9._]")
     before, behind = line[start - 1 : start], line[start + len(word) :]
     cut = name.match(word) and name.match(before) and not re.match(r"\d", before)

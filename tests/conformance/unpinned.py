@@ -1,6 +1,6 @@
 """Rules that no row can notice on a control, each with the reason why it is inert there.
 
-Rows say it of one control beside them: `inert(rules, control=..., reason=...)`.
+Rows can say the same of one control: `inert(rules, control=..., reason=...)`.
 """
 
 from typing import Any
@@ -48,12 +48,12 @@ def _all(rules: str, controls: tuple[str, ...], reason: str) -> Unpinned:
 
 
 def entries_of(rule: Any) -> list[str]:
-    """What may be in a set; of roles, which may be of any code, those that the control has."""
+    """Return the entries of a set; of roles, which any code may have, those of the control."""
     return str(rule.value).split() if rule.name == "roles" else list(rule.entries)
 
 
 def _sets(control: str, rules: str, but: str, reason: str) -> Unpinned:
-    """What may be in these sets of a control, but what its rows pin."""
+    """Return the reason for all entries of these sets, except those in `but`."""
     pinned = {word for row in rows() for word in row.case.pins}
     words = [
         word

@@ -1,5 +1,5 @@
-"""What two runs share that do the same: of one program by its short ways and by the general way
-alone, or at another place of the machine.
+"""The comparison of two runs that have to do the same: of one program by its short ways and by the
+general way alone, or at another place of the machine.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ import cncsub
 from cncsub.testing.cases import Case, Text
 from cncsub.testing.outcome import execute, load
 
-ROUNDING = 1e-9  # mm, degrees and seconds, and parts of them
+ROUNDING = 1e-9  # mm, degrees and seconds, and relative to the value
 LONG = 200  # rows
 
 
 def parting(one: cncsub.Run, other: cncsub.Run) -> str | None:
-    """The first thing in which two runs differ, None where they are the same run."""
+    """Return the first thing in which two runs differ, None if they are the same run."""
     for name, told in TOLD.items():
         a, b = told(one), told(other)
         if a != b and not same(a, b):
@@ -37,13 +37,13 @@ def _alarm(run: cncsub.Run) -> object:
 
 
 def _rows(table: Any) -> object:
-    """The rows of a table; of a long one its columns, which cost less."""
+    """Return the rows of a table; of a long table its columns, which cost less."""
     if len(table) < LONG:
         return list(table)
     return {name: np.asarray(getattr(table, name)).tolist() for name in table.columns}
 
 
-# What a run tells beside its moves.
+# What a run reports besides its moves.
 TOLD: dict[str, Callable[[cncsub.Run], object]] = {
     "stop": lambda run: (run.stop, run.waiting_for, run.blocks),
     "alarm": _alarm,
@@ -60,7 +60,7 @@ TOLD: dict[str, Callable[[cncsub.Run], object]] = {
 
 
 def same(a: Any, b: Any, rounding: float = ROUNDING) -> bool:
-    """Whether two values are the same but for rounding, in all their parts."""
+    """Return whether two values are the same but for rounding, in all their parts."""
 
     def each(values: Iterable[tuple[Any, Any]]) -> bool:
         return all(same(x, y, rounding) for x, y in values)
@@ -77,7 +77,7 @@ def same(a: Any, b: Any, rounding: float = ROUNDING) -> bool:
 
 
 def by_both_ways(text: Text, control: str | cncsub.Control, **options: Any) -> cncsub.Run:
-    """Run a text by the short ways and by the general way alone, which have to do the same."""
+    """Run a text by the short ways and by the general way alone; both have to do the same."""
     ways = [
         cncsub.loads(text, control=control, general_only=general).run(**options)
         for general in (False, True)
@@ -88,6 +88,6 @@ def by_both_ways(text: Text, control: str | cncsub.Control, **options: Any) -> c
 
 
 def runs_of(case: Case, control: cncsub.Control) -> Iterator[cncsub.Run]:
-    """The runs of a row: by the short ways, and by the general way alone."""
+    """Yield the runs of a row: by the short ways, and by the general way alone."""
     for general in (False, True):
         yield execute(case, load(case, control, general_only=general), trace="moves")

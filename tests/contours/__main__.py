@@ -1,13 +1,13 @@
-"""Runs random contours under radius compensation on every control that has it, and checks the path.
+"""Run random contours under radius compensation on every control that has it, and check the path.
 
     python tests/contours --contours 100000 --seed 1
     python tests/contours --show 17 --seed 1
 
-Lines and arcs that are tangent, nearly tangent, or meet in outside and inside corners, pieces of some
-increments among them, written in mm and inch with three and four decimals, for mills in three planes
-and lathes with noses and tips.
-Where the tool fits there is no alarm and its centre keeps within two increments of an offset that
-is computed apart from the engine; where it does not fit the control says so.
+The contours are lines and arcs that are tangent, nearly tangent, or meet in outside and inside
+corners, with pieces of some increments among them. They are written in mm and inch with three and
+four decimals, for mills in three planes and lathes with noses and tips. If the tool fits, there is
+no alarm and its centre keeps within two increments of an offset that is computed independently of
+the engine. If it does not fit, the control says so.
 """
 
 from __future__ import annotations

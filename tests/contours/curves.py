@@ -1,4 +1,4 @@
-"""Lines and arcs in a plane as arrays: points, directions, distances. Computed apart from the engine."""
+"""Lines and arcs in a plane as arrays: points, directions, distances, independent of the engine."""
 
 from __future__ import annotations
 
@@ -15,8 +15,10 @@ Vector = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Curve:
-    """A line, or an arc that runs through `turn` (plus = counter-clockwise) about its centre. The
-    radius of an arc changes evenly where its ends do not lie equally far from the centre."""
+    """A line, or an arc that runs through `turn` (plus = counter-clockwise) about its centre.
+
+    The radius of an arc changes evenly if its ends do not lie equally far from the centre.
+    """
 
     start: Vector
     end: Vector
@@ -31,14 +33,14 @@ class Curve:
 
     @property
     def radius(self) -> float:
-        """Of a line, infinite."""
+        """The radius, infinite for a line."""
         if self.centre is None:
             return math.inf
         ends = np.stack([self.start, self.end]) - self.centre
         return float(np.hypot(ends[:, 0], ends[:, 1]).min())
 
     def points(self, parts: Vector) -> Vector:
-        """The points at parts 0 to 1 of the way."""
+        """Return the points at parts 0 to 1 of the length."""
         if self.centre is None:
             return np.asarray(self.start + parts[:, None] * (self.end - self.start))
         first, last = self.start - self.centre, self.end - self.centre
@@ -60,7 +62,7 @@ class Curve:
         return Curve(matrix @ self.start + by, matrix @ self.end + by, centre, self.turn)
 
     def distances(self, points: Vector) -> Vector:
-        """How far points are from the curve."""
+        """Return how far points are from the curve."""
         if self.centre is None:
             way = self.end - self.start
             size = float(way @ way)
@@ -78,12 +80,12 @@ class Curve:
 
 
 def distances(points: Vector, curves: Sequence[Curve]) -> Vector:
-    """How far points (rows) are from curves (columns)."""
+    """Return how far points (rows) are from curves (columns)."""
     return np.stack([curve.distances(points) for curve in curves], axis=1)
 
 
 def sweep(first: Any, last: Any, left: bool) -> float:
-    """The angle run through from one radius to another, in the direction that is asked."""
+    """Return the angle from one radius to another, run through in the given direction."""
     angle = math.atan2(last[1], last[0]) - math.atan2(first[1], first[0])
     angle = math.remainder(angle, 2 * math.pi)
     if np.hypot(*(np.asarray(first) - np.asarray(last))) < 1e-9:

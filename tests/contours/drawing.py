@@ -16,35 +16,39 @@ JOINTS = ("tangent", "tangent", "tangent", "nearly tangent", "outside", "inside"
 
 @dataclass(frozen=True)
 class Drawing:
-    """A contour, the tool's radius and side (1 = left, -1 = right)."""
+    """A contour, and the radius and side of the tool (1 = left, -1 = right)."""
 
     curves: tuple[Curve, ...]
     radius: float
     side: int
-    tight: bool = False  # meant not to have room for the tool
+    tight: bool = False  # the contour is meant to have no room for the tool
 
     def beside(self, curve: Curve, parts: Vector) -> Vector:
-        """The points from which the tool touches a curve."""
+        """Return the points from which the tool touches a curve."""
         ahead = curve.directions(parts)
         left = np.stack([-ahead[:, 1], ahead[:, 0]], axis=1)
         return np.asarray(curve.points(parts) + self.side * self.radius * left)
 
     def room(self, place: int, parts: Vector, near: int = 1) -> Vector:
-        """How far the neighbours are when the tool touches a curve; less than its radius is too
-        near."""
+        """Return how far the neighbours are when the tool touches a curve; less than its radius is
+        too near.
+        """
         points = self.beside(self.curves[place], parts)
         around = self.curves[max(0, place - near) : place + near + 1]
         return np.asarray(distances(points, around).min(axis=1))
 
     def fits(self, slack: float, blur: float = 0.0) -> bool | None:
-        """Whether the tool reaches a bit of every curve; None: within `slack` it may or may not,
-        nor may it fit into an arc whose radius is larger by less than `blur`."""
+        """Return whether the tool reaches a bit of every curve.
+
+        None: within `slack` it may or may not, or it may not fit into an arc whose radius is larger
+        by less than `blur`.
+        """
         inner = [c.radius for c in self.curves if c.centre is not None and c.turn * self.side > 0]
         clear: bool | None = None if inner and min(inner) < self.radius + blur else True
         for place, curve in enumerate(self.curves):
             parts = PARTS
             missing = self.radius - self.room(place, parts)
-            for _ in range(3):  # look closer where it is nearest to fitting
+            for _ in range(3):  # look closer at the part where it comes nearest to fitting
                 if missing.min() < 1e-9:
                     break
                 best = parts[missing.argmin()]
@@ -59,14 +63,14 @@ class Drawing:
         return clear
 
     def corners(self) -> Vector:
-        """The turns between the curves, plus = to the tool's side: inside corners."""
+        """Return the turns between the curves; plus = to the side of the tool: inside corners."""
         u = np.array([curve.directions(np.ones(1))[0] for curve in self.curves[:-1]])
         v = np.array([curve.directions(np.zeros(1))[0] for curve in self.curves[1:]])
         cross = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
         return np.asarray(np.arctan2(cross, (u * v).sum(axis=1)) * self.side)
 
     def around(self, corner: int) -> Vector:
-        """Points on the way around the outside corner behind a curve."""
+        """Return points of the path around the outside corner after a curve."""
         one, two, end, start = *self.curves[corner : corner + 2], np.ones(1), np.zeros(1)
         u, v = one.directions(end)[0], two.directions(start)[0]
         first, last = self.beside(one, end)[0], self.beside(two, start)[0]
@@ -76,7 +80,7 @@ class Drawing:
         return np.concatenate(steps)
 
     def crosses_itself(self) -> bool:
-        """Whether curves come into the tool's way elsewhere than at their corner."""
+        """Return whether curves come into the path of the tool elsewhere than at their corner."""
         turns = [0.0, *self.corners(), 0.0]
         ways = [self.around(i) for i, turn in enumerate(turns[1:-1]) if turn < -1e-9]
         for place, curve in enumerate(self.curves):
@@ -98,13 +102,14 @@ class Drawing:
         return any(self.loses_its_way(i) for i, turn in enumerate(turns[1:-1]) if turn > 1e-9)
 
     def loses_its_way(self, corner: int) -> bool:
-        """Whether the tool cannot come from one curve to the next at an inside corner."""
+        """Return whether the tool cannot come from one curve to the next at an inside corner."""
         leaves, comes = self.border(corner, -1), self.border(corner + 1, 0)
         return leaves is None or comes is None or np.hypot(*(leaves - comes)) > 1e-4 * self.radius
 
     def border(self, place: int, at: int) -> Vector | None:
-        """Where the tool is when the curve's first (0) or last (-1) bit that it reaches begins or
-        ends."""
+        """Return the place of the tool at the begin of the first bit (0) that it reaches, or at the
+        end of the last (-1).
+        """
         parts = PARTS
         for _ in range(4):
             free = np.flatnonzero(self.room(place, parts) > self.radius - 1e-9)
@@ -117,7 +122,7 @@ class Drawing:
 
 
 def turn_of(random: Random, side: int, joint: str) -> float:
-    """The turn of a corner, plus = to the left."""
+    """Return the turn of a corner, plus = to the left."""
     if joint == "tangent":
         return 0.0
     if joint == "nearly tangent":
@@ -130,7 +135,7 @@ def turn_of(random: Random, side: int, joint: str) -> float:
 
 
 def arc_of(random: Random, radius: float, side: int) -> tuple[float, float]:
-    """A radius and the angle that an arc runs through."""
+    """Return a radius and the angle that an arc runs through."""
     turn = math.radians(random.choice([random.uniform(2, 60), random.uniform(20, 350), 90, 180]))
     if random.random() < 0.03:
         return 9e3, random.choice([1, -1]) * random.uniform(1e-4, 1e-2)
@@ -142,7 +147,7 @@ def arc_of(random: Random, radius: float, side: int) -> tuple[float, float]:
 
 
 class Pen:
-    """Draws curves one behind the other."""
+    """Draws curves one after the other."""
 
     def __init__(self, random: Random) -> None:
         self.at = np.array([random.uniform(-100, 100), random.uniform(-100, 100)])
@@ -166,7 +171,7 @@ class Pen:
 
 
 def draw(random: Random) -> Drawing:
-    """A contour whose first and last curves are lines along which the tool comes and goes."""
+    """Return a contour whose first and last curves are lines on which the tool comes and goes."""
     radius = random.choice([0.2, 0.4, 1.0, 5.0, 10 ** random.uniform(-1, 1.3)])
     radius, side = round(radius, 3), random.choice([1, -1])
     pen = Pen(random)
@@ -188,7 +193,7 @@ def draw(random: Random) -> Drawing:
 
 
 def draw_tight(pen: Pen, random: Random, radius: float, side: int) -> None:
-    """An inner arc, a groove or a step that is too small for the tool."""
+    """Draw an inner arc, a groove or a step that is too small for the tool."""
     share = random.choice([random.uniform(0.2, 0.95), random.uniform(0.9, 0.999)])
     if random.random() < 0.5:
         pen.arc(share * radius, side * math.radians(random.uniform(20, 175)))

@@ -1,4 +1,4 @@
-"""The controls that compensate, as mills and lathes, and how a contour is written for them."""
+"""The controls with compensation, as mills and lathes, and the text of a contour for each."""
 
 from __future__ import annotations
 
@@ -14,11 +14,12 @@ from drawing import Drawing
 
 INCH = 25.4
 PLANES = {17: "XYIJZ", 18: "ZXKIY", 19: "YZJKX"}
-# From the nose's centre to the imaginary tip, as Z and X.
+# The distance from the centre of the nose to the imaginary tip, as Z and X.
 TIPS = [(0, 0), (1, 1), (-1, 1), (-1, -1), (1, -1), (1, 0), (0, 1), (-1, 0), (0, -1), (0, 0)]
 NO_INCH = {"gsk-980tdi"}
-# No source tells of radius compensation there, or the engine does not compute it. LinuxCNC begins
-# beside its own line and goes around outside corners in arcs: it is held against its interpreter.
+# No source describes radius compensation for these controls, or the engine does not compute it.
+# LinuxCNC begins beside its own line and goes around outside corners in arcs, so it is compared
+# with its interpreter.
 NONE = {"gsk-928te", "siemens-one", "linuxcnc"}
 
 
@@ -64,26 +65,26 @@ class Written:
 
     text: str
     curves: tuple[Curve, ...]
-    resolution: float  # of its words
+    resolution: float  # of the words
     least: float  # the increment of the setup
     inch: bool
     plane: int
     tip: int
-    meant: bool  # rounded, every arc still has a radius and runs through about its angle
+    meant: bool  # after rounding, every arc still has a radius and about the same angle
 
     @property
     def increment(self) -> float:
-        """What neither the words nor the control can tell apart, in mm."""
+        """The distance that neither the words nor the control can tell from 0, in mm."""
         return max(self.resolution, self.least * (INCH / 10 if self.inch else 1))
 
     @property
     def blur(self) -> float:
-        """What words that are coarser than the control's increment leave open, in mm."""
+        """The uncertainty of words that are coarser than the increment of the control, in mm."""
         taken = self.least * (INCH / 10 if self.inch else 1)
         return self.resolution if self.resolution > 1.5 * taken else 0.0
 
     def told(self) -> tuple[Curve, ...]:
-        """The curves whose ends can be told apart, and full circles."""
+        """Return the curves whose ends can be told apart, and full circles."""
         apart = 1.5 * self.increment
         return tuple(
             curve
@@ -104,7 +105,7 @@ class Writer:
         self.names = PLANES[self.plane]
 
     def rounded(self, values: Vector, share: Vector | float = 1.0) -> Vector:
-        """What the words of these lengths say, in mm."""
+        """Return the lengths that the rounded words say, in mm."""
         scale = 10.0**self.decimals
         return np.asarray(np.round(values * share / self.unit * scale) / scale * self.unit / share)
 
@@ -123,13 +124,13 @@ class Writer:
         for curve in drawing.curves:
             block, read = self.block(curve, at)
             if np.array_equal(read.start, read.end) and abs(curve.turn) < math.pi:
-                continue  # rounded away
+                continue  # the curve is rounded away
             meant = meant and abs(read.turn - curve.turn) < 1 and read.radius > 0
             blocks.append(block)
             curves.append(read)
             at = read.end
             if random.random() < 0.08:
-                blocks.append(f"G1 {self.point(at)}")  # the same point once more
+                blocks.append(f"G1 {self.point(at)}")  # repeat the same point
             elif random.random() < 0.08 and not self.station.lathe:
                 blocks.append(f"G1 {self.names[4]}{random.randint(-9, 9)}.")
         code = 41 if drawing.side > 0 else 42
@@ -150,7 +151,7 @@ class Writer:
         )
 
     def beside(self, drawing: Drawing, place: int) -> Vector:
-        """A point on the tool's side, from which it comes to an end of the contour."""
+        """Return a point on the side of the tool, from which it comes to an end of the contour."""
         curve = drawing.curves[place]
         at, way = (curve.start if place == 0 else curve.end), curve.end - curve.start
         angle = math.atan2(way[1], way[0]) + drawing.side * math.radians(

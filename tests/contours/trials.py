@@ -1,4 +1,4 @@
-"""Runs contours on controls and holds the path of the tool's centre against an independent offset."""
+"""Runs contours on controls and checks the path of the tool by an independent offset."""
 
 from __future__ import annotations
 
@@ -82,8 +82,9 @@ class Trials:
 
 
 def tool_path(moves: Moves, written: Written, radius: float) -> list[Curve]:
-    """What the centre of the tool runs along, from the end of the start-up to the last compensated
-    point."""
+    """Return the path of the centre of the tool, from the end of the start-up to the last
+    compensated point.
+    """
     names = {17: "xy", 18: "zx", 19: "yz"}[written.plane]
     half = np.array([1.0, 0.5 if "T0101" in written.text else 1.0])
     tip = radius * np.array(TIPS[written.tip])
@@ -100,12 +101,12 @@ def tool_path(moves: Moves, written: Written, radius: float) -> list[Curve]:
 
 
 def deviation(path: list[Curve], drawing: Drawing, written: Written) -> float:
-    """How far the path is from the offset of the contour that the program's words mean."""
+    """Return how far the path is from the offset of the contour that the words mean."""
     radius = drawing.radius
     printed = Drawing(written.curves, radius, drawing.side)
     points = np.concatenate([curve.points(PATH) for curve in path])
     room = distances(points, printed.curves)
-    # Never nearer than the radius, and not further either, but around a corner.
+    # The path is never nearer than the radius, and is farther only around a corner.
     worst = float(radius - room.min())
     # A piece that the words cannot tell from a point has no side of its own.
     told = Drawing(written.told(), radius, drawing.side)
@@ -122,7 +123,7 @@ def deviation(path: list[Curve], drawing: Drawing, written: Written) -> float:
 
 
 def beyond_corners(points: Vector, drawing: Drawing) -> Vector:
-    """How far points lie beyond where the tool goes around the nearest corner."""
+    """Return how far points lie beyond the path around the nearest corner."""
     turns = drawing.corners()
     turns = np.where(turns > 2.9, -turns, turns)  # nearly straight back: the tool goes around
     outside = np.clip(-turns, 0, math.pi / 2)

@@ -1,12 +1,12 @@
-"""Runs generated programs on every control and on LinuxCNC, and compares the moves.
+"""Run generated programs on every control and on LinuxCNC, and compare the moves.
 
     python tests/differential --programs 100000 --seed 1
     python tests/differential --show 17 --seed 1
 
-The programs stay on the ground that the controls share, see `spelling.py`. Half of them turn, in X
-and Z, on all controls; half mill, in three axes, on those that are mills. All have to make the
-moves that the generator meant. LinuxCNC runs both kinds, where its `rs274` is on the path (Debian:
-`linuxcnc-uspace`); otherwise its half is skipped, and that is said.
+The programs use only what the controls share, see `spelling.py`. Half of them are for lathes, in X
+and Z, and run on all controls; half are for mills, in three axes. All have to make the moves that
+the generator meant. LinuxCNC runs both kinds if its `rs274` is on the path (Debian:
+`linuxcnc-uspace`); otherwise it is skipped, and that is reported.
 """
 
 from __future__ import annotations

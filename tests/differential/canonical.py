@@ -1,8 +1,8 @@
-"""What LinuxCNC's interpreter `rs274 -g` prints: the canonical calls of a program, as moves.
+"""The canonical calls of a program that LinuxCNC's interpreter `rs274 -g` prints, read as moves.
 
     7 N10    STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000, 0.0000, 0.0000, 0.0000)
 
-Lengths are told in mm, whatever the program counts in.
+Lengths are in mm, whatever the unit of the program.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 TOLERANCE = 0.0002  # mm; rs274 prints four decimals
-INCH_TOLERANCE = 0.0015  # mm; the same where those are of inches
+INCH_TOLERANCE = 0.0015  # mm; rs274 prints four decimals of inches
 
 _CALL = re.compile(r"\s*\d+ N(\S*)\s+([A-Z_0-9]+)\((.*)\)$")
 _NUMBER = re.compile(r"/?\s*N\s*(\d+)", re.IGNORECASE)
@@ -28,7 +28,7 @@ _PLANES = {"XY": "XYZ", "XZ": "ZXY", "YZ": "YZX"}
 
 @dataclass(frozen=True)
 class Move:
-    """A move and the sequence number of its block; a dwell stays and has seconds."""
+    """A move; a dwell does not move and has seconds."""
 
     kind: str
     end: Mapping[str, float] = field(default_factory=dict)
@@ -47,8 +47,9 @@ class Move:
 
 @dataclass(frozen=True)
 class Lost:
-    """From where on rs274 does not know what a machine would have told it: how many moves and
-    messages stand before, and why.
+    """The place from which rs274 does not know what a machine would have answered.
+
+    The fields say how many moves and messages come before it, and why.
     """
 
     moves: int
@@ -58,36 +59,36 @@ class Lost:
 
 @dataclass
 class Output:
-    """What a run of rs274 made; `blocks`: the sequence numbers of its calls, in order."""
+    """The result of a run of rs274; `blocks` are the sequence numbers of its calls, in order."""
 
     moves: list[Move] = field(default_factory=list)
     messages: list[str] = field(default_factory=list)
     blocks: list[int] = field(default_factory=list)
-    errors: list[str] = field(default_factory=list)  # the message, and the block behind it
-    tolerance: float = TOLERANCE  # of what is printed, in mm
-    probes_at: int | None = None  # how many moves stand before the first probe
+    errors: list[str] = field(default_factory=list)  # the message, and then its block
+    tolerance: float = TOLERANCE  # of the printed numbers, in mm
+    probes_at: int | None = None  # how many moves come before the first probe
     lost: Lost | None = None
 
     @property
     def travel(self) -> list[Move]:
-        """The moves but dwells."""
+        """The moves without dwells."""
         return [move for move in self.moves if move.kind != "dwell"]
 
     @property
     def refused(self) -> int | None:
-        """The sequence number of the block that is shown behind a message."""
+        """The sequence number of the block that is printed after a message."""
         shown = _NUMBER.match(self.errors[1]) if self.errors[1:] else None
         return int(shown[1]) if shown else None
 
 
 def read_output(stdout: str, stderr: str = "") -> Output:
-    """What stands in the two outputs of rs274."""
+    """Read the two outputs of rs274."""
     made = Output(errors=[line for line in stderr.splitlines() if line != "executing"])
     unit, axes, has_length = 1.0, "XYZ", False
     for line in stdout.splitlines():
         call = _CALL.match(line)
         if call is None:
-            made.messages.append(line)  # PRINT
+            made.messages.append(line)  # from PRINT
             continue
         n, name, inner = call.groups()
         if n.isdigit():
@@ -100,7 +101,7 @@ def read_output(stdout: str, stderr: str = "") -> Output:
         elif name == "USE_TOOL_LENGTH_OFFSET":
             has_length = any(map(float, re.findall(r"[-\d.]+", inner)))
         elif name == "SELECT_PLANE":
-            axes = _PLANES.get(inner[-2:], axes)  # it knows no plane of U, V, W
+            axes = _PLANES.get(inner[-2:], axes)  # the planes of U, V, W are unknown here
         elif name == "MESSAGE":
             made.messages.append(inner[1:-1])
         elif name == "DWELL":
@@ -110,7 +111,7 @@ def read_output(stdout: str, stderr: str = "") -> Output:
             if name == "STRAIGHT_PROBE" and made.probes_at is None:
                 made.probes_at = len(made.moves)
             made.moves.append(Move(kind, _straight(_numbers(inner), unit)))
-        elif name == "RIGID_TAP":  # there, and back the way it came
+        elif name == "RIGID_TAP":  # there, and back along the same path
             before = made.moves[-1].end if made.moves else dict.fromkeys("XYZABC", 0.0)
             there = {**before, **_straight(_numbers(inner), unit)}
             made.moves += [Move("feed", there), Move("feed", before)]
@@ -120,10 +121,10 @@ def read_output(stdout: str, stderr: str = "") -> Output:
 
 
 def _asks_machine(name: str, inner: str, unit: float, has_length: bool) -> str:
-    """What rs274 asks of its machine in this call, where the answer is not a machine's; or nothing.
+    """Return what rs274 asks of its machine in this call if no machine would answer so; or nothing.
 
-    [saicanon.cc: GET_EXTERNAL_TOOL_LENGTH_ZOFFSET tells the length in the unit it was given in;
-    GET_EXTERNAL_POSITION_Z, which is asked after a tool change, tells the place without a length,
+    [saicanon.cc: GET_EXTERNAL_TOOL_LENGTH_ZOFFSET gives the length in the unit it was given in;
+    GET_EXTERNAL_POSITION_Z, which is asked after a tool change, gives the place without a length
     and before a move that waits; CHANGE_TOOL(0) and CHANGE_TOOL_NUMBER leave the tool where it is]
     """
     if has_length and name == "USE_LENGTH_UNITS" and (unit > 1) != ("INCHES" in inner):
@@ -136,7 +137,7 @@ def _asks_machine(name: str, inner: str, unit: float, has_length: bool) -> str:
 
 
 def is_call(line: str) -> bool:
-    """Whether a line that was taken for a message is a canonical call with dots in its name."""
+    """Return whether a line that was read as a message is a call with dots in its name."""
     return re.match(r"\s*\d+ N\S*\s+SPINDLE\.", line) is not None
 
 
@@ -149,7 +150,9 @@ def _straight(values: Sequence[float], unit: float) -> dict[str, float]:
 
 
 def _arc(values: Sequence[float], axes: str, unit: float) -> Move:
-    """ARC_FEED tells the end in the plane, the centre in it, the turns and the end across it."""
+    """Return the arc of ARC_FEED: the end and the centre in the plane, the turns, the end across
+    it.
+    """
     first, second, one, other, turns, across = values[:6]
     end = dict(zip(axes, (first * unit, second * unit, across * unit))) | dict(
         zip("ABC", values[6:])
@@ -158,8 +161,10 @@ def _arc(values: Sequence[float], axes: str, unit: float) -> Move:
 
 
 def with_length(moves: Sequence[Move], blur: float = TOLERANCE / 2) -> list[Move]:
-    """Without the straight moves that end where they start, and dwells of no time: rs274 makes a
-    move for a bare G0. `blur`: how far off, in mm, two ends may be printed that are one.
+    """Return the moves without straight moves of no length and dwells of no time.
+
+    rs274 makes a move for a bare G0. `blur` is the distance, in mm, below which two printed ends
+    are the same.
     """
     kept: list[Move] = []
     at = dict.fromkeys("XYZABC", 0.0)
@@ -178,13 +183,13 @@ class Rs274:
         self.command = command
         self.folder = folder
         self.seconds = seconds
-        # Its tool table lies in the home folder: two that share it kill each other (SIGBUS).
+        # The tool table lies in the home folder: two that share it kill each other (SIGBUS).
         self.environment = {**os.environ, "HOME": str(folder)}
         (folder / "tool.tbl").touch()
         (folder / "variables").touch()
 
     def run(self, main: str = "main.ngc", *options: str) -> Output | None:
-        """What it makes of a file of the folder, `None` where it does not end in time."""
+        """Return the output of rs274 for a file of the folder, None if it does not end in time."""
         command = [self.command, *options, "-t", "tool.tbl", "-v", "variables", "-g", main]
         try:
             done = subprocess.run(
@@ -205,10 +210,10 @@ class Rs274:
 def command(
     what: str, text: Callable[..., str], compare: Callable[..., Any], kinds: Sequence[str] = ()
 ) -> int:
-    """The command of a comparison with rs274: which programs, how many in one text, or one shown.
+    """Run the command of a comparison with rs274: it compares programs, or shows one.
 
-    `text(seed, numbers)` writes a text, `compare(seed, numbers, rs274, folder, together)` reports;
-    both take some of `kinds` last where there are any.
+    `text(seed, numbers)` writes a text, `compare(seed, numbers, rs274, folder, together)` reports.
+    Both take some of `kinds` as the last argument if there are any.
     """
     parser = argparse.ArgumentParser(description=what.split("\n\n", 1)[0])
     parser.add_argument("--programs", type=int, default=1000)

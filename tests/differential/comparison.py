@@ -1,4 +1,4 @@
-"""Compares what every machine makes of generated programs with what the generator meant."""
+"""Compares the moves that every machine makes of generated programs with those that were meant."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from programs import MILLING, TURNING, Program, generate, moves_of
 from spelling import Speller, Style
 
 TOLERANCE = 0.0002  # mm; rs274 prints four decimals
-SHOWN = 10  # differences that are printed
+SHOWN = 10  # how many differences are printed
 
 
 class Comparison:
@@ -21,7 +21,7 @@ class Comparison:
         self.stations = stations()
         self.runs: Counter[str] = Counter()
         self.moves = 0
-        self.calls: Counter[int] = Counter()  # programs by the depth of their calls
+        self.calls: Counter[int] = Counter()  # number of programs by the depth of their calls
         self.differences = 0
 
     def program(self, place: int) -> Program:
@@ -31,7 +31,7 @@ class Comparison:
         return Random(f"{self.seed} {place} {what}")
 
     def text(self, place: int, program: Program, station: Station) -> str:
-        """Controls that want the same words get the same text."""
+        """Return the text; controls that want the same words get the same one."""
         return Speller(station.style, self.random(place, str(station.style))).write(program)
 
     def on(self, place: int) -> list[Station]:
@@ -62,7 +62,7 @@ class Comparison:
         text = linuxcnc.text(programs, self.random(places[0], LINUXCNC))
         made = linuxcnc.moves(text, len(programs))
         if isinstance(made, str) and len(programs) > 1:
-            # Some program of the file stopped it: each by itself.
+            # Some program of the file stopped it, so each runs by itself.
             for place, program, meant in zip(places, programs, expected, strict=True):
                 self.compare_linuxcnc(linuxcnc, (place,), [program], [meant])
             return

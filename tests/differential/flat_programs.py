@@ -1,5 +1,8 @@
-"""Flattens what there is, and runs both: `python tests/differential/flat_programs.py --rows
---examples --programs 10000`. Whatever is not refused has to do the same.
+"""Flatten rows, examples and generated programs, and run both.
+
+    python tests/differential/flat_programs.py --rows --examples --programs 10000
+
+A flat program that is not refused has to do the same.
 """
 
 from __future__ import annotations
@@ -26,7 +29,7 @@ EXAMPLES = Path(__file__).resolve().parent.parent.parent / "examples"
 SEED = 5
 _BLOCKS = 20_000
 
-# What rows that end are refused for.
+# The reasons for which rows that end are refused.
 REASONS = {
     "M02 or M30 returns from a subprogram, and the flat program would end there",
     "a code starts the program over, and the flat program goes on behind it",
@@ -36,14 +39,14 @@ REASONS = {
 
 
 def ended(library: cncsub.Library, main: str | None = None, **options: Any) -> bool:
-    """Whether a run comes to an end, or to an alarm that is the program's own."""
+    """Return whether a run comes to an end, or to an alarm of the program itself."""
     run = library.run(main, **options)
     own = run.alarm is not None and run.alarm.cause == "user-alarm"
     return own or run.stop in (cncsub.Stop.END, cncsub.Stop.CYCLES)
 
 
 def proved(library: cncsub.Library, main: str | None = None, **options: Any) -> bool:
-    """Whether a program ends; then its flat one does the same."""
+    """Return whether a program ends; if it does, its flat program must do the same."""
     if not ended(library, main, **options):
         return False
     flat = library.flatten(main, **options)
@@ -58,7 +61,7 @@ def proved(library: cncsub.Library, main: str | None = None, **options: Any) -> 
 
 
 def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
-    """The reasons for which rows that end are refused, and how many are not."""
+    """Return the reasons for which rows that end are refused, and how many are not."""
     refused: Counter[str] = Counter()
     done = 0
     for case, control in rows:
@@ -82,7 +85,7 @@ def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
 
 
 def of_examples() -> int:
-    """How many programs of the examples are flattened, each on every control of its maker."""
+    """Return how many programs of the examples are flattened, on every control of their makers."""
     done = 0
     for path, control in _examples():
         library = cncsub.load(path, control=control)
@@ -98,7 +101,7 @@ def _examples() -> Iterator[tuple[Path, str]]:
 
 
 def of_calls(places: Iterable[int]) -> int:
-    """Generated calls, on every control and kind of machine: how many were flattened."""
+    """Return how many generated calls were flattened, on every control and kind of machine."""
     comparison = Comparison(SEED)
     done = 0
     for place in places:
@@ -111,8 +114,8 @@ def of_calls(places: Iterable[int]) -> int:
 
 
 def of_other_languages(places: Iterable[int]) -> int:
-    """Generated calls and O-words of LinuxCNC, and generated calls of Siemens: how many of them end
-    and were flattened.
+    """Return how many generated programs of other languages end and were flattened: calls and
+    O-words of LinuxCNC, and calls of Siemens.
     """
     comparison = Comparison(SEED)
     done = 0
@@ -121,7 +124,7 @@ def of_other_languages(places: Iterable[int]) -> int:
         meant = generate(random, MILLING)
         speller = Speller(Style(), random)
         behind = [line for below in meant.called() for line in speller.below(below)]
-        calls = {  # LinuxCNC looks for a program behind the one that calls it
+        calls = {  # LinuxCNC looks for a program after the one that calls it
             "linuxcnc": "\n".join([*speller.body(meant), "M30", *behind]) + "\n",
             "siemens-one": SiemensSpeller(Style(), random).write(meant),
         }
@@ -136,14 +139,15 @@ def of_other_languages(places: Iterable[int]) -> int:
         try:
             done += proved(library, max_blocks=_BLOCKS)
         except cncsub.FlattenError as error:
-            if error.reason not in REASONS:  # (abort, ...) of the program
+            if error.reason not in REASONS:  # the program itself has (abort, ...)
                 raise
     return done
 
 
 def of_others(places: Iterable[int]) -> tuple[Counter[str], int]:
-    """Generated calls of every mill, each for every mill that can say its words: what was refused,
-    and how many were flattened and proved.
+    """Flatten generated calls of every mill for every mill that can say its words.
+
+    Returns what was refused, and how many were flattened.
     """
     comparison = Comparison(SEED)
     mills = [
@@ -169,8 +173,8 @@ def of_others(places: Iterable[int]) -> tuple[Counter[str], int]:
 
 
 def of_macros(places: Iterable[int]) -> int:
-    """Generated macros, on every control of the ISO language: how many of them end there and were
-    flattened.
+    """Return how many generated macros end and were flattened, on every control of the ISO
+    language.
     """
     controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
     done = 0

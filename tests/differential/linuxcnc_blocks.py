@@ -1,8 +1,8 @@
-"""Blocks that LinuxCNC reads, or refuses: codes that do not go together, words that nothing uses,
-feeds that are missing, parameters that are written, modes that are saved.
+"""Blocks that LinuxCNC reads, or refuses: codes that do not go together, words that no code uses,
+missing feeds, written parameters, saved modes.
 
-Each kind is a function that writes into a program of `linuxcnc_paths.py`. What may stop the program
-is written only where the writer is not careful.
+Each kind is a function that writes into a program of `linuxcnc_paths.py`. It writes what may stop
+the program only if the writer is not careful.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Protocol
 
 
 class Writer(Protocol):
-    """What a kind needs of the writer of a program."""
+    """The members of the writer of a program that a kind needs."""
 
     random: Random
     careful: bool
@@ -31,7 +31,8 @@ class Writer(Protocol):
     def label(self) -> str: ...
 
 
-# Codes of a group each. Left out are splines, turning cycles, G88, probing, U V W and what waits.
+# Each string has the codes of a group. Left out are splines, turning cycles, G88, probing, U V W
+# and codes that wait.
 GROUPS = (
     "G4 G10 G28 G30 G28.1 G30.1 G52 G53 G92", "G0 G1 G2 G3 G33 G33.1 G73 G74 G76 G80 G81 G82 G83 G84"
     " G85 G86 G89 G0 G1 G1 G80", "G17 G18 G19", "G90 G91", "G90.1 G91.1", "G93 G94 G95", "G20 G21",
@@ -39,7 +40,7 @@ GROUPS = (
     "G96 G97", "G7 G8", "G92.1 G92.2 G92.3", "M62 M63 M64 M65 M67 M68", "M6 M61",
     "M3 M4 M5 M19 M70 M71 M72 M73", "M7 M8 M9", "M48 M49 M50 M51 M52 M53",
 )  # fmt: skip
-# What is forbidden while a radius is compensated, and what is not.
+# Blocks that are forbidden while a radius is compensated, and blocks that are not.
 UNDER_COMPENSATION = (
     "G55", "G54", "G61", "G61.1", "G64", "G64 P0.1", "G98", "G99", "T2", "T1 M6", "M6", "G28", "G30",
     "G28 X1", "G28.1", "G30.1", "G92 X1", "G52 X1", "G92.1", "G92.2", "G92.3", "G53 G0 X1", "G53 G1 X1",
@@ -56,7 +57,7 @@ LETTERS = "DEFHIJKLPQRST"
 
 
 def value(of: Writer, letter: str) -> str:
-    """A value for a word: mostly one that makes sense there."""
+    """Return a value for a word, mostly one that makes sense there."""
     r = of.random
     if letter in "DHT":
         return str(r.choice((1, 2, 3, 1, 2, 3, 0, -1, 1.5)))
@@ -73,29 +74,29 @@ def letters(of: Writer, among: str, most: int) -> list[str]:
 
 
 def any_block(of: Writer) -> None:
-    """A block of codes of some groups, with words that they may not want."""
+    """Write a block of codes of some groups, with words that they may not want."""
     r = of.random
     groups = r.sample(GROUPS, r.choice((0, 1, 1, 1, 2, 2, 3)))
     words = [r.choice(group.split()) for group in groups]
     words += r.choice(([], [], [], [r.choice(r.choice(GROUPS).split())]))
     words += letters(of, LETTERS, 2)
     axes = of.axes("XYZA" if of.chance(0.1) else "XYZ", 1, 5) if of.chance(0.6) else ""
-    if "G10" in words:  # it takes P0.5 and not P0.4, and reads a table of tools anew by L0
+    if "G10" in words:  # rs274 accepts P0.5 but not P0.4, and L0 reads a tool table again
         words = [word for word in words if word not in ("P0.5", "L0")]
-    if "M6" in words:  # a length beside it is in force where the machine is asked for its place
+    if "M6" in words:  # with a length rs274 would ask the machine for its place
         words = [word for word in words if not word.startswith("G43")]
-    if not axes and ("G28" in words or "G30" in words):  # see linuxcnc_paths.py: reference
+    if not axes and ("G28" in words or "G30" in words):  # see `reference` in linuxcnc_paths.py
         axes = of.axes("XYZ")
     if of.chance(0.3):
         r.shuffle(words)
-    # Where M72 takes a mode back, what rs274 reads then stands in place of the words beside it: they
-    # are lost, M2 too. [interp_convert.cc: restore_settings]
+    # Where M72 restores a mode, the blocks that rs274 runs for it replace the words beside it:
+    # these are lost, M2 too. [interp_convert.cc: restore_settings]
     of.put(*(["M72"] if "M72" in words else [*words, axes]))
     after(of)
 
 
 def after(of: Writer) -> None:
-    """Show what the block left in force."""
+    """Show the state that the block left in force."""
     if of.chance(0.6):
         of.put("G0 X1 Y2 Z3" if of.chance(0.3) else of.axes("XY"))
     for _ in range(of.random.randint(0, 2)):
@@ -115,7 +116,7 @@ def block(of: Writer) -> None:
 
 
 def feed(of: Writer) -> None:
-    """G93, G94 and G95, with a feed, without one, and given again."""
+    """Write G93, G94 and G95, with a feed, without one, and with a second one."""
     r = of.random
     for _ in range(r.randint(1, 3)):
         mode = r.choice((93, 94, 95, 94))
@@ -131,7 +132,7 @@ def feed(of: Writer) -> None:
 
 
 def moved(of: Writer, mode: int, given: str) -> None:
-    """Moves in a feed mode: in inverse time each cut needs its feed."""
+    """Write moves in a feed mode: in inverse time each cut needs its feed."""
     r = of.random
     for n in range(r.randint(1, 3)):
         beside = given if mode == 93 or n == 0 else ""
@@ -144,7 +145,7 @@ def moved(of: Writer, mode: int, given: str) -> None:
 
 
 def units(of: Writer) -> None:
-    """G20 and G21 beside a feed and a move, and the feed that is left."""
+    """Write G20 and G21 with a feed and a move, and then a move with the feed that is left."""
     of.put("G49")
     of.inch = not of.inch
     of.put(f"F{of.random.choice((10, 200))}" if of.chance(0.7) else "",
@@ -156,7 +157,7 @@ def units(of: Writer) -> None:
 
 
 def held(of: Writer) -> None:
-    """What stands under radius compensation."""
+    """Write blocks under radius compensation."""
     r = of.random
     if of.careful:
         return
@@ -178,7 +179,7 @@ def held(of: Writer) -> None:
 
 
 def written(of: Writer) -> None:
-    """Parameters that tell something, or set it, are written and read."""
+    """Write and read parameters that hold or set a state."""
     r = of.random
     number = r.choice([n for n in WRITTEN if 5061 <= n <= 5399] if of.careful else WRITTEN)
     if of.careful and number in (5210, 5220, 5230, 5250):
@@ -200,13 +201,13 @@ def written(of: Writer) -> None:
         of.put(r.choice(("G54", "G55", "G54 G0 X1", "G0 X1 Y2 Z3", "G92.3", "G92.2", "G10 L2 P1 Y0",
                          "G92 X5", "G52 Y1", "G0 X1", "G43", "G49", "G10 L20 P1 X0")))  # fmt: skip
         of.show()
-    if turn:  # what is shifted under a turn rs274 loses sight of
+    if turn:  # rs274 loses its place if a rotated system is shifted
         of.put("G10 L2 P1 R0")
         of.put("G10 L2 P2 R0")
 
 
 def modes(of: Writer) -> None:
-    """All modes, saved and taken back: in the program and in a subprogram."""
+    """Write all modes, saved and restored: in the program and in a subprogram."""
     r = of.random
     of.put(r.choice(("M70", "M70", "M73")))
     kept = of.inch, of.plane
@@ -232,14 +233,14 @@ def modes(of: Writer) -> None:
 
 
 def tools(of: Writer) -> None:
-    """Tools chosen and changed, and lengths by number, in one block or several."""
+    """Write choices and changes of tools, and lengths by number, in one block or several."""
     r = of.random
     if of.careful:
         return
     for _ in range(r.randint(1, 3)):
         words = r.sample(("T1", "T2", "T3", "M6", "G43", "G49", "H1", "H2", "H0", "G43.1 Z1",
                           "G0 X1", "G40"), r.randint(1, 3))  # fmt: skip
-        if "M6" in words:  # a length that is in force then is one of a machine
+        if "M6" in words:  # a length in force then would be that of a machine
             of.put("G49 G90 G0 X0 Y0 Z9")
             words = [word for word in words if not word.startswith("G43")]
         of.put(*words)
@@ -249,7 +250,7 @@ def tools(of: Writer) -> None:
 
 
 def calls(of: Writer) -> None:
-    """M98 with words beside its own."""
+    """Write M98 with other words than its own."""
     r = of.random
     number = of.label()
     kept, of.lines = of.lines, []

@@ -1,12 +1,12 @@
-"""Flattens generated programs of LinuxCNC's motion: the flat program makes the moves of its original,
-on cncsub and on LinuxCNC's interpreter `rs274`.
+"""Flatten generated programs of LinuxCNC's motion: the flat program makes the moves of its
+original, on cncsub and on LinuxCNC's interpreter `rs274`.
 
     python tests/differential/linuxcnc_flat.py --programs 24000 --together 20
     python tests/differential/linuxcnc_flat.py --programs 1000 --kinds polar,turns
     python tests/differential/linuxcnc_flat.py --show 17
 
-On cncsub the moves are the same to a billionth of a millimetre. Programs whose modes are saved in calls
-have no flat one and are counted.
+On cncsub the moves are the same to a billionth of a millimetre. Programs whose modes are saved in
+calls have no flat program; they are counted.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class Report:
 
 
 def apart(one: cncsub.Run, other: cncsub.Run) -> str:
-    """Where the moves and messages of two runs are not the same, or nothing."""
+    """Return how the moves and messages of two runs differ, empty if they are the same."""
     if len(one.moves) != len(other.moves):
         return f"{len(other.moves)} moves instead of {len(one.moves)}"
     if not np.array_equal(one.moves.kind, other.moves.kind):
@@ -68,7 +68,7 @@ def compare(
     together: int = 1,
     kinds: Sequence[str] = (),
 ) -> Report:
-    """`command`: without one the flat programs run on cncsub alone."""
+    """Compare programs; without `command` the flat programs run on cncsub alone."""
     rs274 = Rs274(command, folder) if command else None
     report = Report()
     for place in places[::together]:
@@ -77,7 +77,7 @@ def compare(
 
 
 def in_mm(flat: str, text: str) -> str:
-    """The flat text that says of a length as its original does that it is written in mm."""
+    """Return the flat text, with the mark that a length is in mm where its original has it."""
     lengths = "|".join(set(re.findall(r"#(\d+) = \S+ \(mm\)", text)))
     return re.sub(rf"(?m)^#({lengths})=(\S+)$", r"#\1 = \2 (mm)", flat) if lengths else flat
 

@@ -1,4 +1,4 @@
-"""Moves of LinuxCNC that its drilling series, its codes of group 00, its polar words and its values make.
+"""Moves of LinuxCNC by drilling series, codes of group 00, polar words and computed values.
 
 Each kind is a function that writes into a program of `linuxcnc_paths.py`.
 """
@@ -11,7 +11,7 @@ from typing import Protocol
 
 INCH = 25.4
 ACROSS = {17: "XYZ", 18: "ZXY", 19: "YZX"}
-# Values that no increment of a thousandth holds.
+# Values that are no whole number of thousandths.
 ODD = (
     "1/3",
     "2/7",
@@ -28,7 +28,7 @@ SAYINGS = ("M8", "F150", "S700", "G4 P0.1", "(c)", "M9", "#4 = 3", "G64 P0.1")
 
 
 class Writer(Protocol):
-    """What a kind needs of the writer of a program."""
+    """The members of the writer of a program that a kind needs."""
 
     random: Random
     careful: bool
@@ -49,7 +49,7 @@ def unit(of: Writer) -> float:
 
 
 def number(of: Writer, value: float) -> str:
-    """A length in mm as the program writes it: plainly, or computed and not whole."""
+    """Return a length in mm as the program writes it: as a number, or computed and not whole."""
     value /= unit(of)
     if of.chance(0.6):
         return f"{value:.3f}"
@@ -72,7 +72,7 @@ def first_hole(of: Writer, code: int, axes: str) -> list[str]:
 
 
 def place(of: Writer, axes: str) -> str:
-    """Where the next hole is: by axes of the plane, by a radius and an angle, deeper, or by R alone."""
+    """Return the place of the next hole: by axes, by radius and angle, deeper, or by R alone."""
     r = of.random
     a, b, depth = axes
     form = r.random()
@@ -90,9 +90,9 @@ def place(of: Writer, axes: str) -> str:
 
 
 def between(of: Writer) -> None:
-    """What may stand between two holes."""
+    """Write a block that may stand between two holes."""
     r = of.random
-    modes = () if of.careful else ("G91", "G90")  # by which the bottom may come to lie above R
+    modes = () if of.careful else ("G91", "G90")  # with these the bottom may come to lie above R
     said = r.choice((*SAYINGS, "G98", "G99", *modes, "G98", "G99"))
     of.put(said, of.axes("XY") if of.chance(0.3) and said[0] == "G" else "")
 
@@ -101,7 +101,7 @@ def series(of: Writer) -> None:
     r = of.random
     plane = r.choice((17, 17, 17, 18, 19))
     axes = ACROSS[plane]
-    taps = (74, 84) if plane == 17 else ()  # elsewhere a tap takes its axes for each other
+    taps = (74, 84) if plane == 17 else ()  # in other planes a tap swaps its axes
     code = r.choice((73, 81, 82, 83, 85, 86, 89, 81, *taps))
     of.put("M4 S500" if code == 74 else "M3 S500", f"F{200 / unit(of):.1f}")
     of.put(f"G{plane} G90 G0", f"{axes[2]}{number(of, r.choice((1, 2, 5, 20)))}")
@@ -125,7 +125,7 @@ def series(of: Writer) -> None:
 
 
 def end(of: Writer) -> None:
-    """A series ends by G80, alone or beside a motion code, or by that code alone."""
+    """End a series by G80, alone or with a motion code, or by that code alone."""
     r = of.random
     motion = r.choice(("G0", "G1"))
     of.put(
@@ -142,7 +142,7 @@ def end(of: Writer) -> None:
 
 
 def beside(of: Writer) -> None:
-    """Axis words beside codes that take none: they move, in the mode or by a code of the block."""
+    """Write axis words with codes that take none: they move by the mode or a code of the block."""
     r = of.random
     of.put("G0", of.axes("XYZ"))
     codes = ("G4 P0.25", "G28.1", "G30.1", "G92.1", "G92.2", "G92.3", "G4 P[1/3]")
@@ -161,7 +161,7 @@ def beside(of: Writer) -> None:
 
 
 def in_mode(of: Writer) -> None:
-    """The same in the modes of arcs, threads and drilling."""
+    """Write the same in the modes of arcs, threads and drilling."""
     r = of.random
     code = r.choice(("G4 P0.1", "G28.1", "G92.2"))
     of.put("G90 G17 G8 G91.1 G0 X0 Y0 Z5")
@@ -186,7 +186,7 @@ def in_mode(of: Writer) -> None:
 
 
 def fine(of: Writer) -> None:
-    """Words whose values no increment holds, added up."""
+    """Write words whose values are no whole number of increments, added up."""
     r = of.random
     of.put("G91")
     motion = r.choice(("G0", "G1"))
@@ -209,7 +209,7 @@ def fine(of: Writer) -> None:
 
 
 def many(of: Writer) -> None:
-    """Many small increments in a loop."""
+    """Write many small increments in a loop."""
     label = f"o{len(of.lines) + 1 + getattr(of, 'base', 0)}"
     of.put("G91")
     of.put(f"{label} repeat [{of.random.choice((7, 30, 90))}]")
@@ -226,7 +226,7 @@ def many(of: Writer) -> None:
 
 
 def let_go(of: Writer) -> None:
-    """What stands between G40 and the move that leads back to the path."""
+    """Write blocks between G40 and the move that leads back to the path."""
     r = of.random
     one = unit(of)
     side = r.choice((41, 42))
@@ -288,7 +288,7 @@ def turns(of: Writer) -> None:
 
 
 def pairs(of: Writer) -> None:
-    """G53, G28 and lengths beside other codes of a block."""
+    """Write G53, G28 and lengths with other codes of a block."""
     r = of.random
     of.put("G90 G49 G80")
     of.put(

@@ -1,30 +1,31 @@
-"""Generates programs of LinuxCNC's motion and runs them on cncsub and on its interpreter `rs274`.
+"""Generate programs of LinuxCNC's motion and run them on cncsub and on its interpreter `rs274`.
 
     python tests/differential/linuxcnc_paths.py --programs 100000 --together 50
     python tests/differential/linuxcnc_paths.py --programs 1000 --kinds block,held,written
     python tests/differential/linuxcnc_paths.py --show 17
 
-`--kinds` names what the programs are made of, instead of all. A program moves in lines and arcs of all planes, by words, centres and polar coordinates, compensates
-radii, drills and cuts threads, sets and turns work systems, measures and changes tools, saves modes,
-and calls subprograms of such lines with computed words. It prints positions and modes. Some programs
-have a mistake. Compared are the moves of the tool in work coordinates, the messages, and at which
-of them the run stopped; where both stopped in other words, that is counted.
+`--kinds` names the kinds that programs are made of, instead of all. A program moves in lines and
+arcs of all planes, by words, centres and polar coordinates, compensates radii, drills and cuts
+threads, sets and rotates work systems, measures and changes tools, saves modes, and calls
+subprograms of such lines with computed words. It prints positions and modes. Some programs have a
+mistake. Compared are the moves of the tool in work coordinates, the messages, and after which of
+them the run stopped. If both stopped but in other words, that is counted.
 
-Not compared is what rs274 still moves in a block that it then refuses: cncsub refuses it whole.
+Moves that rs274 makes in a block that it then refuses are not compared: cncsub refuses it whole.
 
-Compared up to there alone, and counted by that name, is what follows where rs274 asks its machine
-and is answered otherwise than by one [canonical.py: _asks_machine]: a change of units or of the tool
-under a tool length, M61, and M6 of T0.
+Where rs274 asks its machine and gets an answer that no machine gives, only the part before is
+compared, and the program is counted under that reason [canonical.py: _asks_machine]: a change of
+units or of the tool under a tool length, M61, and M6 of T0.
 
-Left out of the programs is what rs274 does not do as a machine would: where a probing move leaves
-the tool (it stops a hundredth of an inch short of its end), the path of splines (it tells how many
-points they have, and reads one beyond them), U, V and W, which it does not know, G43.2 by axis
-words, where it looks for tool -1, G88, where the operator draws back, a work system that is turned
-under a shift of G92, of which it loses sight where the tool is, a peck that ends at the bottom but
-for rounding, taps outside of G17 in series, G90 and G91 between the holes of careful programs, tools
-that no table has, which a setup need not list, and words beside M72, which it loses where a mode is
-taken back. Careful programs, of which `--together` makes one, have nothing of the kinds held and
-tools, and of block only what never stops; by themselves programs have all of it.
+The programs leave out what rs274 does not do as a machine would: the place of the tool after a
+probing move (it stops a hundredth of an inch short of its end); the path of splines (it prints how
+many points they have, and reads one beyond them); U, V and W, which it does not know; G43.2 by axis
+words, where it looks for tool -1; G88, where the operator draws back; a work system that is rotated
+under a shift of G92, where it loses the place of the tool; a peck that ends at the bottom but for
+rounding; taps outside of G17 in series; G90 and G91 between the holes of careful programs; tools
+that no table has, which a setup need not list; and words beside M72, which it loses where a mode is
+restored. Careful programs, of which `--together` makes one, have nothing of the kinds held and
+tools, and of the kind block only what never stops. Single programs have all of it.
 """
 
 from __future__ import annotations
@@ -49,14 +50,14 @@ from canonical import Move, with_length
 SHOWN = 5
 SECONDS = 30
 INCH = 25.4
-# Lengths and diameters of the tools, in inches: rs274 by itself is a machine in inches.
+# Lengths and diameters of the tools, in inches: rs274 alone is a machine in inches.
 TOOLS = {1: (0.5, 0.25), 2: (1.0, 0.125), 3: (0.0, 0.5)}
 TABLE = "".join(f"T{t} P{t} Z{z} D{d} ;\n" for t, (z, d) in TOOLS.items())
 SETUP = cncsub.Setup(
     length_offsets={t: z * INCH for t, (z, _) in TOOLS.items()},
     radius_offsets={t: d * INCH / 2 for t, (_, d) in TOOLS.items()},
 )
-# Every program begins in the same state, whatever the one before it left.
+# Every program begins in the same state, whatever the program before it left.
 HEAD = [
     "G21 G90 G17 G94 G40 G80 G54 G91.1 G8 G98 G97 F300 S500 M3",
     "G49",
@@ -69,12 +70,12 @@ HEAD = [
     "G30.1",
 ]
 PLANES = {17: "XYZIJK", 18: "ZXYKIJ", 19: "YZXJKI"}
-# Points of circles about 0 whose words are exact.
+# Points of circles about 0 that words can give exactly.
 CIRCLES = (
     ((1, 0), (0, 1), (-1, 0), (0, -1)),
     ((5, 0), (4, 3), (3, 4), (0, 5), (-3, 4), (-4, 3), (-5, 0), (-4, -3), (0, -5), (3, -4)),
 )
-# What is told in the unit of the machine, which are inches there, begins with m.
+# A state in the unit of the machine, which is inches there, begins with m.
 STATE = (
     "#5420 #5421 #5422 #5423", "#<_x> #<_y> #<_z>", "#<_abs_x> #<_abs_y> #<_abs_z>", "#5220",
     "m #5211 #5212 #5213", "m #5221 #5222 #5223", "m #5401 #5402 #5403", "#<_motion_mode> #<_plane>",
@@ -97,13 +98,13 @@ class Writer:
     """Writes one program."""
 
     random: Random
-    base: int = 0  # labels begin behind it
-    careful: bool = False  # nothing that may stop the program
+    base: int = 0  # labels begin after it
+    careful: bool = False  # write nothing that may stop the program
     lines: list[str] = field(default_factory=list)
     subs: list[list[str]] = field(default_factory=list)
     inch: bool = False
     plane: int = 17
-    kinds: Sequence[str] = ()  # of KINDS; nothing: all of them
+    kinds: Sequence[str] = ()  # some of KINDS; empty: all of them
 
     def put(self, *words: str) -> None:
         self.lines.append(" ".join(word for word in words if word))
@@ -128,7 +129,7 @@ class Writer:
         count = self.random.randint(least, len(letters))
         return " ".join(self.word(axis, most) for axis in self.random.sample(letters, count))
 
-    # ---- what it does ----
+    # ---- kinds ----
 
     def straight(self) -> None:
         code = self.random.choice(("G0", "G1", "G1", "G90 G1", "G91 G0", "G90 G0"))
@@ -147,7 +148,7 @@ class Writer:
         middle = (self.length(), self.length())
         start = [m + size * p for m, p in zip(middle, one)]
         end = [m + size * p for m, p in zip(middle, other)]
-        self.put("G8")  # by diameters it is none
+        self.put("G8")  # in diameters it would be no arc
         self.put(f"G{plane} G90 G0 {a}{start[0]:.4f} {b}{start[1]:.4f}")
         code = r.choice(("G2", "G3"))
         if not full and self.chance(0.3):
@@ -171,7 +172,7 @@ class Writer:
         self.put("G91.1 G90", f"G{self.plane}")
 
     def contour(self) -> None:
-        """A compensated contour: a square about which any tool fits, or whatever comes."""
+        """Write a compensated contour: a square about which any tool fits, or random moves."""
         r = self.random
         plane, side = r.choice((17, 17, 18)), r.choice((41, 42))
         a, b, across, i, j, _ = PLANES[plane]
@@ -255,7 +256,7 @@ class Writer:
         elif code.startswith("G53"):
             self.put("G90", code, self.axes("XYZ"))
         else:
-            if not axes:  # which prints where the tool stands, in coordinates that may be new
+            if not axes:  # it prints where the tool stands, in coordinates that may be new
                 self.put("G90 G0", self.axes("XYZ", 3))
             self.put(code, axes)
 
@@ -334,7 +335,7 @@ class Writer:
         self.put(self.random.choice((f"#1 = {value}", f"#2 = [#1 + {value}]", "#1 = #5420")))
 
     def saved(self) -> None:
-        """Modes that are saved, changed, and taken back in."""
+        """Write modes that are saved, changed, and restored."""
         self.put("M70")
         inch, plane = self.inch, self.plane
         for _ in range(self.random.randint(1, 3)):
@@ -345,7 +346,7 @@ class Writer:
         self.show()
 
     def label(self) -> str:
-        """The number of the next subprogram."""
+        """Return the number of the next subprogram."""
         return str(self.base + 100 + len(self.subs))
 
     def call(self) -> None:
@@ -382,7 +383,7 @@ class Writer:
         return self.lines, self.subs
 
 
-# What a program is made of, and how often.
+# The kinds that a program is made of, and how often each is used.
 KINDS: dict[str, tuple[Callable[[Writer], None], int]] = {
     "straight": (Writer.straight, 5), "arc": (Writer.arc, 4), "contour": (Writer.contour, 3),
     "frame": (Writer.frame, 4), "tool": (Writer.tool, 3), "reference": (Writer.reference, 2),
@@ -402,7 +403,7 @@ def written(parts: Sequence[tuple[list[str], list[list[str]]]]) -> str:
 
 
 def program(seed: int, places: range, together: bool, kinds: Sequence[str] = ()) -> str:
-    """One program, or many as one: none of these has a mistake."""
+    """Return one program, or many as one: then none of them has a mistake."""
     writers = (
         Writer(Random(f"{seed} {place} paths {together}"), 1000 * (n + 1), together, kinds=kinds)
         for n, place in enumerate(places)
@@ -410,7 +411,7 @@ def program(seed: int, places: range, together: bool, kinds: Sequence[str] = ())
     return written([writer.parts() for writer in writers])
 
 
-# ---- what comes out ----
+# ---- results ----
 
 
 @dataclass
@@ -418,12 +419,12 @@ class Outcome:
     moves: list[Move]
     messages: list[str]
     error: str
-    tolerance: float = 0.0  # of what is printed, in mm
-    lost: str = ""  # why it goes on, but not as a machine would
+    tolerance: float = 0.0  # of the printed numbers, in mm
+    lost: str = ""  # why the rest is not that of a machine
 
 
 def tool_moves(run: cncsub.Run) -> list[Move]:
-    """The moves of the middle of the tool, in work coordinates."""
+    """Return the moves of the middle of the tool, in work coordinates."""
     moves = run.moves
     path = run.polyline(10.0, coordinates="tool") if len(moves) else None
     last = np.zeros(len(moves), dtype=int)
@@ -459,11 +460,11 @@ class Rs274:
         self.interpreter = canonical.Rs274(command, folder, SECONDS)
 
     def run(self, text: str) -> Outcome | None:
-        # Parameters of lengths are in inches there: what is written to them is said in mm.
+        # Parameters of lengths are in inches there, but the text writes them in mm.
         inches = re.sub(r"= (\S+) \(mm\)", r"= [\1 / 25.4]", text)
         (self.folder / "main.ngc").write_text(inches)
         (self.folder / "tool.tbl").write_text(TABLE)
-        (self.folder / "variables").write_text("")  # it keeps them from run to run
+        (self.folder / "variables").write_text("")  # rs274 keeps them from run to run
         made = self.interpreter.run()
         if made is None:
             return None
@@ -476,7 +477,7 @@ class Rs274:
 
 
 def difference(ours: Outcome, theirs: Outcome) -> str:
-    """The first thing that differs, or nothing."""
+    """Return the first difference, or nothing."""
     blur = theirs.tolerance
 
     def near(one: float, other: float) -> bool:
@@ -506,7 +507,7 @@ def difference(ours: Outcome, theirs: Outcome) -> str:
 
 def same_message(one: str, other: str, blur: float) -> bool:
     unit = INCH if one.startswith("m ") and other.startswith("m ") else 1
-    shown = 1e-4 * unit  # rs274 shows what is below as 0 [interp_convert.cc: convert_param_comment]
+    shown = 1e-4 * unit  # rs274 shows less as 0 [interp_convert.cc: convert_param_comment]
     try:
         ours, theirs = (list(map(float, text.removeprefix("m ").split())) for text in (one, other))
     except ValueError:
@@ -518,11 +519,11 @@ def same_message(one: str, other: str, blur: float) -> bool:
 @dataclass
 class Report:
     programs: int = 0
-    longer: int = 0  # than the time that a run gets
+    longer: int = 0  # how many ran longer than the limit of time
     moves: int = 0
     stopped: int = 0
-    lost: Counter[str] = field(default_factory=Counter)  # compared up to there alone
-    worded: Counter[str] = field(default_factory=Counter)  # stops in other words than rs274's
+    lost: Counter[str] = field(default_factory=Counter)  # compared only up to there
+    worded: Counter[str] = field(default_factory=Counter)  # stops in other words than rs274
     different: list[int] = field(default_factory=list)
 
     def __str__(self) -> str:
@@ -543,7 +544,9 @@ def compare(
     together: int = 1,
     kinds: Sequence[str] = (),
 ) -> Report:
-    """`together`: so many careful programs make one; where that differs, each is run by itself."""
+    """Compare programs; `together` careful ones make one, and each is run by itself if that
+    differs.
+    """
     rs274 = Rs274(command, folder)
     report = Report()
     for place in places[::together]:

@@ -1,6 +1,6 @@
 """Runs written programs: on the controls of cncsub, and on LinuxCNC's interpreter `rs274`.
 
-Both give their moves as an array with a row for each: kind, end X Y Z, centre X Y Z (0 where there
+Both return their moves as an array with a row for each: kind, end X Y Z, centre X Y Z (0 if there
 is none). Straight moves of no length are left out: LinuxCNC makes one for a bare G0.
 """
 
@@ -28,7 +28,7 @@ Moves = Any  # of shape (moves, 7)
 
 
 def table(moves: Sequence[Move]) -> Moves:
-    """The moves that a program means."""
+    """Return the moves that a program means."""
     rows = np.zeros((len(moves), 7))
     for row, move in zip(rows, moves, strict=True):
         row[0] = KINDS.index(move.kind)
@@ -40,7 +40,7 @@ def table(moves: Sequence[Move]) -> Moves:
 
 
 def as_lengths(rows: Moves) -> Moves:
-    """The same moves with diameters halved."""
+    """Return the moves with diameters halved."""
     return rows * np.array([1, 0.5, 1, 1, 0.5, 1, 1])
 
 
@@ -60,7 +60,7 @@ class Station:
         return self.setup.machine == "mill"
 
     def moves(self, text: str) -> Moves | str:
-        """What the run made, or how it stopped if not at its end."""
+        """Return the moves of a run, or how it stopped if not at its end."""
         run = cncsub.loads(text, control=self.control).run(setup=self.setup)
         if run.stop is not cncsub.Stop.END:
             return f"{run.stop}\n{run.alarm or ''}"
@@ -75,8 +75,8 @@ OTHER_LANGUAGES = {"linuxcnc", "siemens-one"}
 
 
 def stations() -> list[Station]:
-    """Every control of the ISO language as its own kind of machine, and mills that can be lathes as
-    these too.
+    """Return every control of the ISO language as its own kind of machine, and again as lathes
+    those mills that can be lathes.
     """
     names = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
     return [station for name in names for station in _stations_of(name)]
@@ -105,7 +105,7 @@ def _stations_of(name: str) -> Iterator[Station]:
 
 
 def _with_length(rows: Moves) -> Moves:
-    """Without the straight moves that end where they start."""
+    """Return the rows without the straight moves that end where they start."""
     before = np.vstack([np.zeros((1, 7)), rows[:-1]])
     stays = np.abs(rows[:, 1:4] - before[:, 1:4]).max(axis=1, initial=0) < 1e-6
     return rows[~(stays & (rows[:, 0] < KINDS.index(CW)))]
@@ -121,12 +121,12 @@ _PLANE_AXES = {"XY": "XYZ", "XZ": "ZXY", "YZ": "YZX"}
 
 
 def rs274() -> str | None:
-    """The interpreter, if it is installed."""
+    """Return the path of the interpreter if it is installed."""
     return shutil.which("rs274")
 
 
 class LinuxCnc:
-    """Runs many programs in one file, for a process is slow to start."""
+    """Runs many programs in one file, because a process is slow to start."""
 
     def __init__(self, command: str, folder: Path) -> None:
         self.command = command
@@ -136,7 +136,7 @@ class LinuxCnc:
             file.touch()
 
     def text(self, programs: Sequence[Program], random: Random) -> str:
-        """One main program with the blocks of all, their subprograms behind it."""
+        """Return one main program with the blocks of all, and their subprograms after it."""
         main, behind = [HEAD], []
         for place, program in enumerate(programs):
             style = replace(Style(), plus_number=10_000 * (place + 1))
@@ -146,11 +146,11 @@ class LinuxCnc:
         return "\n".join([*main, "M30", *behind]) + "\n"
 
     def moves(self, text: str, count: int) -> list[Moves] | str:
-        """The moves of each program of the text, or what the interpreter complains of."""
+        """Return the moves of each program of the text, or the error of the interpreter."""
         self.file.write_text(text)
         tools, variables = map(str, self.tables)
         command = [self.command, "-t", tools, "-v", variables, "-g", str(self.file)]
-        # Its tool table lies in the home folder: two that share it kill each other (SIGBUS).
+        # The tool table lies in the home folder: two that share it kill each other (SIGBUS).
         environment = {**os.environ, "HOME": str(self.file.parent)}
         done = subprocess.run(command, capture_output=True, text=True, check=False, env=environment)
         rows = list(_read(done.stdout))
@@ -160,7 +160,7 @@ class LinuxCnc:
 
 
 def _read(output: str) -> Iterator[list[list[float]]]:
-    """The rows of each program that came to its end."""
+    """Yield the rows of each program that came to its end."""
     rows: list[list[float]] | None = None
     axes = "XYZ"
     for word, inner in _LINE.findall(output):
@@ -177,7 +177,9 @@ def _read(output: str) -> Iterator[list[list[float]]]:
 
 
 def _row(word: str, values: list[float], axes: str) -> list[float]:
-    """ARC_FEED tells the end in the plane, the centre in it, the turn and the end across it."""
+    """Return the row of a call; ARC_FEED gives end and centre in the plane, the turn, the end
+    across.
+    """
     if word != "ARC_FEED":
         kind = RAPID if word == "STRAIGHT_TRAVERSE" else FEED
         return [KINDS.index(kind), *values[:3], 0, 0, 0]

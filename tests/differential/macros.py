@@ -1,6 +1,6 @@
-"""Generates programs with macros: variables, loops, branches, macro calls, computed words.
+"""Generate programs with macros: variables, loops, branches, macro calls, computed words.
 
-What they mean is not told: whoever takes them compares two ways to execute them.
+The meaning of the programs is not known: users compare two ways to execute them.
 """
 
 from __future__ import annotations
@@ -8,11 +8,11 @@ from __future__ import annotations
 from random import Random
 
 AXES = "XYZ"
-_LARGEST = 40  # of a coordinate
+_LARGEST = 40  # the largest coordinate
 
 
 def program(random: Random) -> str:
-    """A main program and three others that it calls, as the FANUC family writes them."""
+    """Return a main program and three others that it calls, in the words of the FANUC family."""
     lines = ["O1", "G21 G90 G17 G94", "G0 X0 Y0 Z5.", "F300 S1000 M3"]
     lines += _variables(random)
     for _ in range(random.randint(3, 9)):
@@ -33,7 +33,7 @@ def _variables(random: Random) -> list[str]:
 
 
 def _value(random: Random) -> str:
-    """A word's value: a number, a variable, an expression."""
+    """Return the value of a word: a number, a variable, an expression."""
     written = f"{random.choice(('', '-'))}{random.uniform(0, _LARGEST):.{random.randint(1, 3)}f}"
     variable = f"#{random.choice((1, 2, 3, 100, 101, 102, 103, 104, 105, 110))}"
     expression = random.choice(

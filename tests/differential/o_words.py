@@ -1,15 +1,16 @@
-"""Generates programs of O-words and runs them on cncsub and on LinuxCNC's interpreter `rs274`.
+"""Generate programs of O-words and run them on cncsub and on LinuxCNC's interpreter `rs274`.
 
     python tests/differential/o_words.py --programs 100000 --seed 1
     python tests/differential/o_words.py --show 17
 
 A program has subprograms of both kinds, branches and loops inside each other, expressions, numbered
 and named parameters, messages, rapid and feed moves and arcs. Some have a mistake: a label that is
-used twice, a subprogram that is not there, a division by 0. Compared are the moves, the messages, and
-how the run stopped: at its end, or by which error in which words.
+used twice, a subprogram that is not there, a division by 0. Compared are the moves, the messages,
+and how the run stopped: at its end, or by which error in which words.
 
-Left out is what rs274 computes without looking, and cncsub refuses: a MOD by 0 right in the brackets
-of a condition, an argument or a returned value; and an M99 with words in the main program.
+The programs leave out what rs274 computes without a check, and cncsub refuses: a MOD by 0 right in
+the brackets of a condition, an argument or a returned value; and an M99 with words in the main
+program.
 """
 
 from __future__ import annotations
@@ -24,8 +25,8 @@ import canonical
 import cncsub
 from canonical import TOLERANCE
 
-SHOWN = 5  # differences that are printed
-MAX_BLOCKS = 20_000  # of a run; what runs longer is left out
+SHOWN = 5  # how many differences are printed
+MAX_BLOCKS = 20_000  # the limit of a run; a longer one is left out
 SECONDS = 20
 
 
@@ -34,22 +35,22 @@ class Writer:
     """Writes one program."""
 
     random: Random
-    base: int = 0  # labels begin behind it: those of other programs in one file are others
-    careful: bool = False  # nothing that may stop the program
+    base: int = 0  # labels begin after it, so that the programs of one file have different ones
+    careful: bool = False  # write nothing that may stop the program
     lines: list[str] = field(default_factory=list)
     label: int = 0
     depth: int = 0
     loops: list[tuple[str, int]] = field(default_factory=list)
     names: list[str] = field(default_factory=list)
     inside: str = ""  # the subprogram that is being written
-    subs: list[tuple[str, int]] = field(default_factory=list)  # by O call: label, arguments
-    programs: list[int] = field(default_factory=list)  # by M98
+    subs: list[tuple[str, int]] = field(default_factory=list)  # for O calls: label, arguments
+    programs: list[int] = field(default_factory=list)  # for M98
 
     def chance(self, share: float) -> bool:
         return self.random.random() < share
 
     def slip(self, share: float) -> bool:
-        """Whether to do what may stop the program."""
+        """Return whether to do what may stop the program."""
         return self.chance(share) and not self.careful
 
     def put(self, line: str) -> None:
@@ -157,7 +158,7 @@ class Writer:
         return f"[{' '.join(words)}]"
 
     def length(self) -> str:
-        """A length that stays small, whatever the values are."""
+        """Return a length that stays small, whatever the values are."""
         return self.number() if self.chance(0.5) else f"[[{self.value(1)}] mod 50]"
 
     def condition(self) -> str:
@@ -171,7 +172,7 @@ class Writer:
     def new_label(self) -> str:
         self.label += 1
         if self.label > 2 and self.slip(0.006):
-            return f"o{self.random.randint(1, self.label - 1)}"  # used twice
+            return f"o{self.random.randint(1, self.label - 1)}"  # a label that is used twice
         return f"o{self.base + self.label}"
 
     def target(self) -> str:
@@ -234,7 +235,7 @@ class Writer:
                 ("", "", "", "%d", "%f", f"%.{r.randint(0, 9)}f", "%", "%g", "%.x", "#x")
             )
             text += f"{r.choice((' ', ' v ', ''))}{format}{self.variable()}"
-        if "[" not in text:  # which a message does not compute
+        if "[" not in text:  # a message does not compute these
             self.lines.append(f"({text})" + r.choice(("", "", "", "; c")))
 
     def arc(self) -> None:
@@ -341,7 +342,7 @@ class Writer:
         )
 
     def block(self, budget: int) -> None:
-        """Some lines, with branches and loops among them."""
+        """Write some lines, with branches and loops among them."""
         for _ in range(budget):
             kind = self.random.random()
             if self.depth >= 3 or kind < 0.72:
@@ -403,7 +404,9 @@ class Writer:
         return "\n".join(["%", *lines, "%"] if tape else lines) + "\n"
 
     def parts(self) -> tuple[list[str], list[str], list[str]]:
-        """What stands before the main program, the main program, and what stands behind its end."""
+        """Return what stands before the main program, the main program, and what stands after its
+        end.
+        """
         r = self.random
         subs = range(self.base + 801, self.base + 801 + r.randint(0, 3))
         words = [(r.choice((f"o{n}", f"o<s{n}>", f"o<Sub {n}>")), r.randint(0, 3)) for n in subs]
@@ -411,7 +414,7 @@ class Writer:
         definitions: list[tuple[bool, list[str]]] = []
         for place, (label, _) in enumerate(words):
             self.lines = []
-            # Later ones, and now and then itself.
+            # A subprogram calls later ones, and now and then itself.
             self.subs = words[place + 1 :] + ([words[place]] if self.slip(0.1) else [])
             self.programs = numbers
             self.inside, self.names, self.depth, self.loops = label, ["_g"], 0, []
@@ -445,7 +448,7 @@ def generate(seed: int, place: int) -> str:
 
 
 def generate_many(seed: int, places: range) -> str:
-    """Many programs as one, for a process is slow to start: none of them has a mistake."""
+    """Return many programs as one, for a process is slow to start; none of them has a mistake."""
     main: list[str] = []
     behind: list[str] = []
     for n, place in enumerate(places):
@@ -456,15 +459,15 @@ def generate_many(seed: int, places: range) -> str:
     return "\n".join([*main, "M2", *behind]) + "\n"
 
 
-# ---- what comes out ----
+# ---- results ----
 
 
 @dataclass
 class Outcome:
     moves: list[tuple[str, float, float, float]]
     messages: list[str]
-    error: str  # as it is told; empty at the end
-    cause: str = ""  # what cncsub calls it
+    error: str  # the text of the error; empty at the end
+    cause: str = ""  # the name of the cause in cncsub
 
 
 def on_cncsub(text: str) -> Outcome | None:
@@ -499,7 +502,7 @@ class Rs274:
 def _with_length(
     moves: list[tuple[str, float, float, float]],
 ) -> list[tuple[str, float, float, float]]:
-    """Without the straight moves that end where they start."""
+    """Return the moves without the straight ones that end where they start."""
     kept, at = [], (0.0, 0.0, 0.0)
     for kind, *end in moves:
         if kind in ("cw", "ccw") or any(
@@ -525,7 +528,7 @@ def same(ours: Outcome, theirs: Outcome) -> bool:
 @dataclass
 class Report:
     programs: int = 0
-    longer: int = 0  # than the blocks or the time that a run gets
+    longer: int = 0  # how many ran longer than the limit of blocks or time
     moves: int = 0
     errors: Counter[str] = field(default_factory=Counter)
     different: list[int] = field(default_factory=list)
@@ -539,7 +542,7 @@ class Report:
 
 
 def compare(seed: int, places: range, command: str, folder: Path, together: int = 1) -> Report:
-    """`together`: so many careful programs make one."""
+    """Compare programs; `together` careful ones make one."""
     rs274 = Rs274(command, folder)
     report = Report()
     for place in places[::together]:

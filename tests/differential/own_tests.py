@@ -1,16 +1,16 @@
-"""Runs the test programs and samples of LinuxCNC's sources on cncsub and on its interpreter `rs274`.
+"""Run the test programs and samples of LinuxCNC's sources on cncsub and on its interpreter `rs274`.
 
     python tests/differential/own_tests.py ~/linuxcnc/tests/interp
     python tests/differential/own_tests.py ~/linuxcnc/nc_files
 
-Every `.ngc` of the folder and below runs by itself, with the other programs and the tool table of its
-folder; where there is none, tools 1 to 99 are in it. Compared are the moves of the tool's point or of
-its centre, the messages, and how the run stopped. Splines are moves that rs274 tells without their
-places: the moves between them are compared.
+Every `.ngc` of the folder and below runs by itself, with the other programs and the tool table of
+its folder; if there is no table, one with tools 1 to 99 is used. Compared are the moves of the
+point of the tool or of its centre, the messages, and how the run stopped. rs274 does not print the
+places of splines, so only the moves between them are compared.
 
-What a program does up to the place where something of a machine decides is compared, too, and then it
-is counted under that reason (`REASONS`). Anything else that disagrees is printed with the first
-difference, and the status is 1.
+Up to the place where something of a machine decides, a program is compared too, and then it is
+counted under that reason (`REASONS`). Any other difference is printed, the first of each program,
+and the status is 1.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ from linuxcnc_paths import tool_moves
 
 SECONDS = 20
 MAX_BLOCKS = 200_000
-INCH = 25.4  # rs274 by itself is a machine in inches: so is its tool table
+INCH = 25.4  # rs274 alone is a machine in inches, and so is its tool table
 
 
 TABLE = "".join(f"T{t} P{t} Z{t % 7 / 10} D{t % 5 / 64 + 0.01} ;\n" for t in range(1, 100))
 FLAT_TABLE = re.sub(r"Z\S+", "Z0", TABLE)
 SPLINE = re.compile(r"G\s*0*5(\.1)?(?![\d.])", re.IGNORECASE)
 
-# Why a program may go on otherwise from some place on.
+# The reasons why a program may go on otherwise from some place on.
 NOT_COMPUTED = "cncsub says that it does not compute a code (G5.2, G70 to G72)"
 M_CODES = "M100 to M199 are programs in a folder of the machine, which rs274 alone has not"
 AXES = "U, V and W are axes of the machine, which rs274 alone has not"
@@ -49,11 +49,11 @@ PROBES = "a probe touches, for rs274 alone always 0.01 inch before the end"
 NAMES = "a named parameter tells of the machine (overrides, axes, coolant)"
 LENGTHS = "rs274 alone stands otherwise after G43 in the block of M6; without lengths all agrees"
 REASONS = (NOT_COMPUTED, M_CODES, AXES, PINS, PROBES, NAMES, LENGTHS)
-UNKNOWN = "######"  # what a message says where cncsub knows no value
+UNKNOWN = "######"  # in a message, a value that cncsub does not know
 
 
 def setup_of(folder: Path) -> cncsub.Setup:
-    """Lengths and radii of the tool tables of a folder."""
+    """Return a setup with the lengths and radii of the tool tables of a folder."""
     lengths: dict[int, float] = {}
     radii: dict[int, float] = {}
     for table in sorted(folder.glob("*.tbl")):
@@ -74,7 +74,7 @@ def on_cncsub(folder: Path, name: str) -> cncsub.Run:
 
 
 def moves_of(run: cncsub.Run, tool: bool) -> list[Move]:
-    """The moves; `tool`: of the middle of the tool, in machine coordinates."""
+    """Return the moves; `tool`: of the middle of the tool, in machine coordinates."""
 
     def place(row: Any, prefix: str, axes: str) -> dict[str, float]:
         values = {axis: getattr(row, prefix + axis.lower(), None) for axis in axes}
@@ -115,7 +115,7 @@ def alike(one: Move, other: Move, tolerance: float) -> bool:
 
 
 def same_message(theirs: str, ours: str) -> bool:
-    """Whether they say the same; a number of theirs may be inches of the machine, and ours mm."""
+    """Return whether both say the same; numbers of `theirs` may be in inches, of `ours` in mm."""
     number = re.compile(r"-?\d+\.\d+")
     if number.sub("", theirs).rstrip() != number.sub("", ours).rstrip():
         return False
@@ -124,7 +124,7 @@ def same_message(theirs: str, ours: str) -> bool:
 
 
 def same_moves(theirs: Output, run: cncsub.Run, first: int | None = None) -> bool:
-    """Whether the moves are the same, or as many of the first as both have."""
+    """Return whether the moves are the same, or the first ones that both have."""
     moves = with_length(theirs.moves[:first])
     small = theirs.tolerance
     for way in (moves_of(run, False), moves_of(run, True), with_length(tool_moves(run))):
@@ -153,7 +153,7 @@ def differences(theirs: Output, run: cncsub.Run) -> Iterator[str]:
 
 
 def reason(theirs: Output, run: cncsub.Run) -> str | None:
-    """What of a machine decides where they part, if they are the same before."""
+    """Return what of a machine decides where they part, if they are the same before."""
     wanted, got = how_both_stop(theirs, run)
     known = [pair for pair in zip(theirs.messages, run.messages) if UNKNOWN not in pair[1]]
     if not all(same_message(*pair) for pair in known):
@@ -175,7 +175,7 @@ def reason(theirs: Output, run: cncsub.Run) -> str | None:
 
 @dataclass
 class Found:
-    """What differs; `None` where rs274 does not end in time."""
+    """The differences; `None` where rs274 does not end in time."""
 
     differences: list[str] | None
     reason: str | None = None
@@ -200,7 +200,7 @@ def compare(command: str, file: Path) -> Found:
 def compare_with(command: str, folder: Path, name: str, table: str | None) -> Found:
     if table is not None:
         (folder / "tool.tbl").write_text(table)
-    (folder / "variables").write_text("")  # it keeps them from run to run
+    (folder / "variables").write_text("")  # rs274 keeps them from run to run
     theirs = Rs274(command, folder, SECONDS).run(name)
     if theirs is None:
         return Found(None)

@@ -1,13 +1,13 @@
-"""Generates programs that mean the same on every control, and says what they mean.
+"""Generates programs that mean the same on every control, and the moves that they mean.
 
 A program here is not yet text: lengths are whole micrometres, an arc has its centre. `spelling.py`
-writes it as each control wants it; `moves_of` is what all of them have to make of it.
+writes it as each control wants it. `moves_of` returns the moves that all of them have to make.
 
-Left out is what the controls do differently, by the rules that say so: L0 (zero_repeats), calls of
-open programs (self_call, caller_call), words beside M98 and M99 (call-with-words-in-cycle,
-codes_not_with_call), more than four levels (max_nesting), arcs with R that end where they start
-(no-arc-travel) and arcs with neither R nor centre (no_radius), a third axis in the arcs of
-lathes (helix), the codes in force at power-on (power_on).
+The programs leave out what the controls do differently, by the rules that say so: L0
+(zero_repeats), calls of open programs (self_call, caller_call), words beside M98 and M99
+(call-with-words-in-cycle, codes_not_with_call), more than four levels (max_nesting), arcs with R
+that end where they start (no-arc-travel) and arcs with neither R nor centre (no_radius), a third
+axis in the arcs of lathes (helix), the codes in force at power-on (power_on).
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from random import Random
 RAPID, FEED, CW, CCW = "rapid", "feed", "cw", "ccw"
 ARCS = (CW, CCW)
 PLANES = {17: "XY", 18: "ZX", 19: "YZ"}
-MAX_DEPTH = 4  # the least that a control allows
+MAX_DEPTH = 4  # the lowest limit of all controls
 MAX_MOVES = 150
 
 # Points on a circle around 0 with whole coordinates: ends of exact arcs.
@@ -31,7 +31,7 @@ Lengths = dict[str, int]  # micrometres by axis
 
 @dataclass(frozen=True)
 class Ground:
-    """What programs of a kind may use."""
+    """The axes and planes that programs of a kind may use."""
 
     axes: str
     planes: tuple[int, ...]
@@ -43,7 +43,7 @@ MILLING = Ground("XYZ", (17, 18, 19))
 
 @dataclass(frozen=True)
 class Modes:
-    """What is in force from block to block."""
+    """The modes in force from block to block."""
 
     motion: str = RAPID
     absolute: bool = True
@@ -52,7 +52,7 @@ class Modes:
 
 @dataclass(frozen=True)
 class Block:
-    """The modes it writes (the others are in force already), and the words of its move."""
+    """The modes that a block writes (others are in force already), and the words of its move."""
 
     written: frozenset[str]
     modes: Modes
@@ -71,15 +71,15 @@ class Call:
 @dataclass
 class Program:
     number: int
-    entry: Modes  # what its callers have in force
+    entry: Modes  # the modes in force at its call
     blocks: list[Block | Call] = field(default_factory=list)
     exit: Modes = Modes()
-    place: Lengths = field(default_factory=dict)  # where it ends, as far as it is known
+    place: Lengths = field(default_factory=dict)  # the place where it ends, as far as it is known
     moves: int = 0
-    depth: int = 0  # how many levels of calls are below it
+    depth: int = 0  # the levels of calls below it
 
     def called(self) -> Iterator[Program]:
-        """Every program below this one, each once."""
+        """Yield every program below this one, each once."""
         seen: dict[int, Program] = {}
         for block in self.blocks:
             if isinstance(block, Call) and block.program.number not in seen:
@@ -96,7 +96,7 @@ class Move:
 
 
 def generate(random: Random, ground: Ground) -> Program:
-    """A main program and what it calls, up to `MAX_DEPTH` levels."""
+    """Return a main program and the programs that it calls, up to `MAX_DEPTH` levels."""
     numbers = iter(random.sample(range(1, 10_000), 2 * MAX_DEPTH + 1))
     below: list[Program] = []
     for _ in range(random.choice((0, 1, 2, 3, MAX_DEPTH, MAX_DEPTH))):
@@ -106,7 +106,7 @@ def generate(random: Random, ground: Ground) -> Program:
 
 
 class _Author:
-    """Writes one program block by block and knows what is in force at each."""
+    """Writes one program block by block and knows the modes in force at each."""
 
     def __init__(self, random: Random, ground: Ground, number: int) -> None:
         self.random = random
@@ -139,7 +139,7 @@ class _Author:
         for _ in range(blocks):
             kind = self.random.random()
             if below and kind < 0.4:
-                # The last one written calls deepest.
+                # The program that was written last has the deepest calls.
                 self.call(self.random.choice((below[-1], self.random.choice(below))))
             elif kind < 0.7:
                 self.line()
@@ -180,7 +180,7 @@ class _Author:
         self.add(Block(written, modes, axes, centre, "" if radius else "".join(words), radius))
 
     def around(self) -> tuple[tuple[int, int], tuple[int, int]]:
-        """Two points of a circle around 0, one twice for a full circle.
+        """Return two points of a circle around 0, one point twice for a full circle.
 
         LinuxCNC takes a radius of a thousandth for a mistake, "Zero-radius arc".
         """
@@ -197,7 +197,7 @@ class _Author:
         return radius if (side > 0) == (motion == CCW) else -radius
 
     def call(self, program: Program) -> None:
-        # A second pass finds what the first one left in force.
+        # A second pass starts with the modes that the first one left in force.
         most = 4 if program.exit == program.entry else 1
         repeats = self.random.randint(1, most)
         if self.program.moves + repeats * program.moves > MAX_MOVES:
@@ -210,15 +210,15 @@ class _Author:
         self.place = dict(program.place)
 
     def require(self, modes: Modes) -> None:
-        """Bring these modes into force, by a block without a move."""
+        """Bring these modes into force by a block without a move."""
         needed = self.changes(modes, spare=0.1)
         if needed:
             self.add(Block(needed, modes))
 
-    # ---- what is in force ----
+    # ---- modes in force ----
 
     def other_modes(self) -> Modes:
-        """Modes for a line: some as they are, some changed."""
+        """Return modes for a line: some as they are, some changed."""
         motion = self.modes.motion
         if motion in ARCS or self.random.random() < 0.5:
             motion = self.random.choice((RAPID, FEED))
@@ -229,7 +229,7 @@ class _Author:
         return Modes(motion, absolute, plane)
 
     def changes(self, modes: Modes, spare: float = 0.3) -> frozenset[str]:
-        """The modes that a block has to write, and some that it need not."""
+        """Return the modes that a block has to write, and some that it need not."""
         return frozenset(
             name
             for name in ("motion", "absolute", "plane")
@@ -251,7 +251,7 @@ class _Author:
 
 
 def moves_of(program: Program) -> list[Move]:
-    """What the program means. Straight moves of no length are left out."""
+    """Return the moves that the program means, without straight moves of no length."""
     return list(_moves(program, dict.fromkeys("XYZ", 0)))
 
 

@@ -1,6 +1,6 @@
 """Writes a generated program as a control, or LinuxCNC, wants it.
 
-What the controls do differently is left out of the programs, and written in another way here:
+The differences of the controls are left out of the programs, or are handled here:
 
 - P of M98 is count and number, a number, or the N of a block of the same program; the 980TDi and
   980MDi take no L beside a number in P. [the rules program_word and count_and_l]
@@ -27,9 +27,9 @@ CENTRES = {"X": "I", "Y": "J", "Z": "K"}
 
 @dataclass(frozen=True)
 class Style:
-    """How a machine wants its programs."""
+    """The words that a machine wants its programs in."""
 
-    head: str = "O"  # of a program; empty where a subprogram is a part of the main program
+    head: str = "O"  # the letter of a program; empty if a subprogram is a part of the main program
     diameter: bool = False
     increments_by_letter: bool = False  # U and W, no G90 and G91
     count_in_p: bool = False
@@ -40,7 +40,7 @@ class Style:
 
 
 class Speller:
-    """Writes programs in one style; the random part is what means nothing, such as spaces."""
+    """Writes programs in one style; random is only what means nothing, such as spaces."""
 
     def __init__(self, style: Style, random: Random) -> None:
         self.style = style
@@ -49,7 +49,7 @@ class Speller:
         self.numbered = bool(style.head) and random.random() < 0.5
 
     def write(self, program: Program) -> str:
-        """The whole memory: the main program, and behind it what it calls, in any order."""
+        """Return the whole memory: the main program, and after it the called ones, in any order."""
         called = list(program.called())
         self.random.shuffle(called)
         head = f"{self.style.head or '%'}{program.number}"
@@ -57,7 +57,7 @@ class Speller:
         return "\n".join([*main, *(line for below in called for line in self.below(below))]) + "\n"
 
     def below(self, program: Program) -> Iterator[str]:
-        """A subprogram with its head."""
+        """Yield a subprogram with its head."""
         number = program.number + self.style.plus_number
         lines = [*self.body(program), "M99"]
         if self.style.head:
@@ -115,7 +115,7 @@ class Speller:
             yield self.word(CENTRES[axis], block.centre[axis])
 
     def word(self, letter: str, micrometres: int) -> str:
-        """`X.5`, `X0.5`, `X0.500`: always with a point."""
+        """Return a word such as `X.5`, `X0.5`, `X0.500`, always with a point."""
         sign = "-" if micrometres < 0 else ""
         whole, decimals = divmod(abs(micrometres), 1000)
         digits = f"{decimals:03}"
@@ -126,7 +126,7 @@ class Speller:
 
 
 class SiemensSpeller(Speller):
-    """The same in the language of SINUMERIK: called by name, `CR=` for a radius, M17 to return."""
+    """A speller for SINUMERIK: calls by name, `CR=` for a radius, M17 to return."""
 
     def write(self, program: Program) -> str:
         called = list(program.called())

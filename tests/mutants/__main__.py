@@ -1,12 +1,12 @@
-"""Changes the engine in one small place at a time, and looks whether a row notices.
+"""Change the engine in one small place at a time, and look whether a row notices.
 
     python tests/mutants --count 300 --seed 1
     python tests/mutants --count 50 cpp/cncsub/code/target.cpp
 
-A mutant is one comparison, number, enumerator, condition or statement of a C++ source changed. It
-is built (only its file), and the rows of the conformance tables run until one fails: the mutant is
-killed. One that no row fails on survived: either it means the same, or a row is missing. The build
-tree stands outside the repository; a place is tried again by the line and column that are printed.
+A mutant is one comparison, number, enumerator, condition or statement of a C++ source changed. Only
+its file is built again, and the rows of the conformance tables run until one fails: then the mutant
+is killed. If no row fails, the mutant survived: either it means the same, or a row is missing. The
+build tree stands outside the repository. The line and column that are printed select a place again.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from workshop import ENGINE, ROOT, Workshop
 
 CONFORMANCE = ROOT / "tests" / "conformance"
 SOURCES = ("code/c*", "dialect/iso/*", "motion/**/*", "machine/*")
-MEMORY = 4 << 30  # of a process that runs rows
+MEMORY = 4 << 30  # for a process that runs rows
 PASSED = "passed"
 STOPPED = "no end"
 CRASHED = "crashed"
@@ -49,7 +49,7 @@ class Rows:
         self.seconds = seconds
 
     def first_failing(self) -> str:
-        """The row that fails first, or `PASSED`, `STOPPED`, `CRASHED`."""
+        """Return the row that fails first, or `PASSED`, `STOPPED`, `CRASHED`."""
         reader, writer = os.pipe()
         child = os.fork()
         if child == 0:
@@ -68,7 +68,7 @@ class Rows:
         failed = int(answer)
         if failed < 0:
             return PASSED
-        # The row that has just found something is likely to find the next one.
+        # The row that has just found something is likely to find the next mutant.
         self.order.remove(failed)
         self.order.insert(0, failed)
         return str(self.rows[failed])
@@ -78,7 +78,7 @@ class Rows:
         return os.read(reader, 100) if ready else None
 
     def _run(self, writer: int) -> None:
-        """In the child: whatever happens there, it ends here and cleans up nothing."""
+        """Run in the child: whatever happens there, it ends here and cleans up nothing."""
         try:
             resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -87,7 +87,7 @@ class Rows:
             os._exit(0)
 
     def _search(self) -> int:
-        """The place of the first row that fails, -1 if none does."""
+        """Return the place of the first row that fails, -1 if none does."""
         import cncsub
         from cncsub.testing.outcome import differences
 
@@ -95,7 +95,7 @@ class Rows:
             row = self.rows[place]
             try:
                 passed = next(differences(row.case, cncsub.controls[row.control]), None) is None
-            except BaseException:  # whatever a mutant breaks
+            except BaseException:  # a mutant may break anything
                 passed = False
             if not passed:
                 return place
@@ -103,7 +103,9 @@ class Rows:
 
 
 def chosen(sources: list[Path], count: int, seed: int) -> Iterator[tuple[Path, Mutant, str]]:
-    """A sample over all sources, in an order that the seed gives: file, mutant and changed text."""
+    """Yield a sample over all sources, in an order that the seed gives: file, mutant and changed
+    text.
+    """
     texts = {file: file.read_text() for file in sources}
     everything = [
         (file, mutant)

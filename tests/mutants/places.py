@@ -8,8 +8,8 @@
     11 && -> ||
     30 false -> true
 
-Text in quotes, comments and lines of the preprocessor are left alone. What does not compile is
-sorted out later, so the search may be generous.
+Text in quotes, comments and lines of the preprocessor are left alone. Mutants that do not compile
+are sorted out later, so the search may be generous.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-# Each has spaces around it, as the formatter writes an operator and never a template or a reference.
+# Each operator has spaces around it; the formatter writes none around templates and references.
 OPERATORS = {
     "==": "!=",
     "!=": "==",
@@ -70,7 +70,7 @@ class Mutant:
 
 
 def mutants_of(file: str, source: str) -> list[Mutant]:
-    """Every mutant of a source, in the order of the text."""
+    """Return every mutant of a source, in the order of the text."""
     seen = _HIDDEN.sub(lambda found: re.sub(r"[^\n]", " ", found[0]), source)
     found = sorted(set(_changes(seen, source)))
     return [
@@ -91,7 +91,7 @@ def _changes(seen: str, source: str) -> Iterator[tuple[int, int, str]]:
         line = source[source.rfind("\n", 0, match.start()) + 1 : source.find("\n", match.end())]
         if not (
             match[0] in "+-" and ('"' in line or "to_string" in line)
-        ):  # texts are put together
+        ):  # here texts are put together
             yield *match.span(), OPERATORS[match[0]]
     for match in _WORD.finditer(seen):
         yield *match.span(), WORDS[match[0]]
@@ -102,20 +102,20 @@ def _changes(seen: str, source: str) -> Iterator[tuple[int, int, str]]:
     for match in _CONDITION.finditer(seen):
         end = _closing(seen, match.end())
         inside = seen[match.end() : end]
-        # A condition of one comparison or negation is turned round there.
+        # A condition of one comparison or negation is already inverted there.
         one = not re.search(r"&&|\|\|", inside) and re.search(r"^!| [=!<>]=? ", inside)
         if ";" not in inside and not one:
             yield match.end(), end, f"!({source[match.end() : end]})"
     for match in _STATEMENT.finditer(seen):
         start = match.end() - len(match[0].lstrip())
-        # A block that ends above the line, or a comma, says that this is only the rest of one.
+        # A line is a whole statement only after the end of another, or after the head of a block.
         if seen[:start].rstrip().endswith((";", "{", "}", ":", ")")) or not seen[:start].strip():
             yield start, match.end(), ";"
     yield from _other_enumerators(seen)
 
 
 def _closing(text: str, place: int) -> int:
-    """Where the parenthesis that was opened before `place` is closed."""
+    """Return where the parenthesis that was opened before `place` is closed."""
     depth = 1
     while depth:
         depth += {"(": 1, ")": -1}.get(text[place], 0)
@@ -124,7 +124,7 @@ def _closing(text: str, place: int) -> int:
 
 
 def _other_enumerators(seen: str) -> Iterator[tuple[int, int, str]]:
-    """The next one of the same type that the source names; the last becomes the first."""
+    """Yield the next enumerator of the same type in the source; the last becomes the first."""
     matches = list(_ENUMERATOR.finditer(seen))
     names: dict[str, list[str]] = {}
     for match in matches:

@@ -29,12 +29,12 @@ class Workshop:
         self.commands: dict[str, tuple[list[str], Path]] = {}
 
     def prepare(self) -> None:
-        """Build everything as it is. What is there from an earlier time is built upon."""
+        """Build everything as it is, upon what an earlier build left."""
         import pybind11
 
         configure = [
             *("cmake", "-S", str(ROOT), "-B", str(self.tree), "-G", "Ninja"),
-            # Debug: no optimization across files, so that one file alone can be built anew.
+            # Debug: no optimization across files, so that one file alone can be built again.
             *("-DCMAKE_BUILD_TYPE=Debug", f"-DCMAKE_CXX_FLAGS_DEBUG={self.flags}"),
             f"-Dpybind11_DIR={pybind11.get_cmake_dir()}",
             f"-DPython_EXECUTABLE={sys.executable}",
@@ -55,7 +55,9 @@ class Workshop:
         self.install()
 
     def _precompile_headers(self) -> None:
-        """All headers of the standard library in one, read once: most of the work for a mutant."""
+        """Precompile all headers of the standard library as one: they are most of the work for a
+        mutant.
+        """
         sources = [file for file in map(Path, self.commands) if file.is_relative_to(ENGINE)]
         includes = {
             line
@@ -69,11 +71,13 @@ class Workshop:
         _run([*command, "-x", "c++-header", "-o", f"{self.headers}.gch", str(self.headers)])
 
     def install(self) -> None:
-        """The module as it is."""
+        """Install the module as it is."""
         self._replace(self.tree / MODULE)
 
     def build(self, file: Path, source: str) -> bool:
-        """Put the module with this source in the place of the file's own; False if none compiles."""
+        """Put the module with this source in place of the file's own; return False if none
+        compiles.
+        """
         changed, made = self.folder / file.name, self.folder / f"{file.stem}.o"
         changed.write_text(source)
         command, output = self.commands[str(file)]
@@ -91,7 +95,7 @@ class Workshop:
         return True
 
     def _replace(self, module: Path) -> None:
-        """A new file, for the old one may be in use."""
+        """Write a new file, because the old one may be in use."""
         place = self.package / "cncsub" / MODULE
         place.unlink(missing_ok=True)
         shutil.copy(module, place)
@@ -116,5 +120,5 @@ def _succeeds(command: list[str], folder: Path) -> bool:
 
 
 def _environment() -> dict[str, str]:
-    """No cache: it would keep every mutant."""
+    """Return the environment without a compiler cache: it would keep every mutant."""
     return {**os.environ, "CCACHE_DISABLE": "1"}

@@ -7,7 +7,7 @@ NEW = ["fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 
 
 def numbers(old, new):
-    """The number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
+    """Return the number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
     return {"fanuc-16i": old, **dict.fromkeys(ALL[1:], new)}
 
 
@@ -479,7 +479,7 @@ case(
     alarm="modal-calls-too-many", number=numbers("122", "PS0122"),
 )
 
-# The text of 122 says what counts: the modal call that is specified a fourth time is the fault.
+# The text of 122 decides what counts: the modal call that is specified a fourth time is the fault.
 case(
     "3 modal calls stack, and the G66 behind them is refused",
     control="fanuc-16i", source="K-H 122: specified four-fold", evidence="inferred",

@@ -8,7 +8,7 @@ OLD = ["fanuc-16i", "fanuc-0i-d"]
 
 
 def numbers(old, new):
-    """The number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
+    """Return the number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
     return {"fanuc-16i": old, **dict.fromkeys(ALL[1:], new)}
 
 

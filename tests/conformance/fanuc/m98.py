@@ -9,7 +9,7 @@ OLD = ["fanuc-16i", "fanuc-0i-d"]
 
 
 def numbers(old, new):
-    """The number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
+    """Return the number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
     return {"fanuc-16i": old, **dict.fromkeys(ALL[1:], new)}
 
 
@@ -427,7 +427,7 @@ case(
     runs="N10 N30 N20",
 )
 
-# M98: order in the block, what is shared, nothing goes to the machine
+# M98: order in the block, shared variables, no word goes to the machine
 
 case(
     "a T code in the M98 block goes out before the subprogram runs",

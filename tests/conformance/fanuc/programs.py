@@ -1,4 +1,4 @@
-"""FANUC: programs and their heads, what a call can find."""
+"""FANUC: programs and their heads, and the programs that a call can find."""
 
 from conformance import case
 

@@ -8,7 +8,7 @@ LATE = ["fanuc-0i-f", "fanuc-30i"]
 
 
 def numbers(old, new):
-    """The number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
+    """Return the number of the 16i, and the one that the 0i-D, the 0i-F and the 30i share."""
     return {"fanuc-16i": old, **dict.fromkeys(ALL[1:], new)}
 
 
@@ -538,7 +538,7 @@ case(
     runs="N10", m=[8], alarm="address-without-value", number=numbers("005", "PS0005"), word="X-",
 )
 
-# Addresses of whole numbers round what an expression gives
+# Addresses of whole numbers round the value of an expression
 
 WHOLE = "SIN: an expression at an address of whole numbers is rounded, S#1 with #1 = 1000.5 is S1001"
 for _value, _is in [("1000.4999", 1000), ("1000.5", 1001), ("999.6", 1000)]:

@@ -1,4 +1,4 @@
-"""GSK 980: what a program may not call, and M codes that call a subprogram."""
+"""GSK 980: calls that a program may not make, and M codes that call a subprogram."""
 
 from conformance import case
 
@@ -100,7 +100,7 @@ INFERRED = "inferred"
 
 
 def one_call(call, sub="N30 M99", name="O2"):
-    """A main program O1 of one call, and one called program."""
+    """Return a main program O1 of one call, and the program that it calls."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 

@@ -12,12 +12,12 @@ INFERRED = "inferred"
 
 
 def both(number_988, number_980):
-    """One alarm number for the 988s, and one for the 980s."""
+    """Return one alarm number for the 988s, and one for the 980s."""
     return {TA: number_988, T: number_988, TDI: number_980, MDI: number_980}
 
 
 def function(claim, expression, value, control=FAMILIES, **row):
-    """One assignment to #100."""
+    """Write a row of one assignment to #100."""
     row = {"source": "TDi29, arithmetic", "evidence": MANUAL, **row}
     case(
         f"GSK: {claim}",
@@ -89,7 +89,7 @@ case(
 
 
 def bad_function(claim, expression, cause, number, control=FAMILIES, **row):
-    """One assignment to #100 that alarms and leaves #100 alone."""
+    """Write a row of one assignment to #100 that alarms and does not change #100."""
     if not isinstance(number, str):
         row = {"source": f"Talm {number[TA]}; MDia {number[TDI]}", **row}
     row = {"source": f"MDia {number}", "evidence": SECONDARY, **row}

@@ -1,4 +1,4 @@
-"""GSK: P and L of G65, what may not share its block, nesting."""
+"""GSK: P and L of G65, words that may not share its block, nesting."""
 
 from conformance import case
 
@@ -119,17 +119,17 @@ INFERRED = "inferred"
 
 
 def both(number_988, number_980):
-    """One alarm number for the 988s, and one for the 980s."""
+    """Return one alarm number for the 988s, and one for the 980s."""
     return {TA: number_988, T: number_988, TDI: number_980, MDI: number_980}
 
 
 def macro_call(call, macro="N30 M99", name="O2"):
-    """A main program O1 of one macro call, and the macro."""
+    """Return a main program O1 of one macro call, and the macro."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{macro}\n"
 
 
 def chain(calls):
-    """O1 calls O2, O2 calls O3 and so on: calls[k] is the text of the call in O<k+1>."""
+    """Return programs: O1 calls O2, O2 calls O3 and so on; calls[k] is the call in O<k+1>."""
     programs = [
         f"O{level}\nN{level}0 {call.format(level + 1)}\nN{level}1 {'M30' if level == 1 else 'M99'}\n"
         for level, call in enumerate(calls, 1)
@@ -139,12 +139,12 @@ def chain(calls):
 
 
 def chain_down(levels):
-    """The blocks of a chain on the way down: the calls of O1 to O<levels>."""
+    """Return the blocks of a chain on the way down: the calls of O1 to O<levels>."""
     return " ".join(f"N{level}0" for level in range(1, levels + 1))
 
 
 def chain_through(levels):
-    """All the blocks of a chain of so many calls."""
+    """Return all the blocks of a chain of `levels` calls."""
     up = " ".join(f"N{level}1" for level in range(levels, 0, -1))
     return f"{chain_down(levels + 1)} {up}"
 
@@ -328,7 +328,8 @@ case(
     runs="N10", alarm="return-target-not-found", number=both("083", "0112"), at="O2 N40",
 )
 
-# --- G65: what may not share its block -------------------------------------------------------------------
+# --- G65: words that may not share its block
+# -------------------------------------------------------------
 
 case(
     "GSK 988: G0 X1 and G65 may not share a block",

@@ -90,7 +90,7 @@ INFERRED = "inferred"
 
 
 def macro_call(call, macro="N30 M99", name="O2"):
-    """A main program O1 of one macro call, and the macro."""
+    """Return a main program O1 of one macro call, and the macro."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{macro}\n"
 
 

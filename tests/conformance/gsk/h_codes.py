@@ -125,12 +125,12 @@ INFERRED = "inferred"
 
 
 def macro_call(call, macro="N30 M99", name="O2"):
-    """A main program O1 of one macro call, and the macro."""
+    """Return a main program O1 of one macro call, and the macro."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{macro}\n"
 
 
 def result(claim, words, value, **row):
-    """One G65 H block and what stands in #100 behind it; #101=12 and #102=-4.5 before it."""
+    """Write a row of one G65 H block and its result in #100; #101=12 and #102=-4.5 before it."""
     row = {"source": "TDi28, table of G65 H", "evidence": MANUAL, **row}
     case(
         f"GSK 980TDi: {claim}",
@@ -398,7 +398,7 @@ case(
 
 
 def fault(claim, words, cause, number, control=TDI, source=None, evidence=INFERRED):
-    """One G65 H block that alarms and writes nothing."""
+    """Write a row of one G65 H block that alarms and writes nothing."""
     case(
         f"{'GSK 980TDi' if control == TDI else 'GSK 980'}: {claim}",
         control=control, source=source or f"MDia {number}", evidence=evidence,

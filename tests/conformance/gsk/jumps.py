@@ -31,7 +31,7 @@ INFERRED = "inferred"
 
 
 def both(number_988, number_980):
-    """One alarm number for the 988s, and one for the 980s."""
+    """Return one alarm number for the 988s, and one for the 980s."""
     return {TA: number_988, T: number_988, TDI: number_980, MDI: number_980}
 
 

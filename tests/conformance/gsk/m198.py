@@ -8,12 +8,12 @@ INFERRED = "inferred"
 
 
 def one_call(call, sub="N30 M99", name="O2"):
-    """A main program O1 of one call, and one called program."""
+    """Return a main program O1 of one call, and the program that it calls."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 
 def device_call(claim, call, **row):
-    """O1 calls O2 of the device; row says what becomes of it."""
+    """Write a row in which O1 calls O2 of the device; `row` says what happens."""
     memory = f"O1\nN10 {call}\nN20 M30\n"
     device = {"O2.CNC": "O2\nN40 G0 X4\nN50 G0 X5\nN60 M99\n", "T2.CNC": "N70 M99\n"}
     row = {"source": "source 000, M198", "evidence": SOURCE, **row}

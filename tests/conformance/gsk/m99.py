@@ -77,7 +77,7 @@ NO_RETURN_BLOCK = {TA: "083", T: "083", TDI: "0112", MDI: "0112"}
 
 
 def one_call(call, sub="N30 M99", name="O2"):
-    """A main program O1 of one call, and one called program."""
+    """Return a main program O1 of one call, and the program that it calls."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 

@@ -140,12 +140,12 @@ INFERRED = "inferred"
 
 
 def one_call(call, sub="N30 M99", name="O2"):
-    """A main program O1 of one call, and one called program."""
+    """Return a main program O1 of one call, and the program that it calls."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 
 def chain(calls):
-    """O1 calls O2, O2 calls O3 and so on: calls[k] is the text of the call in O<k+1>."""
+    """Return programs: O1 calls O2, O2 calls O3 and so on; calls[k] is the call in O<k+1>."""
     programs = [
         f"O{level}\nN{level}0 {call.format(level + 1)}\nN{level}1 {'M30' if level == 1 else 'M99'}\n"
         for level, call in enumerate(calls, 1)
@@ -155,12 +155,12 @@ def chain(calls):
 
 
 def chain_down(levels):
-    """The blocks of a chain on the way down: the calls of O1 to O<levels>."""
+    """Return the blocks of a chain on the way down: the calls of O1 to O<levels>."""
     return " ".join(f"N{level}0" for level in range(1, levels + 1))
 
 
 def chain_through(levels):
-    """All the blocks of a chain of so many calls."""
+    """Return all the blocks of a chain of `levels` calls."""
     up = " ".join(f"N{level}1" for level in range(levels, 0, -1))
     return f"{chain_down(levels + 1)} {up}"
 

@@ -205,7 +205,7 @@ INFERRED = "inferred"
 
 
 def part_chain(levels):
-    """A 928 program in which N1001 is called, calls N1002 and so on, so many levels deep."""
+    """Return a 928 program in which N1001 is called, calls N1002 and so on, so many levels deep."""
     blocks = ["%1", "N0001 M98 P1001", "N0002 M02"]
     for level in range(1, levels):
         blocks += [f"N{1000 + level} M98 P{1001 + level}", f"N{2000 + level} M99"]

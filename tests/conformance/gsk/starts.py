@@ -90,12 +90,12 @@ INFERRED = "inferred"
 
 
 def one_call(call, sub="N30 M99", name="O2"):
-    """A main program O1 of one call, and one called program."""
+    """Return a main program O1 of one call, and the program that it calls."""
     return f"O1\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 
 def assigned_call(statement, call, sub="N30 M99", name="O2"):
-    """The same with an assignment in front of the call."""
+    """Return the same programs, with an assignment before the call."""
     return f"O1\nN5 {statement}\nN10 {call}\nN20 M30\n{name}\n{sub}\n"
 
 

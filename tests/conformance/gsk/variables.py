@@ -55,7 +55,7 @@ INFERRED = "inferred"
 
 
 def values_980(claim, statement, expected, **row):
-    """One statement on the 980TDi, with #1 and #150 vacant, #100=205, #110=500 and #120=2.5."""
+    """Write a row: a statement of the 980TDi, #1 and #150 vacant, #100=205, #110=500, #120=2.5."""
     row = {"source": "TDi28, variables", "evidence": MANUAL, **row}
     case(
         f"GSK 980TDi: {claim}",

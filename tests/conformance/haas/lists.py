@@ -6,7 +6,7 @@ HAAS = "haas-ngc"
 KNOWN = {"control": HAAS, "source": "general knowledge of the Haas mill", "evidence": "inferred"}
 _RUNS = "9 17 18 21 31 42 44 50 56 57 58 59 61 64 69 74 76 82 84 85 86 89 93 94 95 99 187"
 
-# Written by loops: a row each would say nothing but the number of the code.
+# These rows are written by loops: a row each would say nothing but the number of the code.
 for number in _RUNS.split():
     case(
         f"G{number} is a code of the Haas that runs", **KNOWN,
@@ -39,7 +39,7 @@ case(
     program="O1\nN10 H-1\nN20 M30",
     runs="", alarm="offset-number", at="O1 N10", word="H-1",
 )
-# Written by a loop: twenty names of twenty systems, counted on.
+# This list is written by a loop: twenty names of twenty systems, counted on.
 for system in range(2, 20):
     case(
         f"G{109 + system} is G154 P{system}",

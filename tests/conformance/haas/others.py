@@ -1,4 +1,4 @@
-"""Where others answer otherwise than the Haas NGC."""
+"""Controls that answer otherwise than the Haas NGC."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""Haas NGC: names of variables, work systems, what G10 takes."""
+"""Haas NGC: names of variables, work systems, the words that G10 takes."""
 
 from conformance import case
 
@@ -184,7 +184,7 @@ case(
     program="O1\nN10 #1=500\nN20 G0 Z5.\nN30 G82 X1. R1. Z-2. P#1 F100.\nN40 G80 M30", time=2.402,
 )
 
-# What the machine tells
+# Values of the machine
 TOLD = {"control": HAAS, "source": "ZAP, Haas system variables", "evidence": "secondary"}
 case(
     "#11000 to #11063 are inputs", **TOLD, inputs={"signals": {11000: 1, 11063: 1}},
@@ -215,7 +215,7 @@ case(
 
 _UNCOMPUTED = "71 72 88 100 101 102 107 136 141 143 153 155 161 162 163 164 165 166 169 174 184 188 234 253 254 255 268 269"
 
-# Written by a loop: a row each would say nothing but the number of the code.
+# These rows are written by a loop: a row each would say nothing but the number of the code.
 for code in (*(f"G{number}" for number in _UNCOMPUTED.split()), "G12 I5. D1", "G13 I5. D1", "G47 P0 X1. Y1. R1. Z-1.", "G150 P2 X1. Y1. Z-1. Q1. R1. D1",
              "G70 I5. J0 L4", "G35 D1", "G36 X5. F5.", "G37 Z-5. H1", "G77 Z-5. R1. F50.", "G87 Z-5. R1. F50."):
     case(
@@ -338,7 +338,7 @@ case(
     runs="N10 N30*8", alarm="macro-nesting-too-deep", number="531", at="O2 N30",
 )
 
-# What the family does and nobody denies
+# Behaviour of the family that no source denies
 case(
     "a program's number has five digits on the Haas", **KNOWN, pins="max_program_number",
     program="O100000\nN10 M30", runs="", alarm="illegal-program-number",

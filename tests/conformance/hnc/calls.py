@@ -91,7 +91,7 @@ HNC = "hnc-21m"
 
 
 def chain(levels):
-    """A main program %1 from which `levels` calls are open at once."""
+    """Return a main program %1 from which `levels` calls are open at once."""
     text = "%1\nN1 M98 P2\nN101 M30\n"
     for k in range(2, levels + 1):
         text += f"%{k}\nN{k} M98 P{k + 1}\nN{100 + k} M99\n"

@@ -82,7 +82,7 @@ case("an arc in inches that ends farther off is refused", pins="arc_rounding", *
 case("a character of several bytes is shown whole", **RUN,
      program="N10 G0 X1 é\nN20 M2", runs="", alarm="illegal-character", at="MAIN N10")
 
-# A row for each code by a loop: it would say nothing but the number.
+# A loop writes a row for each code: each would say nothing but the number.
 for code in ("5.2", "18.1", "19.1", "71.1", "71.2"):
     case(
         f"the moves of G{code} are not computed on LinuxCNC", pins="g_codes", control="linuxcnc", source="LC overview", evidence="inferred",

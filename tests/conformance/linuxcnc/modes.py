@@ -1,4 +1,4 @@
-"""LinuxCNC: modes that are saved and taken back in, diameters, probing and threads."""
+"""LinuxCNC: modes that are saved and restored, diameters, probing and threads."""
 
 from conformance import case
 
@@ -119,7 +119,7 @@ case("G85 feeds out to R, G89 to the level of G98", pins="tap_return", **RUN,
 case("G38.4 and G38.5 go to their end where the probe never leaves", pins="g_meanings", **RUN,
      program="N10 G38.4 X5 F100\nN20 G38.5 X7\nN30 M2", moves="F X5\nF X7")
 
-# ---- words that a code takes for itself ----
+# ---- words that belong to one code ----
 
 case("S beside G92 is the speed", pins="speed_limit", **RUN,
      program="N10 G21 S500 M3\nN20 G92 X0 S1000\nN30 G95 G1 X10 F1\nN40 M2", time=0.6)

@@ -1,4 +1,4 @@
-"""LinuxCNC: what it refuses where the mode that is in force decides, and under radius compensation."""
+"""LinuxCNC: refusals that depend on the mode in force, and those under radius compensation."""
 
 from conformance import case
 
@@ -122,7 +122,7 @@ case("whether there is one it may ask, and a message tells it", **RUN, setup=D1,
 case("beside G41 it reads the one before", **RUN, setup=D1,
      program="N10 G0 X3\nN20 G41 D1 G1 X[#5420+5] F100\nN30 Y5\nN40 M2", centre="X3 | X7 Y1 | X7 Y5")
 
-# ---- beside G40 to G42, which come before the block's other codes ----
+# ---- with G40 to G42, which come before the other codes of the block ----
 
 for _code in ("G55", "G28", "G61", "G64", "G99", "G92 X1"):
     case(f"{_code} does not stand beside G41", pins="codes_not_compensated", **RUN, setup=D1,

@@ -10,7 +10,7 @@ def unused(line, word):
          runs="", alarm="address-not-usable", word=word)
 
 
-# A row each would be the same row: the interpreter has a list of them.
+# A loop writes these rows, which are all alike: the interpreter has a list of the words.
 for _line, _word in (
     ("G0 X1 P1", "P1"), ("G0 X1 Q1", "Q1"), ("G0 X1 R1", "R1"), ("G0 X1 I1", "I1"), ("G0 X1 J1", "J1"), ("G0 X1 K1", "K1"),
     ("G0 X1 L1", "L1"), ("G0 X1 H1", "H1"), ("G0 X1 D1", "D1"), ("G0 X1 E1", "E1"), ("G40 D1", "D1"), ("M5 P1", "P1"),

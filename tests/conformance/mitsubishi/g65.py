@@ -216,7 +216,7 @@ EVERY = [MELDAS, M700, M800]
 
 
 def macro_chain(levels, first=2):
-    """Macros that call one another with G65: Ok calls in Nk, returns in N(100+k)."""
+    """Return macros that call one another with G65: Ok calls in Nk, returns in N(100+k)."""
     text = ""
     for k in range(first, first + levels - 1):
         text += f"O{k}\nN{k} G65 P{k + 1}\nN{100 + k} M99\n"

@@ -65,7 +65,7 @@ EVERY = [MELDAS, M700, M800]
 
 
 def loops(depth, body):
-    """`depth` DO loops inside each other, each left after one pass."""
+    """Return `depth` DO loops inside each other, each left after one pass."""
     text = ""
     for k in range(1, depth + 1):
         text += f"#{100 + k}=0\nN{k} WHILE[#{100 + k} LT 1]DO{k}\n#{100 + k}=1\n"

@@ -1,4 +1,4 @@
-"""Mitsubishi: variables, and what is vacant."""
+"""Mitsubishi: variables, and vacant values."""
 
 from conformance import case
 

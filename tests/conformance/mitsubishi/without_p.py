@@ -62,7 +62,7 @@ EVERY = [MELDAS, M700, M800]
 
 
 def chain(levels, call="M98 P{}"):
-    """A main program O1 from which `levels` calls are open at once.
+    """Return a main program O1 from which `levels` calls are open at once.
 
     Program Ok calls in block Nk and returns in block N(100+k).
     """

@@ -1,4 +1,4 @@
-"""Mitsubishi: arithmetic behind an address without brackets."""
+"""Mitsubishi: arithmetic after an address without brackets."""
 
 from conformance import case
 
@@ -109,7 +109,7 @@ case(
     program="O1\nN10 #1=2\nN20 G0 X10. Z0\nN30 U#1+2. W#1*-3\nN40 M30", moves="R X10 Z0\nR X14 Z-6",
 )
 
-# Elsewhere it is an alarm.
+# It is an alarm on the other controls.
 _NUMBERS = dict.fromkeys(("fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"), "PS0004") | dict.fromkeys(("fanuc-16i", "gsk-988ta", "gsk-988t"), "004")
 case(
     "elsewhere arithmetic stands in brackets", pins="word_arithmetic",

@@ -1,7 +1,7 @@
 """The programs that the source documents print, as they print them, on the control they are of.
 
-What a source prints in one line is cut into its blocks here; a block of ours (a program's head, a
-start, a feed, an end) has no N of three digits. Misprints are told in the claim.
+A text that a source prints in one line is cut into its blocks here. A block of ours (the head of a
+program, a start, a feed, an end) has no N of three digits. The claim names misprints.
 """
 
 from conformance import case
@@ -13,14 +13,14 @@ HNC = "hnc-21m"
 
 
 def printed(claim, *blocks, controls=(HNC, *FANUC_MILLS), head="", setup=None, **expected):
-    """Blocks as source 003 prints them, between a head of ours and M30."""
+    """Write a row of blocks as source 003 prints them, between a head of ours and M30."""
     case(
         claim, control=controls, source="source 003", replace=MM, setup=MILL | (setup or {}),
         program="\n".join(["O1", *filter(None, [head]), *blocks, "M30"]), **expected,
     )
 
 
-# The typical example; N140 to N170 are told in its text below the print.
+# The typical example; its text below the print explains N140 to N170.
 TYPICAL = "N100 G90G21G17G94G40", "N110 T1M06 M03 S500", "N120 G43H01 Z5.", "N130 X10.Y10."
 CUTS = "N140 G01Z-5.F200", "N150 G01X20.Y20.F500", "N160 G01Z-15.F300"
 
@@ -116,7 +116,7 @@ printed(
     runs="N10", alarm="unit-change-misplaced", at="O1 N20", word="G20",
 )
 
-# Subprogram O10 in main program O20; in the print the first line of O10 stands behind a garbled one.
+# Subprogram O10 in main program O20; in the print its first line follows a garbled one.
 SUBPROGRAM = """O10
 N210 G41G91G01X30Y-5D01F50
 N220 Y5

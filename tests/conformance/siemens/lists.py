@@ -8,14 +8,14 @@ GROUPS = {
     "evidence": "secondary",
 }
 
-# Written by loops: a row each would say nothing but the number of the code.
+# These rows are written by loops: a row each would say nothing but the number of the code.
 _NEUTRAL = "9 40 60 62 64 450 451 601 602 603 621 641 642 643 644 645"
 _SYSTEMS = "54 55 56 57"
 _PLANES = "17 18 19"
 _NOT_COMPUTED = """5 7 25 26 33 34 35 41 42 53 58 59 63 74 75 93 96 97 110 111 112 140 141 142 143 147 148
     153 247 248 290 291 331 332 335 336 340 341 347 348 460 461 462 500 700 710 931 942 952 961 962
     971 972 973"""
-_CHANGED = {5, 25, 26, 33, 41, 42, 53, 58, 59, 63, 74, 93, 96, 97}  # other codes with FANUC
+_CHANGED = {5, 25, 26, 33, 41, 42, 53, 58, 59, 63, 74, 93, 96, 97}  # differ from those of FANUC
 
 for number in f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split():
     case(

@@ -119,7 +119,7 @@ for text, word in (
         program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
     )
 
-# ---- words of G4 are its own ----
+# ---- the words of G4 belong to it ----
 
 LIMITS = {"limits": {"X": (-1000, 1000)}}
 for told, setup in (("", {}), (", with limits too", LIMITS)):
@@ -140,7 +140,7 @@ for told, setup in (("", {}), (", with limits too", LIMITS)):
         program="N10 G95 G1 X10 F1 S600 M3\nN20 G4 S30 M8\nN30 X20\nN40 M30", time=5,
     )
 
-# ---- of a group one code stands in a block ----
+# ---- a block has one code of a group ----
 
 for codes, word in (
     ("G0 G1 X5", "G1"), ("G1 G2 X5 CR=5", "G2"), ("G17 G18", "G18"), ("G90 G91 X5", "G91"), ("G54 G55", "G55"),

@@ -1,4 +1,4 @@
-"""A corner beside a call."""
+"""Corners in blocks that call."""
 
 from conformance import case
 

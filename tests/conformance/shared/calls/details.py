@@ -1,4 +1,4 @@
-"""Small print of calls: names, corners beside calls."""
+"""Small print of calls: names, and corners in blocks that call."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""What the operator answers: stops, switches, waits."""
+"""The answers of the operator: stops, switches, waits."""
 
 from conformance import case
 

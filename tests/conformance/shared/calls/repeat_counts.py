@@ -1,4 +1,4 @@
-"""Repeat counts with more digits than they may have, and others that are not allowed."""
+"""Repeat counts that have too many digits, and others that are not allowed."""
 
 from conformance import case
 

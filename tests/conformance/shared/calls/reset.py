@@ -1,4 +1,4 @@
-"""What a reset leaves of calls and variables."""
+"""Calls and variables after a reset."""
 
 from conformance import case
 

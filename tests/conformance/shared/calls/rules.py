@@ -1,4 +1,4 @@
-"""Calls and returns: what a control has and what it has not, rule by rule."""
+"""Calls and returns: what a control has and does not have, rule by rule."""
 
 from conformance import case
 
@@ -914,7 +914,7 @@ case(
     runs="N10 N15 N40 N20",
 )
 
-# What is left of reading and calls
+# Other rules of reading and calls
 
 case(
     "a run may start at an N that stands behind other words",

@@ -1,4 +1,4 @@
-"""What the clock answers."""
+"""The values of the clock."""
 
 from datetime import datetime
 

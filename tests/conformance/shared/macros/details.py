@@ -763,7 +763,7 @@ case(
     runs="N10 N50", alarm="illegal-character", at="O1 N30", word="=",
 )
 
-# A decimal point behind a variable's number
+# A decimal point after the number of a variable
 _POINT = "real programs: #504. in a macro of the maker"
 _POINTED = {
     "written": ("#504.=7", {504: 7}),

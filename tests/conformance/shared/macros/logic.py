@@ -1,4 +1,4 @@
-"""Logic of 0 and 1, and bit by bit."""
+"""Logic of 0 and 1, and logic bit by bit."""
 
 from conformance import case
 

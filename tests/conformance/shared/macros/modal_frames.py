@@ -1,5 +1,5 @@
-"""A block that moves under a modal macro call and calls, returns or jumps as well: the macro of its
-move comes first, and both are entered from the block's own frame.
+"""A block under a modal macro call that moves and also calls, returns or jumps: the macro of its
+move comes first, and both are entered from the frame of the block.
 """
 
 from conformance import case
@@ -277,7 +277,7 @@ case(
     frames="O12 N102 G65 < O11 N101 G65 < O10 N100 G65 < O9 N30 G65 < O1 N20 M98",
 )
 
-# How many modal calls may be active: each modal macro declares the next, so that a move of the main
+# How many modal calls may be active: each modal macro declares the next, so a move of the main
 # program finds one more each time.
 case(
     "3 modal calls may be active where 3 are the most, and G67 takes them away one by one on fanuc-16i",

@@ -1,4 +1,4 @@
-"""Macro calls: what a control has and what it has not, rule by rule."""
+"""Macro calls: what a control has and does not have, rule by rule."""
 
 from conformance import case
 

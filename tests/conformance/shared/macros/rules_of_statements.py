@@ -1,4 +1,4 @@
-"""Macro statements: what a control has and what it has not, rule by rule."""
+"""Macro statements: what a control has and does not have, rule by rule."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""Signals that the world outside gives and takes."""
+"""Input and output signals."""
 
 from conformance import case
 

@@ -1,5 +1,5 @@
-"""Which macro statements a control has, does not have, or may have for all that anybody says; and
-how tightly logic binds.
+"""The macro statements that a control has, does not have, or may have because no source says; and
+the precedence of logic.
 """
 
 from conformance import case
@@ -15,7 +15,7 @@ def block(text):
     return f"O1\nN10 M8\nN20 {text}\nN30 M30\n"
 
 
-# Written by a loop: one claim over twenty statements that are refused alike.
+# A loop writes one claim over twenty statements that are refused alike.
 for _text in (
     "#1=5", "#100=#1", "X#1", "X[1+2]", "G1 X-[3]", "G1 Z[#1+2]", "G#1", "M#1", "T[2]",
     "IF[1EQ1]GOTO30", "IF[1EQ1]THEN#1=5", "WHILE[1LT2]DO1", "DO1", "END1", "GOTO30",

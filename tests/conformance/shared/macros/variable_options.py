@@ -1,5 +1,5 @@
-"""Variables by option: which a control has as it stands, which an option brings, and what somebody
-gives by `control.replace(commons=..., variable_options=...)`.
+"""Variables by option: those that a control has as it stands, those that an option brings, and
+those that are given by `control.replace(commons=..., variable_options=...)`.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ def numbers(controls: Sequence[str]) -> dict[str, str | None]:
     return {name: NUMBERS[name] for name in controls}
 
 
-# ---- what a control has as it stands ----
+# ---- variables of a control as it stands ----
 _STANDARD = "O1\nN10 #100=1\nN20 #199=2\nN30 #500=3\nN40 #999=4\nN50 M30"
 
 case(
@@ -112,9 +112,9 @@ case(
     vars={100: 1},
 )
 
-# ---- what reads and writes ----
+# ---- blocks that read and write ----
 
-# The block that uses #n, what it does where the variable is there, and the word of the alarm.
+# The block that uses #n, its result if the variable is there, and the word of the alarm.
 _USES = {
     "written": ("N20 #{n}=7", {}, "#{n}"),
     "read": ("N20 #101=#{n}", {101: 2}, "#{n}"),
@@ -130,7 +130,7 @@ _TAIL = "\nN30 M30\nN40 #3000=1\nO2\nN50 #101=#1\nN60 M99"
 
 
 def used(n: int, use: str, controls: Sequence[str], option: dict[str, str], source: str) -> None:
-    """A variable that an option brings alarms without it, and with it does not."""
+    """Write two rows: without its option the variable alarms, with the option it does not."""
     block, gives, word = _USES[use]
     text = block.format(n=n) + _TAIL
     case(
@@ -149,7 +149,7 @@ def used(n: int, use: str, controls: Sequence[str], option: dict[str, str], sour
     )
 
 
-# Written by loops: every use of a variable, and the ends of every range.
+# Loops write these rows: every use of a variable, and the ends of every range.
 for _use in _USES:
     used(400, _use, MITSUBISHI, {"commons": "700-sets"}, SETS)
     used(907399, _use, MITSUBISHI, {"commons": "8000-sets"}, SETS)
@@ -237,7 +237,7 @@ case(
     vars={199: 1, 500: 2, 98000: 3, 98499: 4},
 )
 
-# ---- ranges that somebody gives ----
+# ---- ranges that a user gives ----
 _GIVEN = "100-199 500-999 900000-907399"
 
 case(

@@ -1,4 +1,4 @@
-"""What does not go together: a code with another, or with the state that it meets."""
+"""Codes that do not go together with another code, or with the state that they meet."""
 
 from conformance import case
 
@@ -20,7 +20,7 @@ def refused(
     claim, control, first, second, cause, number, source, setup=MILL, evidence=None, word=None,
     pins="max_extra_systems",
 ):
-    """The second block alarms behind the first, which does not."""
+    """Write a row: the first block runs, the second alarms."""
     evidence = evidence or ("maker's manual" if source.startswith(("MDib", "TA")) else "secondary")
     case(
         claim, control=control, source=source, evidence=evidence, setup=setup,
@@ -31,7 +31,7 @@ def refused(
 
 
 def taken(claim, control, first, second, setup=MILL):
-    """The second block runs behind the first."""
+    """Write a row: the second block runs after the first."""
     case(
         claim, control=control, source="no alarm is known", evidence="inferred", setup=setup,
         pins="refuses refuses:coordinate-setting-refused",
@@ -40,7 +40,7 @@ def taken(claim, control, first, second, setup=MILL):
     )
 
 
-# The mill of GSK, whose list of alarms names them all.
+# The mill of GSK; its list of alarms names all of these.
 refused(
     "a tool change alarms in polar coordinates on the 980MDi",
     MDI, "G17 G16", "T2", "tool-in-polar", "0188", "MDib 0188", word="T2",
@@ -377,7 +377,7 @@ case(
     runs="N10 N20", moves="none",
 )
 
-# A code that the alarm list proves.
+# A code that the alarm list proves to exist.
 case(
     "G27 alarms where it does not reach the reference point of the 988",
     control=GSK_988, source="Talm 045", evidence="secondary",

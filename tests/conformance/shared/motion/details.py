@@ -277,7 +277,7 @@ case(
     "a long arc that is cut by a chamfer keeps the rest of its way",
     control="fanuc-30i", source="general knowledge, ,C", evidence="inferred",
     replace=MM, setup=MILL,
-    # 320 degrees of radius 10, less 2 asin(1/20); 0.731 across the corner; 12.573 down.
+    # The arc: 320 degrees of radius 10, less 2 asin(1/20); 0.731 across the corner; 12.573 down.
     program="""
         O1
         N10 G90 G2 X2.339556 Y-6.427876 I10 J0 F600 ,C1

@@ -1,4 +1,4 @@
-"""A fault names the block, the file and the whole word that is wrong, wherever the run has come to."""
+"""A fault names the block, the file and the whole word that is wrong, wherever the run is."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""The programs of the lessons, whole, where their explanations say they go."""
+"""The programs of the lessons, whole; they go where their explanations say."""
 
 from conformance import case
 

@@ -1,4 +1,6 @@
-"""What the printed lists of alarms refuse beyond the common conflicts, and the neighbours that run."""
+"""Blocks that the printed lists of alarms refuse beyond the common conflicts, and similar blocks
+that run.
+"""
 
 from conformance import case, inert
 
@@ -40,7 +42,7 @@ case(
     number=on_fanuc("011") | dict.fromkeys(MITSUBISHI, "P62"),
 )
 
-# The move behind a corner
+# The move after a corner
 for _corner in (",C2.", ",R2."):  # the same claim for a chamfer and a round
     case(
         f"a move shorter than the {_corner} before it has a number of its own on a Mitsubishi",
@@ -75,7 +77,7 @@ case(
     runs="N10 N20 N30 N40",
 )
 
-# Where compensation begins and ends
+# The places where compensation begins and ends
 case(
     "G41 without a move in its block is refused on the 980MDi",
     control=MDI, source="MDib 0033", evidence="maker's manual", setup=RADIUS,
@@ -238,13 +240,14 @@ case(
     alarm="no-offset-intersection", number="0262", at="O1 N40", word="X-20.",
 )
 
-# What no list of the others refuses: it runs there, or alarms for what is wrong besides.
+# Blocks that the lists of the other controls do not refuse: there they run, or alarm for another
+# fault.
 T_TA, HAAS, HNC, TE, SYNTEC = [T, TA], "haas-ngc", "hnc-21m", "gsk-928te", "syntec-22ma"
 LIKE_FANUC = [*FANUC, *MITSUBISHI, SYNTEC]
 
 
 def taken(claim, control, first, second, cause, setup=MILL, source="no alarm is known", **stops):
-    """The block that other lists refuse runs here; or `stops` says for what else it alarms."""
+    """Write a row: a block that other lists refuse runs, or `stops` says why else it alarms."""
     case(
         claim, control=control, source=source, evidence="inferred", setup=setup,
         pins=f"refuses:{cause}",
@@ -254,7 +257,7 @@ def taken(claim, control, first, second, cause, setup=MILL, source="no alarm is 
 
 
 def numbered(control, stops):
-    """The numbers that are known, of each control."""
+    """Return `stops` with a number for each control, None where it is not known."""
     names = [control] if isinstance(control, str) else control
     number = stops.get("number")
     known = number if isinstance(number, dict) else dict.fromkeys(names, number)

@@ -1,4 +1,4 @@
-"""What source 003 says about moving that no other table holds, and source 001's contours."""
+"""Claims of source 003 about moving that no other table holds, and contours of source 001."""
 
 from conformance import case
 
@@ -7,7 +7,7 @@ MILL = {"machine": "mill"}
 MILLS = ["fanuc-0i-f", "fanuc-16i", "hnc-21m"]
 SOURCE = {"evidence": "source document", "replace": MM, "setup": MILL}
 
-# Examples 1 to 10; 3 to 7 and 9 stand among the given rows.
+# Examples 1 to 10; 3 to 7 and 9 are among the given rows.
 case(
     "example 1: G00 G90 goes to X120 Y60 wherever it starts",
     control=MILLS, source="source 003, example of G00", **SOURCE,
@@ -214,7 +214,7 @@ case(
     },
 )
 
-# Unit codes of the HNC: at the head, and with other G codes at the most, not switched later.
+# Unit codes of the HNC stand at the head, beside G codes only, and are not switched later.
 case(
     "HNC: G90G21G17G94G40, the codes of the typical example, may head a program",
     control="hnc-21m", source="source 003, typical example", **SOURCE,

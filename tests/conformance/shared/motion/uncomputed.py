@@ -1,4 +1,4 @@
-"""Codes of a control that change its path in a way that is not computed: they alarm rather than
+"""Codes of a control that change its path in a way that is not computed. They alarm rather than
 move wrongly. Codes that no path depends on let the block go on.
 """
 
@@ -194,7 +194,8 @@ case(
     alarm="three-points", at="O1 N10", word="I5",
 )
 
-# What a control's own list has is never refused with its number: it is run, or not computed here.
+# A code of the list of a control is never refused with its number: it runs, or is not computed
+# here.
 case(
     "the end of length offsets: G49 of the other kind of machine goes on",
     control=FANUC, source="added.md: the modal groups of a 0i-TF Plus; general knowledge",
@@ -337,7 +338,7 @@ case(
     alarm="g-code-not-available", number=dict.fromkeys(MITSUBISHI, "P34"), at="O1 N20", word="G77.3",
 )
 
-# The 928TE and the HNC-21M: of their codes a part is known.
+# The 928TE and the HNC-21M: only a part of their codes is known.
 case(
     "G22 of the 928TE is its own, and not computed",
     control="gsk-928te", pins="g_meanings",

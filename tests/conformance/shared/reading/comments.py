@@ -1,4 +1,4 @@
-"""How NC text is read: comments and encodings."""
+"""Reading of NC text: comments and encodings."""
 
 from conformance import case
 
@@ -12,7 +12,7 @@ HNC = "hnc-21m"
 
 
 def on_fanuc(number):
-    """The alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
+    """Return the alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
     return {c: f"{number:03d}" if c == "fanuc-16i" else f"PS{number:04d}" for c in FANUC}
 
 

@@ -1,4 +1,4 @@
-"""What a control reads in a block and does not obey: told, never in silence."""
+"""Words that a control reads in a block and does not obey: they are always reported."""
 
 from conformance import case
 

@@ -1,4 +1,4 @@
-"""How NC text is read: ends of block, frames, leaders and trailers."""
+"""Reading of NC text: ends of block, frames, leaders and trailers."""
 
 from conformance import case
 
@@ -12,14 +12,14 @@ HNC = "hnc-21m"
 
 
 def on_fanuc(number):
-    """The alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
+    """Return the alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
     return {c: f"{number:03d}" if c == "fanuc-16i" else f"PS{number:04d}" for c in FANUC}
 
 
 def everywhere(claim, text, **expected):
-    """One row for the controls whose programs have an O, one for those with a %.
+    """Write one row for the controls whose programs have an O, one for those with a %.
 
-    `text` is the memory's only file, in bytes, with HEAD for the program's head.
+    `text` is the only file of the memory, in bytes, with HEAD for the head of the program.
     """
     for head, controls in ((b"O1", WITH_O), (b"%1", WITH_PERCENT)):
         case(
@@ -140,7 +140,7 @@ case(
     files={"O1.NC": b"SHAFT 100%\n%\nO1\nN10 M8\nN20 M30\n%\n"}, runs="N10 N20", m=[8],
 )
 
-# What could run before the first % is the main program, and no leader
+# Blocks before the first % that could run are the main program, and no leader
 STARTS = "B-63524EN p.649: a file starts with % or LF; general knowledge: a leader holds no program"
 for _kind, _tape in (("O", b"%\nO2"), ("percent", b"%2"), ("percent behind a percent sign", b"%\n%2")):
     _controls = WITH_O if _kind == "O" else WITH_PERCENT
@@ -188,7 +188,7 @@ case(
     alarm="missing-end", number=on_fanuc(124),
 )
 
-# A % behind words ends the tape
+# A % after words ends the program file
 BEHIND = "general knowledge: % is the end of the record wherever it stands; production programs end in N125M30%"
 for _name, _text in [
     ("a trailer", b"O1\nN10 M8\nN20 M9\nN30 M30%\nEND OF TAPE\n"),

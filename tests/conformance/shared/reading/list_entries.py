@@ -1,6 +1,6 @@
-"""What stands in the lists of a control and no other row needs: codes, letters, marks, one by one.
+"""Entries of the lists of a control that no other row needs: codes, letters, marks, one by one.
 
-A line an entry: `stands` writes its claim, which says no more than the line.
+Each entry is one line: `stands` writes its claim, which says no more than the line.
 """
 
 import re
@@ -20,7 +20,7 @@ LISTS = {
 
 
 def listed(control, block, alarm):
-    """The rule of a control whose list has what the block shows."""
+    """Return the rule of a control whose list has the code or letter of the block."""
     written = re.sub(r"(?s).*\n(N[0-9]+ )?", "", block)
     name = LISTS.get(alarm)
     if name is None and re.match(r"[A-Z]-[0-9]", written):
@@ -31,7 +31,7 @@ def listed(control, block, alarm):
 
 
 def stands(block, controls, setup=MILL, alarm=None, number=None, **outcome):
-    """A block that is read as its list has it: it runs, or alarms for a reason of its own."""
+    """Write a row of a block that is in the list: it runs, or alarms for a reason of its own."""
     controls = controls.split()
     what = f"alarms as {alarm}" if alarm else "runs"
     blocks = re.findall(r"N[12]0", f"N10 {block}")

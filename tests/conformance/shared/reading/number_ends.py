@@ -1,4 +1,4 @@
-"""Numbers with an end: how many digits an address takes, and what a computed value may be."""
+"""Numbers with a limit: how many digits an address takes, and how large a computed value may be."""
 
 from conformance import case
 
@@ -10,11 +10,11 @@ DIGITS = {c: "003" if c in ("fanuc-16i", *GSK_988) else "0003" if c == "gsk-980m
 RANGE = DIGITS | dict.fromkeys(FANUC[1:], "PS1305") | {"gsk-980mdi": "0012"}
 EVERYWHERE = list(DIGITS)
 SOURCE = "motion sheet 9, value out of range: 003, P35, 988T 003, 980MDi 012; ALM PS1305"
-NINES = "9" * 100  # a GSK takes no longer block than 255 characters
+NINES = "9" * 100  # a GSK takes no block longer than 255 characters
 
 
 def of(numbers, controls):
-    """The alarm numbers of these controls alone."""
+    """Return the alarm numbers of these controls alone."""
     return {c: numbers[c] for c in controls}
 
 
@@ -168,7 +168,7 @@ case(
     number=of(DIGITS, FANUC), at="O1 N10", word="P999999999999",
 )
 
-# Computed values: what no digits could say is out of range.
+# Computed values: a value that no digits could express is out of range.
 case(
     "G0 X#1 is out of range with 10 to the 16th",
     **HERE,

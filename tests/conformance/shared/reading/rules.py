@@ -1,4 +1,4 @@
-"""Reading: what a control has and what it has not, rule by rule."""
+"""Reading: what a control has and does not have, rule by rule."""
 
 from conformance import case
 

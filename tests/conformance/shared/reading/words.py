@@ -1,4 +1,4 @@
-"""How NC text is read: joins, numbers, characters and words that a control does not know."""
+"""Reading of NC text: joins, numbers, characters and words that a control does not know."""
 
 from conformance import case
 
@@ -12,14 +12,14 @@ HNC = "hnc-21m"
 
 
 def on_fanuc(number):
-    """The alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
+    """Return the alarm as each FANUC shows it: 005 on the 16i, PS0005 on the others."""
     return {c: f"{number:03d}" if c == "fanuc-16i" else f"PS{number:04d}" for c in FANUC}
 
 
 def everywhere(claim, text, **expected):
-    """One row for the controls whose programs have an O, one for those with a %.
+    """Write one row for the controls whose programs have an O, one for those with a %.
 
-    `text` is the memory's only file, in bytes, with HEAD for the program's head.
+    `text` is the only file of the memory, in bytes, with HEAD for the head of the program.
     """
     for head, controls in ((b"O1", WITH_O), (b"%1", WITH_PERCENT)):
         case(

@@ -21,7 +21,7 @@ def on_fanuc(number):
 
 
 def lines(*blocks):
-    """A program of these blocks, numbered from N10 on."""
+    """Return a program of these blocks, numbered from N10 on."""
     numbered = [f"N{10 * (i + 1)} {block}" for i, block in enumerate(blocks)]
     return "\n".join(["O1", *numbered, "N900 M30"])
 
@@ -285,7 +285,7 @@ case(
     program=lines("G0 X0 Z0", "T11", "X10 Z10"), final_machine="X11 Z12",
 )
 
-# Where the tip of a turning tool of radius 2 stands beside the line at X90: centre at X94.
+# The centre of a tip of radius 2 next to the line at X90: it stands at X94.
 case(
     "a nose with tip 1 leads its imaginary point beside the contour",
     pins="tool_offset_digits", control=LATHES, source="TDi 8; FANUC: general knowledge",

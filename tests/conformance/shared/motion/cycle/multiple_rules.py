@@ -12,8 +12,8 @@ KNOWN = {"source": "general knowledge", "evidence": "inferred"}
 
 
 def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
-    """The alarm numbers of the makers, each control with the one of its maker; `066/325` where the
-    16i's number is not that of the later series."""
+    """Return the alarm number of each control, which is that of its maker; `066/325` where the
+    number of the 16i is not that of the later series."""
     old, later = (fanuc.split("/") * 2)[:2] if fanuc else (None, None)
     by_control = {
         **dict.fromkeys(GSK_988, gsk_988), **dict.fromkeys(MITSUBISHI, mitsubishi),
@@ -238,7 +238,7 @@ ALLOWANCE = "general knowledge: parameters 5145 and 5146 of the 0i-D and the 30i
 
 
 def turning_back(x="X20.", z="Z-12.", code="G71 U1. R1."):
-    """A profile whose block N50 leads to `x` and `z`, and which goes on out and in from there."""
+    """Return a profile whose block N50 leads to `x` and `z`, and which then goes on out and in."""
     return f"""
         O1
         N5 G0 X40. Z2.

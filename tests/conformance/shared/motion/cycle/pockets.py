@@ -28,7 +28,7 @@ def program(cycle="", first="N20 G0 X50. W0"):
     """
 
 
-# Down to X50, the first pocket to its bottom, over the shoulder, and the second pocket.
+# The path: down to X50, the first pocket to its bottom, over the shoulder, the second pocket.
 POCKETS = """
     R X60 Z5
     R X50

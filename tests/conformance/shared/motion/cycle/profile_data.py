@@ -14,7 +14,7 @@ def at(x, z):
 
 
 def on_fanuc(number):
-    old, later = (number.split("/") * 2)[:2]  # the 16i's and that of the later series
+    old, later = (number.split("/") * 2)[:2]  # that of the 16i and that of the later series
     return {F16: old, **dict.fromkeys(FANUC_PS, f"PS0{later}")}
 
 
@@ -215,7 +215,7 @@ alarms(
     "G90 outside G18 alarms on the 980TDi",
     TDI, "N5 G17\nN10 G90 X40 Z-5 F50", "turning-plane", None, "N10", "TDi 8 note 3", word="G90",
 )
-# Written by loops, because each has a hundred blocks and more.
+# Loops write these programs, because each has a hundred blocks and more.
 for _controls, _number, _most in (
     (GSK_988, "137", 100), (MITSUBISHI, "P202", 100), ([TDI], None, 200),
 ):
@@ -266,7 +266,7 @@ case(
     program="O1\nN10 G73 U2. W1. R0\nN90 M30",
     alarm="pattern-passes", number=on_fanuc("062/321"), word="R0",
 )
-# Written by loops, because each has twenty blocks and more.
+# Loops write these programs, because each has twenty blocks and more.
 for _control, _most, _number in ((TA, 30, "140"), (T, 10, "140"), (TDI, 20, None)):
     for _pockets in (_most, _most + 1):
         _walls = "\n".join(
@@ -416,7 +416,7 @@ case(
 
 SLOW = at(36, 5) | {"rapid": {"X": 1, "Z": 1}}
 
-# Written by a loop, because the thread takes 401 cuts.
+# A loop writes this row, because the thread takes 401 cuts.
 for _controls, _thread, _groove in (
     (GSK_988, "P0.04 Q0.002", "Q6"), ([TDI, *MITSUBISHI, *FANUC], "P40 Q2", "Q6000"),
 ):

@@ -1,4 +1,4 @@
-"""Which blocks G70 to G73 follow, and where the run goes on behind them."""
+"""The blocks that G70 to G73 follow, and the block at which the run goes on after them."""
 
 from conformance import case
 

@@ -95,7 +95,7 @@ case(
     params={"3401#6": 1}, program="O1\nN10 G94 G1 W-5. F100.\nN20 M30", final_machine="Z2",
 )
 
-# H of system A counts C from where it is: there a point is no fault.
+# H of system A counts C from its present position: there a point is no fault.
 A_LATHES = ["fanuc-16i", "fanuc-0i-f", "fanuc-30i", "mitsubishi-m700"]
 POINT = {"fanuc-16i": "007", "fanuc-0i-f": "PS0007", "fanuc-30i": "PS0007", "mitsubishi-m700": "P33"}
 TURN = {"source": "1.3: U W H V are the increments of system A", "evidence": "inferred"}

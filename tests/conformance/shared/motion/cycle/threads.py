@@ -16,7 +16,7 @@ def at(x, z):
 
 
 def thread(claim, control, block, moves, *, start=(65, 5), source="TDi 24.9", **more):
-    """One block behind a block that starts the spindle."""
+    """Write a row of one block after a block that starts the spindle."""
     evidence = more.pop("evidence", "maker's manual")
     case(
         claim, control=control, source=source, evidence=evidence, setup=at(*start),

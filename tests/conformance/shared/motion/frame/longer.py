@@ -1,5 +1,5 @@
-"""G45 to G48, which make moves longer or shorter by a tool offset, and G60, which arrives on the
-same side every time.
+"""G45 to G48, which make moves longer or shorter by a tool offset, and G60, which always arrives
+from the same side.
 """
 
 from conformance import case
@@ -84,7 +84,7 @@ case(
     program=program("G45 G0 X10. Y-10. Z5. D1", "X10."), moves="R X20 Y-20 Z15\nR X30",
 )
 
-# A contour with a convex and a concave quarter, its tool at a distance of 10 all along.
+# A contour with a convex and a concave quarter; its tool keeps a distance of 10.
 case(
     "G45 to G48 lead a tool around a contour and back to its start", control=MILLS, **KNOWN,
     setup=D1,

@@ -1,4 +1,4 @@
-"""What the probe answers."""
+"""The answers of the probe."""
 
 from conformance import case
 

@@ -1,5 +1,5 @@
-"""Probing: what the variables of positions include, on every control that has them, and where a skip
-signal ends a move.
+"""Probing: what the variables of positions include, on every control that has them, and where a
+skip signal ends a move.
 """
 
 from conformance import case
@@ -191,7 +191,7 @@ case(
     number={"fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115"},
 )
 
-# Positions of a lathe: X is a diameter, and the axes count X Z Y.
+# Positions of a lathe: X is a diameter, and the order of the axes is X Z Y.
 TOOL = {"tools": {1: {"X": 6, "Z": 20, "R": 0.4, "tip": 3}}}
 
 case(
@@ -309,7 +309,7 @@ case(
     },
 )
 
-# Where the signal comes
+# The place of the signal
 START = {"start": {"X": 0, "Y": 0, "Z": 0}}
 SKIP = "15iM p.564; M7 p.547"
 
@@ -765,7 +765,7 @@ case(
     moves="F X100\nR X0\nF X10",
 )
 
-# What a stylus touches
+# Workpieces that a stylus touches
 PART = {
     "stylus": 3,
     "solids": [

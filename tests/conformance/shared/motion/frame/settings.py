@@ -1,4 +1,4 @@
-"""What G10 and G04 take besides the plain forms, and axes that an arc cannot move."""
+"""Words of G10 and G04 besides the plain forms, and axes that an arc cannot move."""
 
 from conformance import case
 

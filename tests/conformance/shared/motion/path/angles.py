@@ -19,7 +19,7 @@ def numbers(number):
 
 
 def both(claim, *blocks, moves, setup=LATHE):
-    """On FANUC with ,A and A, on the 988 with ,A, on the 980TDi with Q in degrees."""
+    """Write rows for FANUC with ,A and A, for the 988 with ,A, for the 980TDi with Q in degrees."""
     for name, controls, params, tags in (
         (",A", [*FANUC, *TA, *MITSUBISHI], None, KNOWN), ("A", FANUC, None, KNOWN),
         ("Q", TDI, {"182#7": 1}, TDI13),

@@ -1,4 +1,4 @@
-"""Blocks, interpolation and coordinates, claim by claim: what no other row would notice."""
+"""Blocks, interpolation and coordinates, claim by claim: claims that no other row would notice."""
 
 from conformance import case
 
@@ -17,7 +17,9 @@ HOME = {"reference": {1: {"X": 0, "Y": 0, "Z": 0}, 2: {"X": -5}, 3: {"X": -7}, 4
 
 
 def numbers(controls, fanuc, **others):
-    """The number of a FANUC as the 16i shows it, PS and four digits behind it; others by maker."""
+    """Return the number of each control: of a FANUC `fanuc`, which the later ones show as PS0 and
+    it.
+    """
     table = {c: fanuc if c == "fanuc-16i" else f"PS0{fanuc}" for c in FANUC}
     table |= dict.fromkeys(MITSUBISHI, others.get("mitsubishi"))
     table |= dict.fromkeys(GSK_988, others.get("gsk_988"))
@@ -38,7 +40,7 @@ def moves(claim, controls, *blocks, source="general knowledge", evidence="inferr
     )
 
 
-# What another language refuses
+# Blocks that another language refuses
 _OTHERS = [*MILLS, *GSK_988, TDI, "haas-ngc", "syntec-22ma"]
 for _claim, _pin, _controls, _blocks in (
     ("G01 without an axis moves nothing, and needs no feed", "no-feed", [*_OTHERS, TE], ("G0 X5.", "G1")),

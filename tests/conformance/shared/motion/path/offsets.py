@@ -110,7 +110,7 @@ case(
     "#3001 goes on with the time of a feed per revolution",
     control=FANUC, source="general knowledge, #3001", evidence="inferred",
     replace=MM, setup=LATHE,
-    # 10 mm at 200 mm/min are three seconds, and each look at the clock is one more thousandth.
+    # 10 mm at 200 mm/min are three seconds; each reading of the clock is one more thousandth.
     program="""
         O1
         N10 G99 G97 S1000 M3

@@ -1,4 +1,4 @@
-"""Radius compensation: what stands behind a corner, joints that rounding tears, arcs on their centre."""
+"""Radius compensation: moves after a corner, joints that rounding tears, arcs on their centre."""
 
 from conformance import case
 
@@ -14,7 +14,7 @@ NOSE = {"machine": "lathe-a", "tools": {1: {"R": 1}, 2: {"R": 2}, 5: {"R": 5}}}
 
 
 def lines(*blocks):
-    """A program of these blocks, numbered from N10 on."""
+    """Return a program of these blocks, numbered from N10 on."""
     numbered = [f"N{10 * (i + 1)} {block}" for i, block in enumerate(blocks)]
     return "\n".join(["O1", *numbered, "N900 M30"])
 
@@ -32,7 +32,7 @@ def numbers(controls, fanuc, mitsubishi, gsk_988, mdi):
     return {control: table.get(control) for control in controls}
 
 
-# What stands behind an acute corner comes when the tool is around it.
+# A block after an acute corner is executed when the tool is around the corner.
 path(
     "behind an acute corner a move across G17 comes when the tool is around it",
     MILLS, *("G90 G17 G0 X0. Y-10.", "G41 D1 G1 X10. Y0. F100", "X10. Y50."), "Z20.",
@@ -137,7 +137,7 @@ path(
     moves="R X0 Y-10\nF X10 Y0\nF X40",
 )
 
-# The end of the compensation.
+# The end of the compensation
 case(
     "the end of type B at an outside corner goes around it, inside it ends on the normal: right",
     control=FANUC, source="16MC p.293; the way: general knowledge", evidence="inferred",
@@ -175,8 +175,8 @@ path(
     centre="X0 Y-10 | X9 Y0 | X9 Y50 | X-30 Y50",
 )
 
-# A program rounds its points and centres: what is tangent, or fits, on the drawing is so within some
-# increments.
+# A program rounds its points and centres. So what is tangent, or fits, in the drawing is so only
+# within some increments.
 _WITNESS = (
     "G90 G0 X49.379 Y76.423", "G42 D1 G1 X61.101 Y60.218 F500", "G1 X36.795 Y42.635",
     "G2 X8.031 Y38.733 I-18.026 J24.919", "G1 X-10.711 Y45.716", "G40 X-20. Y30.")
@@ -220,8 +220,8 @@ path(
     number=numbers([*FANUC, *MITSUBISHI, MDI], "041", "P153", None, "0256"), word="I1.",
 )
 
-# A step of some increments between two long moves has a direction that says nothing: the tool goes
-# over it from one to the other. A higher one, a corner or a groove is smaller than the tool.
+# A step of some increments between two long moves has a direction that says nothing, so the tool
+# goes over it from one to the other. A higher step, a corner or a groove is smaller than the tool.
 _LOW, _HIGH, _NARROW = "X50.003 Y0.002", "X50.03 Y0.02", "X50.002 Y0.002"
 _UP, _DOWN = ("G90 G17 G0 X-10. Y20.", "G41 D5 G1 X0 Y0 F100", "X50. Y0"), "G90 G17 G0 X110. Y20."
 _SMALL = {"source": "16iLB p.208; 30iM p.238; general knowledge", "alarm": "offset-interference"}
@@ -357,7 +357,7 @@ path(
     setup=NOSE, **_SMALL, number=numbers(GSK_LATHES, None, None, "256", None), at="O1 N50", word="Z50.002",
 )
 
-# A move of one increment has no direction, but no more is it a block without a move.
+# A move of one increment has no direction, but it is not a block without a move either.
 path(
     "the corner behind X50.001 and M8 is looked for while one block stands still",
     ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *("X50.001", "M8"), "X100. Y10.", "G40 Y30.",

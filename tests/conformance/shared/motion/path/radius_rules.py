@@ -19,8 +19,8 @@ POLICY = {"source": "policy", "evidence": "inferred"}
 
 
 def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
-    """The alarm numbers of the makers, each control with the one of its maker; `066/325` where the
-    16i's number is not that of the later series."""
+    """Return the alarm number of each control, which is that of its maker; `066/325` where the
+    number of the 16i is not that of the later series."""
     old, later = (fanuc.split("/") * 2)[:2] if fanuc else (None, None)
     by_control = {
         **dict.fromkeys(GSK_988, gsk_988), **dict.fromkeys(MITSUBISHI, mitsubishi),

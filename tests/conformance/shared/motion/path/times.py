@@ -1,4 +1,4 @@
-"""How long moves and dwells take."""
+"""The time that moves and dwells take."""
 
 from conformance import case
 
