@@ -86,8 +86,8 @@ END = "N90 M30\n"
 TABLE: dict[str, tuple[str, str, str]] = {
     # Blocks that the control refuses
     "a fault that is never reached": ("", "O1\nN10 GOTO 30\nN20 G0 X1.5.2\nN30 M30\n", "CS101 N20, CS301 N20"),
-    "a fault behind a slash": ("", "O1\n/N10 M98 P-2\nN20 M30\n", "CS101 N10"),
-    "a fault behind THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=[1\nN20 M30\n", "CS101 N10"),
+    "a fault after a slash": ("", "O1\n/N10 M98 P-2\nN20 M30\n", "CS101 N10"),
+    "a fault after THEN": ("", "O1\nN10 IF[#500 EQ 1]THEN #501=[1\nN20 M30\n", "CS101 N10"),
     "codes of another kind of machine": ("gsk-988ta", "O1\nN10 G43 H1\nN20 M30\n", "CS102 N10"),
     "a code no source tells of": ("hnc-21m", "%1\nN10 G5.9\nN20 M30\n", "CS102 N10"),
     "#3000 and #3006 are written by statements": ("", "O1\nN10 #3006=1(LOOK)\nN20 IF[#500 EQ 1]THEN #3000=1(NO)\n" + END, ""),
@@ -122,13 +122,13 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN15 GOTO 30\nN20 WHILE[#1 LT 5]DO2\nN30 #1=#1+1\nN40 END2\nN50 END1\n" + END,
         "CS206 N15"),
     # Blocks that run and blocks that do not
-    "blocks behind M30": ("", "O1\nN10 M30\nN20 G4 P1\nN30 M99\n", "CS301 N20"),
-    "M99 behind M30 is a habit": ("", "O1\nN10 G4 P1\nN20 M30\nN30 M99\n", ""),
+    "blocks after M30": ("", "O1\nN10 M30\nN20 G4 P1\nN30 M99\n", "CS301 N20"),
+    "M99 after M30 is a habit": ("", "O1\nN10 G4 P1\nN20 M30\nN30 M99\n", ""),
     "a skipped GOTO": ("", "O1\n/N10 GOTO 30\nN20 G4 P1\nN30 M30\n", ""),
     "a computed GOTO may lead to every number": ("", "O1\nN10 GOTO #500\nG4 P1\nN20 G4 P1\n" + END, "CS301 :3"),
     "a start by Q": ("gsk-988ta", "O1\nN10 M98 P2 Q50\nN20 M30\nO2\nN40 M99\nN50 G4 P1\nN60 M99\n", ""),
     "#3000 ends what comes to it": ("", "O1\nN10 IF[#500 EQ 1]GOTO 30\nN20 M30\nN30 #3000=1(NO)\n", ""),
-    "a profile behind M30 is cut by its cycle": (
+    "a profile after M30 is cut by its cycle": (
         "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN20 M30\nN30 G0 X10.\nN40 G1 Z-10.\nN50 X20.\n", ""),
     "a subprogram that nobody calls": ("", "O1\nN10 M30\nO2\nN20 M99\n", "CS302 N20"),
     "a second main program": ("", "O1\nN10 M30\nO2\nN20 M30\n", ""),
@@ -220,7 +220,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "only the main program is refused": (
         "gsk-980tdi", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M98 P1\nN40 M99\n", "CS403 N30"),
     "a part that is fallen into": ("haas-ngc", "O1\nN10 M97 P100\nN20 G0 X1.\nN100 G0 Y1.\nN110 M99\n", "CS305 N100"),
-    "a part behind M30": ("haas-ngc", "O1\nN10 M97 P100\nN20 G0 X1.\nN30 M30\nN100 G0 Y1.\nN110 M99\n", ""),
+    "a part after M30": ("haas-ngc", "O1\nN10 M97 P100\nN20 G0 X1.\nN30 M30\nN100 G0 Y1.\nN110 M99\n", ""),
     "a part that is jumped to": ("haas-ngc", "O1\nN10 M97 P100\nN20 GOTO 100\nN30 M30\nN100 G0 Y1.\nN110 M99\n", ""),
     "a called program may run into its part for the last pass": (
         "haas-ngc", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M97 P100\nN100 G0 Y1.\nN110 M99\n", ""),
@@ -269,7 +269,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "#1=1\no1 while [#1 lt 3]\no2 if [#1 gt 1]\n#1=[#1+1]\no2 elseif [1]\no2 else\no2 endif\no3 do\no1 continue\no3 while [0]\no1 endwhile\no4 repeat [2]\no4 endrepeat\nm2\n", ""),
     "a label means something in its subprogram": (
         "linuxcnc", "o100 sub\no1 if [#1]\ng0 x1\no1 endif\no100 endsub\no1 if [0]\no1 endif\no100 call [1]\nm2\n", ""),
-    "a subprogram behind the end of the main program": ("linuxcnc", "g0 x0\no100 call\nm2\no100 sub\ng0 x1\no100 endsub\n", ""),
+    "a subprogram after the end of the main program": ("linuxcnc", "g0 x0\no100 call\nm2\no100 sub\ng0 x1\no100 endsub\n", ""),
     "a subprogram that another label ends": (
         "linuxcnc", "o1 sub\ng0 x1\no2 endsub\no1 call\nm2\n", "CS207 :3, CS207 :1"),
     "a subprogram without its end": ("linuxcnc", "o1 sub\ng0 x1\no2 sub\no2 endsub\no1 call\no2 call\nm2\n", "CS207 :1"),
@@ -277,7 +277,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "linuxcnc", "o1 sub\ng0 x1\no2 sub\ng0 x2\no2 endsub\no1 endsub\no1 call\no2 call\nm2\n", "CS208 :3"),
     "a break before a do loop": (
         "linuxcnc", "o1 while [1]\ng0 x1\no1 break\no1 endwhile\no2 do\ng0 x2\no2 while [0]\nm2\n", "CS209 :3"),
-    "a break behind it": ("linuxcnc", "o2 do\ng0 x2\no2 while [0]\no1 while [1]\ng0 x1\no1 break\no1 endwhile\nm2\n", ""),
+    "a break after it": ("linuxcnc", "o2 do\ng0 x2\no2 while [0]\no1 while [1]\ng0 x1\no1 break\no1 endwhile\nm2\n", ""),
     "a break out of the do loop": (
         "linuxcnc", "o1 do\ng0 x1\no1 break\no1 while [1]\no2 do\ng0 x2\no2 while [0]\nm2\n", ""),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
@@ -314,7 +314,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a call in the profile of a cycle": (
         "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN30 G0 X10.\nN40 M98 P2\nN50 G1 X20.\n"
         + END + "O2\nN70 G1 Z-5.\nN80 M99\n", "CS101 N40"),
-    "a call behind the profile of a cycle": (
+    "a call after the profile of a cycle": (
         "gsk-988ta", "O1\nN5 G0 X50. Z2.\nN10 G71 U1. R1.\nN15 G71 P30 Q50 U0 W0 F0.1\nN30 G0 X10.\nN50 G1 X20.\nN60 M98 P2\n"
         + END + "O2\nN70 G1 Z-5.\nN80 M99\n", ""),
     "profiles that have their numbers again": (
@@ -358,8 +358,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "conditions that are joined where the control joins none": (
         "", "O1\nN10 IF[[#500 EQ 1]AND[#501 EQ 2]]GOTO 90\n" + END, "CS101 N10"),
     "what a refused assignment would have set": ("", "O1\nN10 #1=[2+3\nN20 G0 X[#1+1.]\n" + END, "CS101 N10"),
-    "an IF with a code behind it": ("mitsubishi-m700", "O1\nN10 IF[#500 EQ 1] M8\n" + END, "CS103 N10"),
-    "an IF with nothing behind it": ("", "O1\nN10 IF[#500 EQ 1]\n" + END, "CS101 N10"),
+    "an IF with a code after it": ("mitsubishi-m700", "O1\nN10 IF[#500 EQ 1] M8\n" + END, "CS103 N10"),
+    "an IF with nothing after it": ("", "O1\nN10 IF[#500 EQ 1]\n" + END, "CS101 N10"),
     # Offsets, shifts and calls that leak
     "G52 that is left on": ("", "O1\nN10 G54 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G52 X10.\nN50 M99\n", "CS501 N20"),
     "G52 that is taken back": ("", "O1\nN10 G54 G0 X0\nN20 M98 P2\nN30 X5.\n" + END + "O2\nN40 G52 X10.\nN45 G52 X0 Y0\nN50 M99\n", ""),
@@ -392,11 +392,11 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "logic of words in a comment": ("", "O1\nN10 G0 X[#500+1] ([A+1 AND B])\n" + END, ""),
     "conditions that are joined where logic comes last": (
         "mitsubishi-m700", "O1\nN10 IF[#500 EQ 1 AND #501 EQ 2]GOTO 90\n" + END, ""),
-    "AND behind OR where both bind alike": (
+    "AND after OR where both bind alike": (
         "mitsubishi-m700", "O1\nN10 IF[[#500 EQ 1] OR [#501 EQ 2] AND [#502 EQ 3]]GOTO 90\n" + END, "CS705 N10"),
-    "OR behind AND is read as it looks": (
+    "OR after AND is read as it looks": (
         "mitsubishi-m700", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2] OR [#502 EQ 3]]GOTO 90\n" + END, ""),
-    "AND behind OR from left to right": ("linuxcnc", "#1=1\no1 if [#1 eq 1 or #1 eq 2 and #1 eq 3]\no1 endif\nm2\n", "CS705 :2"),
+    "AND after OR from left to right": ("linuxcnc", "#1=1\no1 if [#1 eq 1 or #1 eq 2 and #1 eq 3]\no1 endif\nm2\n", "CS705 :2"),
     "AND beside comparisons in LinuxCNC": ("linuxcnc", "#1=1\no1 if [#1 eq 1 and #1 lt 3]\no1 endif\nm2\n", ""),
     # Values that are easily mistaken
     "no point on a control of increments": ("", "O1\nN10 G0 X1.5 Y20\n" + END, "CS701 N10"),
@@ -433,7 +433,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9 K0\nN30 X1. Z-1.\nN50 G80\n" + END, ""),
     "a cycle whose Z comes with its first place": (
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9\nN30 X1. Z-1.\nN50 G80\n" + END, ""),
-    "a cycle whose places come behind it": (
+    "a cycle whose places come after it": (
         "", "O1\nN10 G0 X0 Z5.\nN20 G81 R1. F9\nN30 X1.\nN40 X2.\nN50 G80\n" + END, "CS708 N20"),
     "a cycle without a place": ("", "O1\nN10 G0 X0 Z5.\nN20 G81 F9\nN30 X1. Z-1. R1.\nN50 G80\n" + END, ""),
     "a cycle of a called program may have the Z of its caller": (
@@ -444,11 +444,11 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. K3\nN30 G80\n" + END, "CS709 N20"),
     "K of a cycle that shifts or pecks": (
         "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G73 X1. Z-1. R-1. Q1. F9. K3\nN30 G80\n" + END, ""),
-    "K in a block behind the cycle": (
+    "K in a block after the cycle": (
         "haas-ngc", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 X1. K3\nN30 G80\n" + END, "CS709 N25"),
-    "L in a block behind the cycle": (
+    "L in a block after the cycle": (
         "", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 Y1.\nN26 X1. L3\nN30 G80\n" + END, "CS709 N26"),
-    "L behind the end of the cycle": (
+    "L after the end of the cycle": (
         "", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9.\nN25 G80\nN26 X1. L3\n" + END, ""),
     "both letters where both count": (
         "gsk-980mdi", "O1\nN10 G91 G0 X0\nN20 G81 X1. Z-1. R-1. F9. L3\nN25 X1. K3\nN30 G80\n" + END, ""),
@@ -503,7 +503,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a loop of labels that compares for equality, which takes what is near": (
         "linuxcnc", "#1=0\no100 while [#1 ne 1]\n#1=[#1+0.1]\no100 endwhile\nm2\n", ""),
     # Inputs
-    "an input behind G103": ("haas-ngc", "O1\nN10 G103 P1\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, ""),
+    "an input after G103": ("haas-ngc", "O1\nN10 G103 P1\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, ""),
     "an input where G103 is taken back": (
         "haas-ngc", "O1\nN10 G103 P1\nN15 G103\nN20 IF[#1001 EQ 1]GOTO 90\nN30 G4 P1\n" + END, "CS710 N20"),
     "an input in a macro whose caller has no limit": (
@@ -514,7 +514,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
         "haas-ngc", "O1\nN10 G0 X0\nN20 G65 P9000 A1.\n" + END + "O9000\nN25 G103 P1\nN30 IF [#1004 EQ 0] GOTO 50\nN40 G0 X#1\nN50 G103\nN60 M99\n", ""),
     "an output that is set while the control waits": (
         "haas-ngc", "O1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, "CS710 N10, CS710 N30"),
-    "an output behind G103": (
+    "an output after G103": (
         "haas-ngc", "O1\nN5 G103 P1\nN10 #1101=1\nN20 G4 P1.\nN30 #1101=0\n" + END, ""),
     "a position, which is read when its block runs": (
         "haas-ngc", "O1\nN10 G0 X1.\nN20 #100=#5021\nN30 G0 Z#100\n" + END, ""),
@@ -532,8 +532,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "two codes of a group that the control refuses": ("gsk-980mdi", "O1\nN10 G0 G1 X1. F9\n" + END, "CS101 N10"),
     "codes of two groups": ("", "O1\nN10 G90 G1 G17 X1. F9\n" + END, ""),
     "a code twice": ("", "O1\nN10 G1 G1 X1. F9\n" + END, ""),
-    "a block behind a semicolon": ("", "O1\nN10 G0 X1. ; N20 Z1.\n" + END, "CS802 N20"),
-    "two blocks behind semicolons": ("", "O1\nN10 G0 X1.;N20 Z1.; N30 Y1.;\n" + END, "CS802 N20, CS802 N30"),
+    "a block after a semicolon": ("", "O1\nN10 G0 X1. ; N20 Z1.\n" + END, "CS802 N20"),
+    "two blocks after semicolons": ("", "O1\nN10 G0 X1.;N20 Z1.; N30 Y1.;\n" + END, "CS802 N20, CS802 N30"),
     "a semicolon at the end of its line": ("", "O1;\nN10 G0 X1.; \nN90 M30;\n", ""),
     "a semicolon before a comment": ("", "O1\nN10 G0 X1.;(N20 Z1.)\n" + END, ""),
     "a semicolon in a comment": ("", "O1\nN10 G0 X1. (A; N20 Z1.)\n" + END, ""),

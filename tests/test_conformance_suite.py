@@ -291,7 +291,7 @@ def test_linuxcnc_agrees_with_its_rows(
         "linuxcnc/motion: what G87 does is not told",
         # rs274 does not print the path of a spline, or where a tap in another plane ends.
         "linuxcnc/arcs: G5 is a curve to its end by the directions at both ends",
-        "linuxcnc/arcs: behind it one without I and J goes on in its direction",
+        "linuxcnc/arcs: after it one without I and J goes on in its direction",
         "linuxcnc/motion: a tap outside of G17 takes its axes for each other",
         # A limit of cncsub: a position beyond all machines.
         "shared/reading/number_ends: a word that leads beyond every position is refused in a plain"

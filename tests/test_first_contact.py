@@ -255,7 +255,7 @@ def test_a_file_that_an_option_names_is_not_told_as_left_out(job: Path) -> None:
         (["zzz"], "there are run, tree, list"),
         (
             ["-c", "fanuc-0i-f", "run", "part.nc"],
-            "options stand behind the command: cncsub run part.nc",
+            "options follow the command: cncsub run part.nc",
         ),
         (
             ["run", "part.nc", "-c", "fanuc-0i-f", "--mdi", "G65", "P9100", "X5."],

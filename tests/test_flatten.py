@@ -43,7 +43,7 @@ CASES = {
         "O1\n#1=1/3\nG20\nG0 X#1\nG21\nX#1\nM30\n",
         "O1\nG20\nG0 X0.3333\nG21\nX0.333\nM30\n",
     ),
-    "a modal macro behind each move": (
+    "a modal macro after each move": (
         "O1\nG66 P2\nG0 X1.\nG67\nM30\nO2\nM8\nM99\n",
         "O1\nG0 X1.\nM8\nM30\n",
     ),
@@ -88,7 +88,7 @@ LATHE = {
         "O1\nG0 X100. Z2.\nG71 U2. R1.\nG71 P1 Q2 U0.4 W0.1 F0.2\n"
         "N1 G0 X20.\nG1 Z-10. F0.1\nN2 X60.\nG70 P1 Q2\nM30\n",
     ),
-    "and stands behind the end where the cycle does not pass over it": (
+    "and stands after the end where the cycle does not pass over it": (
         "O1\nG0 X100. Z2.\nG70 P50 Q70\nM30\nN50 G0 X20.\nG1 Z-10. F0.1\nN70 X60.\n",
         "O1\nG0 X100. Z2.\nG70 P1 Q2\nM30\nN1 G0 X20.\nG1 Z-10. F0.1\nN2 X60.\n",
     ),

@@ -75,7 +75,7 @@ GROWING = {
     "one message": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 2_000_000 + ")\nGOTO10\n"),
     "long messages": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 60_000 + ")\nGOTO10\n"),
     "messages": ("fanuc-0i-f", "O1\nN10 #3006=1(" + "A" * 900 + ")\nGOTO10\n"),
-    "messages behind THEN": ("fanuc-0i-f", "O1\nN10 IF[1EQ1]THEN #3006=1(" + "A" * 900 + ")\nGOTO10\n"),
+    "messages after THEN": ("fanuc-0i-f", "O1\nN10 IF[1EQ1]THEN #3006=1(" + "A" * 900 + ")\nGOTO10\n"),
     "printed lines": ("fanuc-0i-f", "O1\nN10 DPRNT[" + "A" * 900 + "]\nGOTO10\n"),
     "one printed line": ("fanuc-0i-f", "O1\nN10 DPRNT[" + "#1[44]" * 200_000 + "]\nGOTO10\n"),
     "M and T codes": ("fanuc-0i-f", "O1\nN10 M3 T1\nGOTO10\n"),

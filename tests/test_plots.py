@@ -259,7 +259,7 @@ def test_what_is_left_out_lies_as_near_as_the_picture_tells(
     run = ran("O1\nG91\nF100\n" + "\n".join(text) + "\nM30\n")
     figure = run.plot(most=100, color=color, play=False)
     line = run.polyline(0.01)
-    cut = re.search(r"nothing behind move ([\d,]+)", note(figure))
+    cut = re.search(r"nothing after move ([\d,]+)", note(figure))
     points = line.points
     if cut:
         points = points[line.move < int(cut[1].replace(",", ""))]

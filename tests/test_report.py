@@ -165,13 +165,13 @@ def test_a_long_path_is_thinned_and_says_so() -> None:
     page = page_of(f"O1\nG1 F100\n{fine}M30\n")
     kept, whole = points_of(r"Thinned: ([\d,]+) of ([\d,]+) points; what is left out lies", page)
     assert kept <= MOST_POINTS < whole == 40_001
-    assert "nothing behind move" not in page
+    assert "nothing after move" not in page
 
 
 def test_a_path_that_cannot_be_thinned_is_cut_and_says_so() -> None:
     wide = "".join(f"X{i * i * 31 % 9973} Y{i * i * i % 9967}\n" for i in range(40_000))
     page = page_of(f"O1\nG1 F100\n{wide}M30\n")
-    behind, whole = points_of(r"nothing behind move ([\d,]+) of ([\d,]+)", page)
+    behind, whole = points_of(r"nothing after move ([\d,]+) of ([\d,]+)", page)
     assert behind < whole == 40_000
 
 

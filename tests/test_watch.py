@@ -61,7 +61,7 @@ TABLE = {
         "fanuc-0i-f", "O1\nN10 #100=5\nN20 #100=6\nM30\n", [100], "N20 #100=6",
         {"variables": {100: 5}},
     ),
-    "locals are those of the level that is open behind the block": Watched(
+    "locals are those of the level that is open after the block": Watched(
         "fanuc-0i-f", MACRO, [1, 2], LEVELS
     ),
     "locals of a GSK": Watched("gsk-988ta", MACRO, [1, 2], LEVELS),
@@ -89,7 +89,7 @@ TABLE = {
         "fanuc-0i-f", "O1\nN10 IF[1 EQ 1]THEN #100=4\nN20 IF[1 EQ 2]THEN #100=5\nM30\n",
         [100], "N10 #100=4",
     ),
-    "an assignment behind a skipped block": Watched(
+    "an assignment after a skipped block": Watched(
         "fanuc-0i-f", "O1\n/N10 #100=4\nN20 #100=5\nM30\n",
         [100], "N20 #100=5", {"block_skip": 1},
     ),

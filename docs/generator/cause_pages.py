@@ -118,7 +118,7 @@ def _is_plain(case: Any) -> bool:
 
 
 def _size(case: Any) -> tuple[bool, int]:
-    """Rows that need something else said stand behind the others."""
+    """Rows that need something else said stand after the others."""
     needs = case.params or case.replace or case.setup or case.options or case.mdi is not None
     return bool(needs), len(case.program)
 

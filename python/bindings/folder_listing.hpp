@@ -15,8 +15,8 @@ struct FolderListing {
   std::vector<std::string> files;    // regular files without any objection
   std::vector<std::string> folders;  // folders without any objection
   std::vector<std::string> others;   // to be checked by Python: links, hidden names, devices, ...
-  bool ordered = true;  // false where a name is beyond ASCII: nothing is in order
-  int error = 0;        // of the system, where the folder was not read
+  bool ordered = true;               // false where a name is beyond ASCII: nothing is in order
+  int error = 0;                     // of the system, where the folder was not read
 };
 
 /// List a folder. `endings` are those of files that are no programs, in small letters, with their

@@ -277,25 +277,29 @@ def _fix(
         return (Edit(place.file, place.line, place.column + at, word[at : at + 3], "M99"),)
     # IF[#1 EQ 2]#3=4: an assignment after a condition has no other meaning.
     if rule.name == "if-without-then":
-        after = source[place.column - 1 :].removeprefix(word).lstrip()
-        if word.startswith("#") and after.startswith("="):
-            return (Edit(place.file, place.line, place.column, word, f"THEN {word}"),)
+        after = source[place.column - 1 :]
+        name, equals, _ = after.partition("=")
+        name = name.strip()
+        if name.startswith("#") and equals:
+            column = place.column + len(after) - len(after.lstrip())
+            return (Edit(place.file, place.line, column, name, f"THEN {name}"),)
     return None if alarm is None else _mended_word(place, alarm, source)
 
 
 def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[Edit, ...] | None:
     """Mend XO. to X0. and X1,5 to X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
-    written = source[place.column - 1 :].startswith(word)  # no blank or comment inside it
-    address, value = word[:1], word[1:].lstrip("+-")
-    if alarm.cause == "address-without-value" and written and address not in "Oo":
-        before = word[: len(word) - len(value)]
-        if value[:1] in ("O", "o") and (value[1:2] in (*"0123456789.", "")):
-            return (Edit(place.file, place.line, place.column, before + value[0], f"{before}0"),)
-    if alarm.cause == "value-without-address" and written and word[1:].isdecimal():
+    text = source[place.column - 1 :]
+    if alarm.cause == "address-without-value" and word[:1] not in "Oo":
+        size = 2 if text[1:2] in ("+", "-") else 1
+        value = text[size : size + 1]
+        if value in ("O", "o") and text[size + 1 : size + 2] in (*"0123456789.; \t", ""):
+            before = text[:size]
+            return (Edit(place.file, place.line, place.column, before + value, f"{before}0"),)
+    if alarm.cause == "value-without-address" and text.startswith(word) and word[1:].isdecimal():
         before = source[: place.column - 1].rstrip("0123456789")
         whole = before != source[: place.column - 1] and before.rstrip("+-")[-1:].isalpha()
-        if address == "," and whole:
+        if word[0] == "," and whole:
             return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
     return None
 

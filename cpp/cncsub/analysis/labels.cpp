@@ -111,7 +111,7 @@ void LabelCheck::end_sub(Address at, const OWord& own) {
 /// ends.
 void LabelCheck::never_ended() {
   const Address head = open_.back();
-  c_.found(Check::LoopUnclosed, head, place(head), "no endsub behind it has this label");
+  c_.found(Check::LoopUnclosed, head, place(head), "no endsub after it has this label");
   open_.pop_back();
 }
 
@@ -183,7 +183,7 @@ void LabelCheck::breaks(const std::vector<Address>& all) {
   for (const Address at : all)
     if (o_word(at).kind == OWordKind::Break && at < last_do_)
       c_.found(Check::BreakLeftOver, at, place(at),
-               "a do loop behind it, as that of line " +
+               "a do loop after it, as that of line " +
                    std::to_string(c_.code.blocks[last_do_].line) + ", ends after its first pass");
 }
 
@@ -209,7 +209,7 @@ void LabelCheck::crossings(std::uint32_t sub) {
     while (!ends.empty() && ends.back() < from) ends.pop_back();
     if (!ends.empty() && ends.back() < to)
       c_.found(Check::LoopUnclosed, from, place(from),
-               "it ends behind line " + std::to_string(c_.code.blocks[ends.back()].line) +
+               "it ends after line " + std::to_string(c_.code.blocks[ends.back()].line) +
                    ", where what it begins in ends");
     else
       ends.push_back(to);
@@ -234,7 +234,7 @@ void LabelCheck::statements(const std::vector<Address>& all) {
   for (const Address at : all)
     if (o_word(at).kind == end) return;
   c_.found(Check::LoopUnclosed, all.front(), place(all.front()),
-           "no " + std::string(word_of(end)) + " behind it has this label");
+           "no " + std::string(word_of(end)) + " after it has this label");
 }
 
 }  // namespace
@@ -253,7 +253,7 @@ void check_openings(Checker& c, const ProgramFlow& flow) {
     const CallRecord& record = c.code.calls[edge.record];
     c.refused(Check::ProgramMissing, edge.from,
               {Cause::ProgramNotFound, record.at, record.width,
-               "its file begins with %, as the main program does: nothing is read behind it"});
+               "its file begins with %, as the main program does: nothing is read after it"});
   }
 }
 

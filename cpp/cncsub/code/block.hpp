@@ -40,9 +40,9 @@ enum class Op : std::uint8_t {
   NameVariables,   // SETVN (aux: statement)
   OWord,           // aux: o_word
   ParallelAssign,  // aux: parallel_assign: assignments, a message, and words
-  Select,  // aux: select: one of two blocks, by the skip switches or by who called
-  Fault,   // aux: fault
-  EndOfRecord,  // after the last block of every program
+  Select,          // aux: select: one of two blocks, by the skip switches or by who called
+  Fault,           // aux: fault
+  EndOfRecord,     // after the last block of every program
 };
 
 /// Return whether a block has words and nothing else.

@@ -197,7 +197,7 @@ void FlatRun::write_done(std::string& text, FlatOrigins& origins) {
   coming_.executed = -1;
   const bool goes_on = machine_.stop() == Stop::Running;
   if (starts_over_)
-    refuse("a code starts the program over, and the flat program goes on behind it");
+    refuse("a code starts the program over, and the flat program goes on after it");
   else if (goes_on && observer_.words != nullptr && observer_.words->op == Op::EndProgram)
     refuse("M02 or M30 returns from a subprogram, and the flat program would end there");
   else if (coming_.plain || observer_.any())

@@ -11,7 +11,7 @@ namespace cncsub {
 /// The check that asks now and then, while work is done, whether somebody wants it interrupted.
 class InterruptCheck {
  public:
-  static constexpr std::size_t kBlock = 8;  // the work of going over a block again, in bytes
+  static constexpr std::size_t kBlock = 8;       // the work of going over a block again, in bytes
   static constexpr std::size_t kLook = 1 << 16;  // bytes after which the clock is read
 
   explicit InterruptCheck(std::function<bool()> interrupted = {})

@@ -36,7 +36,7 @@ void reading(Control& c) {
   c.reading.max_digits = {15, kPolicy + "; ranges are checked address by address, " + kSK + "P35",
                           Inferred};
   c.reading.block_skip = {BlockSkip::HeadOnly,
-                          kGeneral + ": before or behind N, elsewhere by a parameter", Inferred};
+                          kGeneral + ": before or after N, elsewhere by a parameter", Inferred};
   c.reading.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
                                 Inferred};
   c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
@@ -112,7 +112,7 @@ void expressions(Control& c) {
   c.macros.atan_range = {AngleRange::FullTurn, kPolicy, Inferred};
   c.macros.asin_range = {AngleRange::Signed, kGeneral + ": #1273 bit 0 is 0", Inferred};
   has(c.macros.conditions, {Condition::Joined},
-      kGeneral + ": AND, OR and XOR rank behind the comparisons", Inferred);
+      kGeneral + ": AND, OR and XOR rank after the comparisons", Inferred);
   lacks(c.macros.conditions, {Condition::Symbols}, kGeneral, Inferred);
   lacks(c.macros.conditions, {Condition::Bare}, kMZ + "864: the form of IF", Secondary);
   c.macros.short_functions = {false, kGeneral + ": names of their own (RND) instead", Inferred};

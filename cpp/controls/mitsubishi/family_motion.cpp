@@ -15,7 +15,7 @@ const Parameter kParameters[] = {
      {micrometres(rule::one_way_overrun)}},
     {"8112",
      0,
-     "a point at P of G04: 0 = what is behind it is cut, 1 = P counts seconds",
+     "a point at P of G04: 0 = what follows it is cut, 1 = P counts seconds",
      "CSDN: excerpts on #8112; the M700V manual, 5.3 (7)",
      Inferred,
      {bit(rule::dwell_point, DwellPoint::Cut, DwellPoint::Seconds)}},

@@ -160,7 +160,7 @@ def _one_line(error: BaseException) -> str:
     context = getattr(error, "ctx", None)
     of_none = context is not None and context.parent is None
     if of_none and getattr(error, "option_name", None) and not getattr(error, "possibilities", 0):
-        told += "; options stand behind the command: cncsub run part.nc -c fanuc-0i-f"
+        told += "; options follow the command: cncsub run part.nc -c fanuc-0i-f"
     return told
 
 

@@ -319,7 +319,7 @@ class Rewriting:
         return self._lines[block.program.file][block.line - 1]
 
     def replace(self, block: Block, spans: Sequence[Token], new: str, behind: str = "") -> None:
-        """Put `new` in the place of the words `spans`, and `behind` on lines of its own."""
+        """Put `new` in the place of the words `spans`, and `after` on lines of its own."""
         line = self._line(block)
         mine = self.edits.get(block.program.name, ())
         if any((edit.file, edit.line) == (block.program.file, block.line) for edit in mine):
@@ -331,7 +331,7 @@ class Rewriting:
         joined = f"{new} {rest.strip()}".strip() if new else rest.strip()
         words = block.words
         if behind and any(not word.address for word in words):  # IF[...] THEN before the words
-            raise self.refused(block, "what has to stand behind it is not under its condition")
+            raise self.refused(block, "what has to follow it is not under its condition")
         # A block that is skipped takes the lines after it along.
         own = words[0].text if words and words[0].address == "/" else ""
         written = "\n".join([joined, *(own + each for each in behind.split("\n") if each)])

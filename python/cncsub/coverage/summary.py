@@ -206,7 +206,7 @@ class Coverage:
                 parts[id(part.code)] = parts[id(part.code)].plus(part)
         added = Coverage([*parts.values(), *new])
         if new and self._parts:
-            added.programs  # other texts under the same names are refused here
+            _ = added.programs  # other texts under the same names are refused here
         return added
 
     def __radd__(self, other: object) -> Coverage:

@@ -393,7 +393,7 @@ def _left_out(drawn: Drawn) -> list[str]:
     if (behind := drawn.behind) is None:
         return drawn.told
     cut = (
-        f"Cut: nothing behind move {behind:,} is drawn; moves=range({behind}, ...) shows the rest,"
+        f"Cut: nothing after move {behind:,} is drawn; moves=range({behind}, ...) shows the rest,"
         " most= draws more points."
     )
     return [*drawn.told, cut]

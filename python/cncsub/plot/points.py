@@ -142,7 +142,7 @@ def _thinned(
         if looks == 2 or tolerance == 0:  # a second look finds what windows hid from the first
             if tolerance >= widest:
                 break
-            many = len(points) > max(50 * most, 0.9 * begun)  # most of the path goes to and fro
+            many = len(points) > max(50 * most, 0.9 * begun)  # most of the path goes back and forth
             wider = tolerance * (1.5 if len(points) < 4 * most else 3)
             tolerance = widest if many else min(wider or size * _FINEST, widest)
             looks = 0

@@ -47,7 +47,7 @@ def path_of(run: Run, coordinates: str = "work") -> Path:
     drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), MOST_POINTS)
     told = drawn.told
     if drawn.behind is not None:
-        told = [*told, f"Cut: nothing behind move {drawn.behind:,} of {moves:,} is drawn."]
+        told = [*told, f"Cut: nothing after move {drawn.behind:,} of {moves:,} is drawn."]
     begins = drawn.keys < 0
     turned = bool(core.diameters & 1)
     return Path(drawn.xyz, drawn.points.move, begins, rapid, turned, tuple(told), drawn.breaks > 0)

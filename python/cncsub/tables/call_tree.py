@@ -21,9 +21,7 @@ class CallTree:
     program: str
     start_n: int | None
     repeats: int
-    blocks: (
-        int | None
-    )  # executed in one call, called programs included; None where it did not end
+    blocks: int | None  # executed in one call, called programs included; None where it did not end
     count: int = 1
     calls: list[CallTree] = field(default_factory=list)
     caller_step: int | None = None

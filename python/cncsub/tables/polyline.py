@@ -184,5 +184,5 @@ def rows_of(moves: Any, count: int) -> tuple[int, int]:
         raise TypeError(f"moves is a slice or a range such as range(0, 1000), not {moves!r}")
     first, last, step = moves.indices(count)
     if step != 1:
-        raise ValueError(f"moves lie one behind the other, without a step: not {moves!r}")
+        raise ValueError(f"moves follow one another without a step: not {moves!r}")
     return first, max(first, last)

@@ -395,7 +395,7 @@ case(
     runs="N10 N30 N20", arguments={6: 1, 9: 2},
 )
 case(
-    "I behind K opens a new set",
+    "I after K opens a new set",
     control=ALL, source="K-H counting rule", evidence="inferred",
     program="""
         O1
@@ -443,7 +443,7 @@ case(
     runs="N10 N30 N20", arguments={1: 8, 4: 1, 5: 2, 6: 3, 24: 9, 7: None},
 )
 case(
-    "an I behind E overwrites nothing of it, a J does",
+    "an I after E overwrites nothing of it, a J does",
     control=ALL, source="source 002, mixed assignment; ZAP", evidence="source document",
     program="""
         O1
@@ -455,7 +455,7 @@ case(
     runs="N10 N30 N20", arguments={4: 1, 7: 2, 8: 3},
 )
 case(
-    "E behind the second J overwrites it",
+    "E after the second J overwrites it",
     control=ALL, source="source 002, mixed assignment; ZAP", evidence="source document",
     program="""
         O1
@@ -467,7 +467,7 @@ case(
     runs="N10 N30 N20", arguments={4: 1, 7: 2, 8: 5},
 )
 case(
-    "F behind the second K overwrites it",
+    "F after the second K overwrites it",
     control=ALL, source="source 002, mixed assignment; ZAP", evidence="source document",
     program="""
         O1
@@ -857,7 +857,7 @@ case(
 )
 
 case(
-    "D behind a second I wins #7, and an I before it keeps #4 (F204)",
+    "D after a second I wins #7, and an I before it keeps #4 (F204)",
     control=["fanuc-16i", "fanuc-30i"],
     source="PB304",
     evidence="maker's manual",
@@ -899,7 +899,7 @@ case(
 )
 
 case(
-    "a second I behind D wins #7 (F206)",
+    "a second I after D wins #7 (F206)",
     control=["fanuc-16i", "fanuc-30i"],
     source="source 002, mixed arguments; PB304",
     evidence="source document",

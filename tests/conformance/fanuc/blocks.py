@@ -198,7 +198,7 @@ case(
     skip=(3,), runs="N30",
 )
 case(
-    "a slash in mid-block hides the call behind it and keeps the words before it",
+    "a slash in mid-block hides the call after it and keeps the words before it",
     control=ALL, source="GED; K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -220,7 +220,7 @@ case(
     skip=(1,), runs="N20",
 )
 case(
-    "a faulty block behind a slash alarms while the switch is off",
+    "a faulty block after a slash alarms while the switch is off",
     control=ALL, source="ALM PS0006", evidence="secondary",
     program="""
         O1
@@ -288,7 +288,7 @@ case(
 )
 
 case(
-    "a block behind a slash is left out while the switch is on (F004)",
+    "a block after a slash is left out while the switch is on (F004)",
     control=["fanuc-16i", "fanuc-30i"],
     source="GED; ISO",
     evidence="secondary",

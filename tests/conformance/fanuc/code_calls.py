@@ -398,7 +398,7 @@ case(
     params={"6050": -70, "6007#3": 1}, runs="N10 N20 N50 N60 N30 N40", vars={100: 1},
 )
 case(
-    "with 6007#3=0 a negative number of 6050 calls behind moves, as G66",
+    "with 6007#3=0 a negative number of 6050 calls after moves, as G66",
     control=NEW, source="K-M general knowledge", evidence="inferred",
     program="""
         O1
@@ -414,7 +414,7 @@ case(
     params={"6050": -70}, runs="N10 N20 N30 N60 N70 N40 N50", vars={100: 1},
 )
 case(
-    "a G code behind the range of 6038 to 6040 calls nothing",
+    "a G code after the range of 6038 to 6040 calls nothing",
     control=NEW, source="K-M general knowledge; ALM PS0010", evidence="inferred",
     program="""
         O1
@@ -442,7 +442,7 @@ case(
     vars={100: 5},
 )
 case(
-    "an M code behind the range of 6044 to 6046 goes to the machine",
+    "an M code after the range of 6044 to 6046 goes to the machine",
     control=NEW, source="K-M general knowledge", evidence="inferred",
     program="""
         O1
@@ -722,7 +722,7 @@ case(
     at="O9010",
 )
 case(
-    "a second G code behind a calling G code is refused as an argument",
+    "a second G code after a calling G code is refused as an argument",
     control=ALL, source="ALM PS0129; K-H 129", evidence="inferred",
     program="""
         O1
@@ -884,7 +884,7 @@ case(
 )
 
 case(
-    "M60 set in 6071 calls O9001 behind the move, with the caller's locals (F403)",
+    "M60 set in 6071 calls O9001 after the move, with the caller's locals (F403)",
     control=["fanuc-16i", "fanuc-30i"],
     source="source 002, PRM6071=60; PMI39",
     evidence="source document",

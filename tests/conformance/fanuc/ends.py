@@ -22,7 +22,7 @@ case(
     runs="N10 N20", t=[1],
 )
 case(
-    "a faulty block behind M30 alarms nothing",
+    "a faulty block after M30 alarms nothing",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -35,7 +35,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "M30 behind a skipped slash does not end the program",
+    "M30 after a skipped slash does not end the program",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -46,7 +46,7 @@ case(
     skip=(1,), runs="N20 N30", t=[2],
 )
 case(
-    "M30 behind a slash ends the program while the switch is off",
+    "M30 after a slash ends the program while the switch is off",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -207,7 +207,7 @@ case(
 )
 
 case(
-    "nothing behind M30 runs (F002)",
+    "nothing after M30 runs (F002)",
     control=["fanuc-16i", "fanuc-30i"],
     source="general knowledge of the FANUC manuals",
     evidence="inferred",

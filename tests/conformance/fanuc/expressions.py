@@ -215,7 +215,7 @@ case(
     runs="", alarm="brackets-too-deep", number=numbers("118", "PS0118"), at="O1 N10", t=[],
 )
 case(
-    "brackets one behind the other are not nested",
+    "brackets one after the other are not nested",
     control=ALL, source="X-NUL, ALM PS0118", evidence="secondary",
     program="""
         O1

@@ -124,7 +124,7 @@ case(
     params={"6004#0": 1}, runs="N10 N20", vars={100: -45},
 )
 case(
-    "the second slash behind ATAN divides",
+    "the second slash after ATAN divides",
     control=ALL, source="ALI; K-H general knowledge", evidence="inferred",
     program="""
         O1

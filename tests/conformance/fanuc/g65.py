@@ -15,7 +15,7 @@ def numbers(old, new):
 # G65: the call
 
 case(
-    "G65 calls a macro and goes on behind the call",
+    "G65 calls a macro and goes on after the call",
     control=ALL, source="source 002, simple call", evidence="source document",
     program="""
         O1
@@ -40,7 +40,7 @@ case(
     runs="N10 N30*3 N20", calls="G65:O2",
 )
 case(
-    "P and L may stand behind the arguments of G65",
+    "P and L may stand after the arguments of G65",
     control=ALL, source="PB304 (its example has P last)", evidence="maker's manual",
     program="""
         O1
@@ -156,7 +156,7 @@ case(
     runs="N10 N30 N40 N20", vars={100: 3}, m=[],
 )
 case(
-    "a calling M code behind G65 is an argument, not a call",
+    "a calling M code after G65 is an argument, not a call",
     control=ALL, source="PMI39; ZAP", evidence="inferred",
     program="""
         O1
@@ -577,7 +577,7 @@ case(
     alarm="macro-nesting-too-deep", number="PS0122", at="O3 N60", vars={100: 5},
 )
 case(
-    "the loop of a caller goes on behind a macro call",
+    "the loop of a caller goes on after a macro call",
     control=ALL, source="policy; K-H general knowledge", evidence="inferred",
     program="""
         O1

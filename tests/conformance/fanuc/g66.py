@@ -12,7 +12,7 @@ def numbers(old, new):
 
 
 case(
-    "G66 calls its macro behind every block that moves an axis",
+    "G66 calls its macro after every block that moves an axis",
     control=ALL, source="ENG; M7V, NCT", evidence="secondary",
     program="""
         O1
@@ -98,7 +98,7 @@ case(
     runs="N10 N20 N30 N40",
 )
 case(
-    "behind G67 a move calls no modal macro",
+    "after G67 a move calls no modal macro",
     control=ALL, source="ENG; K-H general knowledge", evidence="secondary",
     program="""
         O1
@@ -160,7 +160,7 @@ case(
     runs="N10 N20 N30 N60 N70 N40 N50", vars={1: 4},
 )
 case(
-    "a new G66 behind G67 sets the arguments anew",
+    "a new G66 after G67 sets the arguments anew",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -481,13 +481,13 @@ case(
 
 # The text of 122 decides what counts: the modal call that is specified a fourth time is the fault.
 case(
-    "3 modal calls stack, and the G66 behind them is refused",
+    "3 modal calls stack, and the G66 after them is refused",
     control="fanuc-16i", source="K-H 122: specified four-fold", evidence="inferred",
     program="O1\nN10 G66 P2\nN20 G66 P2\nN30 G66 P2\nN40 G66 P2\nN90 M30\nO2\nM99\n",
     runs="N10 N20 N30", alarm="modal-calls-too-many", number="122", at="O1 N40",
 )
 case(
-    "5 modal calls stack, and the G66 behind them is refused",
+    "5 modal calls stack, and the G66 after them is refused",
     control=NEW, source="ALM PS0122", evidence="inferred",
     program="""
         O1
@@ -595,7 +595,7 @@ case(
     runs="N10 N20 N30 N40", vars={100: 500},
 )
 case(
-    "behind G67 the words of a block act again",
+    "after G67 the words of a block act again",
     control=NEW, source="K-M general knowledge", evidence="inferred",
     program="""
         O1
@@ -750,7 +750,7 @@ case(
 )
 
 case(
-    "G66 calls behind each move, and not in its own block (F301)",
+    "G66 calls after each move, and not in its own block (F301)",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-30i"],
     source="ENG; M7V; NCT; CW-A",
     evidence="secondary",
@@ -777,7 +777,7 @@ case(
 )
 
 case(
-    "G66 does not call behind a block that moves no axis (F302)",
+    "G66 does not call after a block that moves no axis (F302)",
     control=["fanuc-16i", "fanuc-30i"],
     source="general knowledge of the FANUC manuals",
     evidence="inferred",
@@ -820,7 +820,7 @@ case(
 )
 
 case(
-    "G66 with L3 calls three times behind a move (F305)",
+    "G66 with L3 calls three times after a move (F305)",
     control=["fanuc-16i", "fanuc-30i"],
     source="M7V; NCT; CW-A",
     evidence="secondary",

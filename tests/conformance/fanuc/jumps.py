@@ -150,7 +150,7 @@ case(
     runs="N10 N12345678", t=[],
 )
 case(
-    "of two equal N behind it GOTO takes the nearer",
+    "of two equal N after it GOTO takes the nearer",
     control=ALL, source="policy; FIN", evidence="inferred",
     program="""
         O1
@@ -418,7 +418,7 @@ case(
     runs="N10", alarm="division-by-zero", number=numbers("112", "PS0112"), at="O1 N20",
 )
 case(
-    "a division by zero behind a true condition alarms",
+    "a division by zero after a true condition alarms",
     control=ALL, source="ALM; K-H general knowledge", evidence="secondary",
     program="""
         O1
@@ -515,7 +515,7 @@ case(
 )
 
 case(
-    "GOTO finds blocks before and behind it (F516)",
+    "GOTO finds blocks before and after it (F516)",
     control=["fanuc-16i", "fanuc-30i"],
     source="X-GO",
     evidence="secondary",
@@ -613,7 +613,7 @@ case(
 )
 
 case(
-    "of two blocks with one sequence number GOTO takes the one behind it first (F549)",
+    "of two blocks with one sequence number GOTO takes the one after it first (F549)",
     control=["fanuc-16i", "fanuc-30i"],
     source="policy; FIN",
     evidence="inferred",

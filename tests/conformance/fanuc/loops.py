@@ -24,7 +24,7 @@ case(
     runs="(N10 N20 N30)*3 N10 N40", vars={1: 3},
 )
 case(
-    "WHILE with a false condition goes on behind its END",
+    "WHILE with a false condition goes on after its END",
     control=ALL, source="X-GO", evidence="secondary",
     program="""
         O1
@@ -70,7 +70,7 @@ case(
     vars={100: 8},
 )
 case(
-    "a loop number may be used again behind its END",
+    "a loop number may be used again after its END",
     control=ALL, source="ISO; K-H general knowledge", evidence="inferred",
     program="""
         O1
@@ -409,7 +409,7 @@ case(
 )
 
 case(
-    "a loop of the caller goes on behind a macro with a loop of the same number (F548)",
+    "a loop of the caller goes on after a macro with a loop of the same number (F548)",
     control=["fanuc-16i", "fanuc-30i"],
     source="general knowledge of the FANUC manuals",
     evidence="inferred",

@@ -741,7 +741,7 @@ case(
     runs="N10 N20 N50*2 N30 N40",
 )
 case(
-    "M98 with an axis word is legal again behind G80",
+    "M98 with an axis word is legal again after G80",
     control=NEW, source="ALM PS5329", evidence="secondary",
     program="""
         O1
@@ -915,7 +915,7 @@ case(
 )
 
 case(
-    "M99 returns behind the call (F101)",
+    "M99 returns after the call (F101)",
     control=["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"],
     source="source 002, return; GED; ROB",
     evidence="source document",
@@ -1066,7 +1066,7 @@ case(
 )
 
 case(
-    "G91 set in a subprogram still holds behind the call (F110)",
+    "G91 set in a subprogram still holds after the call (F110)",
     control=["fanuc-16i", "fanuc-30i"],
     source="source 003, note on modal G codes",
     evidence="source document",

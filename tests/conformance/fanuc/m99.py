@@ -14,7 +14,7 @@ def numbers(old, new):
 # M99: return
 
 case(
-    "M99 returns to the block behind the call, not to the call",
+    "M99 returns to the block after the call, not to the call",
     control=ALL, source="GED, source 002, ROB", evidence="source document",
     program="""
         O1
@@ -369,7 +369,7 @@ case(
     runs="N10 N40 N70 N60 N20 N30", t=[1],
 )
 case(
-    "behind M99 P the level of the call is free again",
+    "after M99 P the level of the call is free again",
     control=ALL, source="source 003; MC52", evidence="inferred",
     program="""
         O1
@@ -460,7 +460,7 @@ case(
     runs="N10 N20 N60 N40 N50", t=[],
 )
 case(
-    "M99 with a T code is legal again behind G67",
+    "M99 with a T code is legal again after G67",
     control=NEW, source="ALM PS1093", evidence="secondary",
     program="""
         O1
@@ -504,7 +504,7 @@ case(
     runs="N10", alarm="illegal-variable", number=numbers("115", "PS0115"), at="O2 N30", t=[],
 )
 case(
-    "a faulty block behind the executed M99 alarms nothing, before it it does",
+    "a faulty block after the executed M99 alarms nothing, before it it does",
     control=ALL, source="ALM PS0007; policy: a control reads a block when it reaches it",
     evidence="inferred",
     program="""

@@ -32,7 +32,7 @@ case(
     mdi="N10 M98 P30002", runs="N10 N30*3",
 )
 case(
-    "blocks behind an M98 in MDI run after the return",
+    "blocks after an M98 in MDI run after the return",
     control=ALL, source="K-M general knowledge", evidence="inferred",
     program="""
         O2

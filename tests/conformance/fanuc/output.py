@@ -172,7 +172,7 @@ case(
     runs="N10 N20 N30 N40 N50", messages=["X   128.474"],
 )
 case(
-    "DPRNT puts out a minus sign behind the letter",
+    "DPRNT puts out a minus sign after the letter",
     control=ALL, source="K-M general knowledge", evidence="inferred",
     program="""
         O1
@@ -260,7 +260,7 @@ case(
 )
 
 case(
-    "#3000=1 behind a true condition stops with the alarm 3001 (F534)",
+    "#3000=1 after a true condition stops with the alarm 3001 (F534)",
     control=["fanuc-16i", "fanuc-30i"],
     source="GED; 3000+n: general knowledge of the FANUC manuals",
     evidence="secondary",

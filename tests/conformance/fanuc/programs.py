@@ -60,7 +60,7 @@ case(
     runs="N10 N40 N20", calls="M98:O3",
 )
 case(
-    "a percent sign between programs does not hide the program behind it",
+    "a percent sign between programs does not hide the program after it",
     control=ALL, source="GED", evidence="secondary",
     program="""
         %
@@ -75,7 +75,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "the title behind the O word is no block",
+    "the title after the O word is no block",
     control=ALL, source="GED", evidence="secondary",
     program="""
         O1 (MAIN PART)
@@ -87,7 +87,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "a word behind the O word on the same line belongs to the first block",
+    "a word after the O word on the same line belongs to the first block",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O1 N10 M98 P2
@@ -104,7 +104,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "the main program may stand behind its subprogram",
+    "the main program may stand after its subprogram",
     control=ALL, source="K-H general knowledge", evidence="inferred",
     program="""
         O2

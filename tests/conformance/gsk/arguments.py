@@ -84,13 +84,13 @@ case(
     runs="N10 N30 N20", arguments={6: 1, 9: 2, 12: 3, 4: None, 5: None},
 )
 case(
-    "GSK: of a letter and a triple that mean one variable the triple behind it wins",
+    "GSK: of a letter and a triple that mean one variable the triple after it wins",
     control=FAMILIES, source="TA27, mixed arguments; TDi28, note 3", evidence=MANUAL,
     program=macro_call("G65 P2 D70 I40 I71"),
     runs="N10 N30 N20", arguments={4: 40, 7: 71},
 )
 case(
-    "GSK: of a triple and a letter that mean one variable the letter behind it wins",
+    "GSK: of a triple and a letter that mean one variable the letter after it wins",
     control=FAMILIES, source="TA27, mixed arguments; TDi28, note 3", evidence=MANUAL,
     program=macro_call("G65 P2 I40 I71 D70"),
     runs="N10 N30 N20", arguments={4: 40, 7: 70},

@@ -162,7 +162,7 @@ case(
     runs="N10 N30 N20", calls="M-code:O3",
 )
 case(
-    "GSK 980TDi: an M code behind those that call is sent to the machine",
+    "GSK 980TDi: an M code after those that call is sent to the machine",
     control=TDI, source="TDi17", evidence=MANUAL, params=M_CODES,
     program="O100\nN10 M20\nN20 M98 P9\nN25 M30\nO4\nN30 M99\n",
     runs="N10", m=[20], calls="", alarm="program-not-found", number="0001", at="O100 N20",

@@ -234,7 +234,7 @@ case(
     runs="N10 N20 N40 N50 N30", vars={1: 5},
 )
 case(
-    "GSK 980TDi: the G code behind those that call is no G code",
+    "GSK 980TDi: the G code after those that call is no G code",
     control=TDI, source="TDi32; number from MDib 0002", evidence=INFERRED, params=G_CODES,
     program=macro_call("G103", name="O2003"),
     runs="", alarm="g-code-not-available", number="0002", at="O1 N10",

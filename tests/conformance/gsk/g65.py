@@ -458,7 +458,7 @@ case(
     alarm="macro-nesting-too-deep", number="207", at="O9 N90",
 )
 case(
-    "GSK 988: macros one behind the other do not add up",
+    "GSK 988: macros one after the other do not add up",
     control=FAMILY_988, source="TA27, note 2", evidence=MANUAL,
     program="O1\nN10 G65 P2\nN20 G65 P2\nN30 G65 P2\nN40 G65 P2\nN50 G65 P2\nN60 M30\nO2\nN70 M99\n",
     runs="N10 N70 N20 N70 N30 N70 N40 N70 N50 N70 N60",

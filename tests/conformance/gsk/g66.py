@@ -21,7 +21,7 @@ case(
 )
 
 case(
-    "G66 with L2 calls twice behind a move on the 980TDi (TD-011)",
+    "G66 with L2 calls twice after a move on the 980TDi (TD-011)",
     control="gsk-980tdi",
     source="TDi28",
     evidence="maker's manual",
@@ -103,13 +103,13 @@ case(
     runs="N10 N20 N30", calls="",
 )
 case(
-    "GSK: the macro of G66 is called behind each block that moves",
+    "GSK: the macro of G66 is called after each block that moves",
     control=FAMILIES, source="TA27, G66 example; TDi28, G66 (2)", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G0 X50\nN30 G0 Z20\nN40 G67\nN50 G0 X30\nN60 M30\n" + MACRO,
     runs="N10 N20 N90 N30 N90 N40 N50 N60", calls="G66:O2 G66:O2",
 )
 case(
-    "GSK: the macro of G66 is called L times behind each move",
+    "GSK: the macro of G66 is called L times after each move",
     control=FAMILIES, source="TA27, G66 example; TDi28, G66", evidence=MANUAL,
     program="O1\nN10 G66 P2 L3\nN20 G0 X50\nN30 G0 Z20\nN40 G67\nN50 M30\n" + MACRO,
     runs="N10 N20 N90*3 N30 N90*3 N40 N50", calls="G66:O2 G66:O2",
@@ -214,7 +214,7 @@ case(
     runs="N10 N20 N60 N70 N30 N40", calls="G66:O2",
 )
 case(
-    "GSK: behind G67 a move calls nothing",
+    "GSK: after G67 a move calls nothing",
     control=FAMILIES, source="TA27, G66 example; TDi28, G67", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G67\nN30 G0 X50\nN40 M30\n" + MACRO,
     runs="N10 N20 N30 N40", calls="",
@@ -247,13 +247,13 @@ case(
     runs="N10", alarm="call-in-modal-call", number="204", at="O1 N20",
 )
 case(
-    "GSK 988: M98 is refused while G66 is active behind its moves too",
+    "GSK 988: M98 is refused while G66 is active after its moves too",
     control=FAMILY_988, source="TA27, G66 note 1; Talm 204", evidence=SECONDARY,
     program="O1\nN10 G66 P2\nN20 G0 X50\nN30 M98 P2\nN40 M30\n" + MACRO,
     runs="N10 N20 N90", alarm="call-in-modal-call", number="204", at="O1 N30",
 )
 case(
-    "GSK 988: M98 is legal again behind G67",
+    "GSK 988: M98 is legal again after G67",
     control=FAMILY_988, source="TA27, G66 note 1", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G67\nN30 M98 P2\nN40 M30\n" + MACRO,
     runs="N10 N20 N30 N90 N40", calls="M98:O2",
@@ -296,7 +296,7 @@ case(
     runs="N10", alarm="call-in-modal-call", number="0113", at="O1 N20",
 )
 case(
-    "GSK 980: M98 is legal again behind G67",
+    "GSK 980: M98 is legal again after G67",
     control=FAMILY_980, source="MDia 113; TDi28, G67", evidence=MANUAL,
     program="O1\nN10 G66 P2\nN20 G67\nN30 M98 P2\nN40 M30\n" + MACRO,
     runs="N10 N20 N30 N90 N40", calls="M98:O2",

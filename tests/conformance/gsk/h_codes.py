@@ -384,13 +384,13 @@ case(
     runs="", alarm="illegal-user-alarm", number="0126", at="O1 N10",
 )
 case(
-    "GSK 980TDi: #3000 behind a condition that is false raises nothing",
+    "GSK 980TDi: #3000 after a condition that is false raises nothing",
     control=TDI, source="TDi29, IF THEN", evidence=MANUAL,
     program="O1\nN10 IF[#100 GT 5]THEN #3000=1\nN20 M30\n", variables={100: 5},
     runs="N10 N20",
 )
 case(
-    "GSK 980TDi: #3000 behind a condition that is true raises its alarm",
+    "GSK 980TDi: #3000 after a condition that is true raises its alarm",
     control=TDI, source="TDi29, IF THEN", evidence=MANUAL,
     program="O1\nN10 IF[#100 GT 5]THEN #3000=1\nN20 M30\n", variables={100: 6},
     runs="N10", alarm="user-alarm", number="5901", at="O1 N10",

@@ -288,7 +288,7 @@ case(
     variables={100: 0}, runs="(N10 N20 N30)*3 N10 N40", vars={100: 3},
 )
 case(
-    "GSK: WHILE with a false condition goes behind its END",
+    "GSK: WHILE with a false condition goes after its END",
     control=FAMILIES, source="TDi29, WHILE", evidence=MANUAL,
     program="O1\nN10 WHILE[#100 LT 3]DO1\nN20 #100=#100+1\nN30 END1\nN40 M30\n",
     variables={100: 7}, runs="N10 N40", vars={100: 7},

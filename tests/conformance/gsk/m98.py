@@ -458,7 +458,7 @@ case(
     runs="N10 N30*3", m=[3], alarm="program-not-found", number=NOT_FOUND, at="O1 N20",
 )
 case(
-    "GSK: behind the call the next block follows",
+    "GSK: after the call the next block follows",
     control=FAMILIES, source="source 000, M98, function", evidence=SOURCE,
     program="""
         O1

@@ -23,7 +23,7 @@ case(
 )
 
 case(
-    "of two N7 behind the call M99 P7 takes the earlier one (TA-024)",
+    "of two N7 after the call M99 P7 takes the earlier one (TA-024)",
     control="gsk-988ta",
     source="source 000, note 2 (2)",
     evidence="source document",
@@ -43,7 +43,7 @@ case(
 )
 
 case(
-    "of two N7 around the call M99 P7 takes the one behind it (TA-025)",
+    "of two N7 around the call M99 P7 takes the one after it (TA-025)",
     pins="return_search statements",
     control="gsk-988ta",
     source="source 000, note 2 (3)",
@@ -84,7 +84,7 @@ def one_call(call, sub="N30 M99", name="O2"):
 # --- M99 -------------------------------------------------------------------------------------------
 
 case(
-    "GSK: M99 returns to the block behind the call",
+    "GSK: M99 returns to the block after the call",
     control=FAMILIES, source="source 000, M99", evidence=SOURCE,
     program=one_call("M98 P2", "N30 G0 X3\nN40 M99\nN50 G0 X5"),
     runs="N10 N30 N40 N20",
@@ -314,7 +314,7 @@ case(
     runs="N10 N20", alarm="end-of-record", number="019",
 )
 case(
-    "GSK 988: a program does not run on into the one behind it",
+    "GSK 988: a program does not run on into the one after it",
     control=FAMILY_988, source="Talm 019", evidence=SECONDARY,
     program="O1\nN10 G0 X1\nO2\nN20 M30\n",
     runs="N10", alarm="end-of-record", number="019",
@@ -373,7 +373,7 @@ case(
     vars={101: 1, 102: 1, 103: 2},
 )
 case(
-    "GSK 988TA: of two return blocks behind the call the earlier is taken",
+    "GSK 988TA: of two return blocks after the call the earlier is taken",
     control=TA, source="source 000, note 2, 2)", evidence=SOURCE,
     program="""
         O1
@@ -388,7 +388,7 @@ case(
     runs="N10 N40 N7 N7 N30", vars={101: 1, 102: 1},
 )
 case(
-    "GSK 988TA: of three return blocks behind the call the first is taken",
+    "GSK 988TA: of three return blocks after the call the first is taken",
     control=TA, source="source 000, note 2, 2)", evidence=INFERRED,
     program="""
         O1
@@ -403,7 +403,7 @@ case(
     runs="N10 N40 N7 N7 N7 N30",
 )
 case(
-    "GSK 988TA: of a return block before and one behind the call the one behind is taken",
+    "GSK 988TA: of a return block before and one after the call the one after is taken",
     control=TA, source="source 000, note 2, 3)", evidence=SOURCE,
     program="""
         O1
@@ -418,7 +418,7 @@ case(
     variables={101: 0}, runs="N7 N10 N40 N7 N30", vars={101: 1, 102: 1},
 )
 case(
-    "GSK 988TA: of two return blocks before and one behind the call the one behind is taken",
+    "GSK 988TA: of two return blocks before and one after the call the one after is taken",
     control=TA, source="source 000, note 2, 3)", evidence=INFERRED,
     program="""
         O1
@@ -433,7 +433,7 @@ case(
     runs="N7 N7 N10 N40 N7 N30", vars={101: 1},
 )
 case(
-    "GSK 988TA: of one return block before and two behind the call the first behind is taken",
+    "GSK 988TA: of one return block before and two after the call the first after is taken",
     control=TA, source="source 000, note 2, 3)", evidence=INFERRED,
     program="""
         O1
@@ -449,7 +449,7 @@ case(
     runs="N7 N10 N40 N7 N7 N30", vars={101: 1, 102: 1},
 )
 case(
-    "GSK 988TA: before and behind is seen from the call that is being returned from",
+    "GSK 988TA: before and after is seen from the call that is being returned from",
     control=TA, source="source 000, note 2", evidence=SOURCE,
     program="""
         O1

@@ -111,7 +111,7 @@ case(
     mdi="N5 G65 P2", runs="", alarm="call-in-mdi", number="085", calls="",
 )
 case(
-    "GSK 988T: MDI refuses a call behind other blocks, and keeps what they did",
+    "GSK 988T: MDI refuses a call after other blocks, and keeps what they did",
     control=T, source="Talm 085", evidence=SECONDARY,
     program="O2\nN20 M99\n", mdi="N5 M3\nN6 M98 P2",
     runs="N5", m=[3], alarm="call-in-mdi", number="085",

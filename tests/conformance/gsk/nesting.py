@@ -223,7 +223,7 @@ case(
     at="O5 N50",
 )
 case(
-    "GSK: calls one behind the other do not add up",
+    "GSK: calls one after the other do not add up",
     control=FAMILIES, source="source 000, nesting; MDia 096", evidence=SOURCE,
     program="O1\n" + "N10 M98 P2\n" * 14 + "N20 M30\nO2\nN30 M99\n",
     runs="(N10 N30)*14 N20",

@@ -27,7 +27,7 @@ case(
 )
 
 case(
-    "the part behind M02 runs five times (928-002)",
+    "the part after M02 runs five times (928-002)",
     control="gsk-928te",
     source="source 001, method 2",
     evidence="source document",
@@ -256,7 +256,7 @@ SECOND_METHOD = """
     """
 
 case(
-    "GSK 928: the second method of the manual: the part stands behind M02",
+    "GSK 928: the second method of the manual: the part stands after M02",
     control=TE, source="source 001, example, second listing; its text calls N0080", evidence=SOURCE,
     program=SECOND_METHOD.format("0080"),
     runs="N10 N20 N30 N40 (N80 N90 N100 N110 N120 N130 N140)*5 N50 N60 N70", calls="M98:%2",
@@ -392,7 +392,7 @@ case(
     runs="N10 N30", stop="end",
 )
 case(
-    "GSK 928: M99 behind a finished call ends the program",
+    "GSK 928: M99 after a finished call ends the program",
     control=TE, source="source 001, second rule", evidence=SOURCE,
     program="%1\nN0010 M98 P0030 L2\nN0020 G0 X2\nN0030 G0 X3\nN0040 M99\nN0050 M02\n",
     runs="N10 (N30 N40)*2 N20 N30 N40", stop="end",

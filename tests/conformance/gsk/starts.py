@@ -204,7 +204,7 @@ case(
     runs="N10 (N50 N60)*2 N20", calls="M98:O0001",
 )
 case(
-    "GSK 988TA: the part that a program calls of itself stands behind its M30",
+    "GSK 988TA: the part that a program calls of itself stands after its M30",
     control=TA, source="TA28 p.3, figure of O1234", evidence=MANUAL,
     program="""
         O1234

@@ -27,7 +27,7 @@ case(
 VERSABUILT = {"control": HAAS, "source": "VBH, 9000.nc", "evidence": "secondary"}
 
 case(
-    "behind the condition of IF a call may stand without THEN", pins="if_form", **VERSABUILT,
+    "after the condition of IF a call may stand without THEN", pins="if_form", **VERSABUILT,
     program="""
         O9000
         N10 #10001=0
@@ -41,7 +41,7 @@ case(
     runs="N10 N20 N60 N30 N40 N50",
 )
 case(
-    "behind the condition of IF a macro call takes its arguments", **VERSABUILT,
+    "after the condition of IF a macro call takes its arguments", **VERSABUILT,
     program="""
         O1
         N10 #1=5
@@ -55,7 +55,7 @@ case(
     runs="N10 N20 N50 N60 N30 N40", vars={10100: 12},
 )
 case(
-    "words behind the condition of IF are executed where it holds, and nothing of them where it does not",
+    "words after the condition of IF are executed where it holds, and nothing of them where it does not",
     **VERSABUILT | {"evidence": "inferred"},
     program="""
         O1
@@ -70,31 +70,31 @@ case(
     runs="N10 N20 N30 N60 N70 N40", moves="R X5\nR Y1", m=[8],
 )
 case(
-    "a fault in the words behind the condition of IF stands in its block, whether it holds or not",
+    "a fault in the words after the condition of IF stands in its block, whether it holds or not",
     **VERSABUILT | {"evidence": "inferred"},
     program="O1\nN10 IF [0] M98 P2 M98 P3\nN20 M30", runs="", alarm="call-given-twice", at="O1 N10",
 )
 case(
-    "behind the condition of IF stands no second IF", **VERSABUILT | {"evidence": "inferred"},
+    "after the condition of IF stands no second IF", **VERSABUILT | {"evidence": "inferred"},
     program="O1\nN10 IF [1] THEN IF [1] M98 P2\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
 FONT = {"control": HAAS, "source": "H96 p.159, O9876: IF [ #9 EQ #0 ] #9= #4109", "evidence": "secondary"}
 case(
-    "behind the condition of IF a statement may stand without THEN", pins="if_form", **FONT,
+    "after the condition of IF a statement may stand without THEN", pins="if_form", **FONT,
     program="O1\nN10 F250.\nN20 IF [ #9 EQ #0 ] #9= #4109\nN30 IF [ #9 EQ #0 ] #8= 1.\nN40 IF [#9 GT 100] #[3+4]=#9*2\nN50 M30",
     runs="N10 N20 N30 N40 N50", vars={9: 250, 8: None, 7: 500},
 )
 case(
-    "behind the condition of IF without THEN stands nothing else behind the statement",
+    "after the condition of IF without THEN stands nothing else after the statement",
     **FONT | {"evidence": "inferred"},
     program="O1\nN10 IF [1] #1=2 X5.\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
 case(
-    "behind the condition of IF without THEN stands no loop", **FONT | {"evidence": "inferred"},
+    "after the condition of IF without THEN stands no loop", **FONT | {"evidence": "inferred"},
     program="O1\nN10 IF [1] WHILE[1]DO1\nN20 END1\nN30 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
 case(
-    "behind the condition of IF something has to stand", **KNOWN,
+    "after the condition of IF something has to stand", **KNOWN,
     program="O1\nN10 IF [1]\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
 )
 case(

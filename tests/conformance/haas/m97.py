@@ -7,7 +7,7 @@ M97 = {"control": HAAS, "source": "H96 p.217, M97", "evidence": "secondary"}
 KNOWN = {"control": HAAS, "source": "general knowledge of the Haas mill", "evidence": "inferred"}
 
 case(
-    "M97 L runs the part from its N that often and comes back behind the call", pins="call_passes_words", **M97,
+    "M97 L runs the part from its N that often and comes back after the call", pins="call_passes_words", **M97,
     program="O11\nN10 M97 P1000 L5\nN20 M30\nN1000 #1=#1+1\nN1010 M99",
     runs="N10 (N1000 N1010)*5 N20", vars={1: 5}, calls="M97:O11",
 )

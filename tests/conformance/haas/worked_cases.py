@@ -15,7 +15,7 @@ case(
     program="O00001\nM98 P51000\nM30\nO51000\nG0 X7\nM99\nO01000\nG0 X8\nM99", moves_x=[7],
 )
 case(
-    "M99 P behind the call stands for FANUC's M99 P in the subprogram (HAAS-04)", pins="return_with_p power_on:G91", **M99, params=FLOAT,
+    "M99 P after the call stands for FANUC's M99 P in the subprogram (HAAS-04)", pins="return_with_p power_on:G91", **M99, params=FLOAT,
     program="O00001\nM98 P2\nN51 M99 P100\nG0 X1\nN100 G0 X2\nM30\nO00002\nG0 X5\nM99",
     runs="N51 N100", moves_x=[5, 2],
 )

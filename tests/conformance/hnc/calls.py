@@ -264,7 +264,7 @@ case(
 )
 case(
     "HNC: P may be a variable in brackets",
-    control=HNC, source="HD, brackets behind an address", evidence="inferred",
+    control=HNC, source="HD, brackets after an address", evidence="inferred",
     program="""
         %1
         N10 M98 P[#50]
@@ -276,7 +276,7 @@ case(
 )
 case(
     "HNC: L may be a variable in brackets",
-    control=HNC, source="HD, brackets behind an address", evidence="inferred",
+    control=HNC, source="HD, brackets after an address", evidence="inferred",
     program="""
         %1
         N10 M98 P2 L[#50+1]
@@ -412,7 +412,7 @@ case(
     runs="N10 N30",
 )
 case(
-    "HNC: M02 ends the run and the blocks behind it do not run",
+    "HNC: M02 ends the run and the blocks after it do not run",
     control=HNC, source="general knowledge, M02", evidence="inferred",
     program="""
         %1

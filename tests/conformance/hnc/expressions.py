@@ -151,7 +151,7 @@ case(
 )
 case(
     "HNC: a tool number may be an expression in brackets",
-    control=HNC, source="HD, variables behind M, D, H and others", evidence="secondary",
+    control=HNC, source="HD, variables after M, D, H and others", evidence="secondary",
     program="""
         %1
         N10 T[#50+2]

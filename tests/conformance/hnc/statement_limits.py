@@ -95,7 +95,7 @@ case(
     runs="N10", alarm="statement-format", at="%1 N20",
 )
 case(
-    "blanks and a comment behind a condition are none of its 128 characters",
+    "blanks and a comment after a condition are none of its 128 characters",
     control=HNC, source="general knowledge of the Century Star manuals", evidence="inferred",
     program="%1\nN10 IF [1 EQ 1]" + " " * 130 + "\nN20 WHILE #1 LT 1" + " " * 60 + "(" + "X" * 80 + ") ;END\nN30 #1=#1+1\nN40 ENDW\nN50 ENDIF\nN60 M30",
     runs="N10 N20 N30 N40 N20 N50 N60",

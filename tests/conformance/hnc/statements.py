@@ -77,7 +77,7 @@ case(
     runs="N10 N20 N30 N50",
 )
 case(
-    "HNC: a false IF without ELSE goes on behind ENDIF",
+    "HNC: a false IF without ELSE goes on after ENDIF",
     control=HNC, source="HD, IF ENDIF", evidence="secondary",
     program="""
         %1
@@ -211,7 +211,7 @@ case(
     runs="N10 (N20 N30 N40)*3 N20 N50",
 )
 case(
-    "HNC: a WHILE that is false from the start goes on behind ENDW",
+    "HNC: a WHILE that is false from the start goes on after ENDW",
     control=HNC, source="HD, WHILE ENDW", evidence="secondary",
     program="""
         %1

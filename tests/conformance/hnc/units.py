@@ -49,7 +49,7 @@ case(
     runs="N10 N20 N30",
 )
 case(
-    "HNC: what stands behind a semicolon is a comment",
+    "HNC: what stands after a semicolon is a comment",
     control=HNC, source="HD, comments", evidence="secondary",
     program="""
         %1 ; the main program

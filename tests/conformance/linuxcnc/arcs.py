@@ -43,7 +43,7 @@ case("a radius alone has no direction at the zero point", **RUN,
      program="N10 G0 @10\nN20 M2", runs="", alarm="polar-word", word="G0")
 case("G5 is a curve to its end by the directions at both ends", **BOOK,
      program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 M2", final_work="X4 Y0", time=6.7436)
-case("behind it one without I and J goes on in its direction", **BOOK,
+case("after it one without I and J goes on in its direction", **BOOK,
      program="N10 F60\nN20 G5 I0 J3 P0 Q3 X4 Y0\nN30 G5 P0 Q-3 X8 Y0\nN40 M2", final_work="X8 Y0", time=13.4872)
 for _code in ("G5 X9 Y1 I1 J1 P0 Q-1", "G5.1 X9 Y1 I1 J1"):
     case(f"{_code} holds for its block, and the mode before goes on", **{**BOOK, "source": "rs274 2.9"},

@@ -15,7 +15,7 @@ case(
     runs="N10 N20 N30 N40 N60 N70", moves_x=[3],
 )
 case(
-    "an elseif behind the branch that ran is computed all the same", **RUN,
+    "an elseif after the branch that ran is computed all the same", **RUN,
     program="N10 o1 if [1]\nN20 o1 elseif [1/0]\nN30 o1 endif\nN40 M2",
     runs="N10", alarm="division-by-zero", at="MAIN N20",
 )
@@ -60,7 +60,7 @@ case(
     program="N10 o1 if 1\nN20 o1 endif\nN30 M2", runs="", alarm="statement-format", at="MAIN N10",
 )
 case(
-    "nothing but a comment stands behind a condition", **RUN,
+    "nothing but a comment stands after a condition", **RUN,
     program="N10 o1 if [1] G0 X1\nN20 o1 endif\nN30 M2", runs="", alarm="statement-format", at="MAIN N10",
 )
 case(
@@ -73,6 +73,6 @@ case(
     program="N10 o1 if [0]\nN20 G0 (a (b))\nN30 o1 endif\nN40 M2", runs="N10", alarm="comment-in-comment",
 )
 case(
-    "and so are the words behind its labels", **RUN,
+    "and so are the words after its labels", **RUN,
     program="N10 o1 if [0]\nN20 o2 foo\nN30 o1 endif\nN40 M2", runs="N10", alarm="statement-not-available",
 )

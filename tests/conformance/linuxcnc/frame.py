@@ -22,7 +22,7 @@ case("G10 L2 P0 sets the work system in force, and does not add in G91", pins="d
      program="N10 G55 G91\nN20 G10 L2 P0 X5\nN30 G10 L2 P0 X5\nN40 G90 G0 X1\nN50 M2", final_machine="X6")
 case("its P7 is G59.1", pins="max_extra_systems data_forms:in-force", **RUN,
      program="N10 G10 L2 P7 X5\nN20 G10 L2 P9 X8\nN30 G59.1 G0 X1\nN40 G59.3 G0 X1\nN50 M2", moves_x=[1, 1], final_machine="X9")
-case("there is no system behind G59.3", pins="max_extra_systems", **RUN,
+case("there is no system after G59.3", pins="max_extra_systems", **RUN,
      program="N10 G10 L2 P10 X5\nN20 M2", runs="", alarm="g10-system-number", word="P10")
 case("G10 L20 sets a system so that the tool stands at the point", pins="data_forms:here", **RUN,
      program="N10 G0 X10\nN20 G10 L20 P2 X3\nN30 G55 G0 X4\nN40 M2", final_machine="X11")
@@ -94,7 +94,7 @@ case("G43 without H takes the tool in the spindle, not the one that T chose", **
      messages=["1.000000 2.000000"], final_machine="Z8")
 case("G92.2 beside G92 puts the shift aside that it sets", **RUN,
      program="N10 G0 X10\nN20 G92.2 G92 X4\nN30 G91 G0 X1\nN40 (print,#5210 #5211)\nN50 M2", messages=["0.000000 6.000000"], final_work="X11")
-case("so it does behind it, and beside G52", **RUN,
+case("so it does after it, and beside G52", **RUN,
      program="N10 G0 X10\nN20 G52 X4 G92.1\nN30 G91 G0 X1\nN40 (print,#5210 #5211)\nN50 M2", messages=["0.000000 0.000000"], final_work="X11")
 case("and beside G53, before its move, and beside G4 and G28.1", **RUN,
      program="N10 G92 X5\nN20 G53 G0 X3 G92.2\nN30 G92.3 G4 P1\nN40 G0 X1\nN50 G28.1 G92.1 X2\nN60 M2", moves="R X3\nW 1\nR X1\nR X2",

@@ -47,7 +47,7 @@ case(
     messages=[" a 0.000000 b 2.500000 c ###### d", "p 2.500000 q"],
 )
 case(
-    "%d, %f and %.1f say how many decimals the values behind them have", **RUN,
+    "%d, %f and %.1f say how many decimals the values after them have", **RUN,
     program="N10 #<a>=2.56789\nN20 (DEBUG,%d#<a> %f#<a> %.1f#<a> #<a> %g %.x #x)\nN30 (DEBUG,#<a>)\nN40 M2",
     messages=["3 2.5679 2.6 2.6 %g .x #x", "2.567890"],
 )

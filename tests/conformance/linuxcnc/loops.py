@@ -10,7 +10,7 @@ case(
     runs="(N10 N20 N30)*2 N10 N30 N40", vars={1: 2},
 )
 case(
-    "do asks behind each pass", **RUN,
+    "do asks after each pass", **RUN,
     program="N10 o1 do\nN20 #1=[#1+1]\nN30 o1 while [#1 LT 2]\nN40 M2",
     runs="(N10 N20 N30)*2 N40", vars={1: 2},
 )

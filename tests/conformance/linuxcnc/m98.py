@@ -5,7 +5,7 @@ from conformance import case
 RUN = {"control": "linuxcnc", "source": "rs274 2.9", "evidence": "source document"}
 
 case(
-    "M98 calls the program behind it, M99 returns", **RUN,
+    "M98 calls the program after it, M99 returns", **RUN,
     program="N10 M98 P1\nN20 M30\nO1\nN30 G0 X1\nN40 M99", moves_x=[1], calls="M98:O1",
 )
 case(
@@ -22,7 +22,7 @@ case(
     program="N10 M98 P1 L0\nN20 G0 X2\nN30 M30\nO1\nN40 G0 X9\nN50 M99", moves_x=[2],
 )
 case(
-    "but L0 leaves a level open: M99 returns behind it", **RUN,
+    "but L0 leaves a level open: M99 returns after it", **RUN,
     program="N10 M98 P1 L0\nN20 #1=[#1+1]\nN30 M99\nO1\nN40 M99", runs="N10 (N20 N30)*2", vars={1: 2},
 )
 case(
@@ -37,7 +37,7 @@ case(
     moves_x=[1, 0, 1, 0],
 )
 case(
-    "a file comes before the program of the number behind the call", control="linuxcnc", source="rs274 2.9",
+    "a file comes before the program of the number after the call", control="linuxcnc", source="rs274 2.9",
     evidence="source document",
     files={"a.ngc": "N10 M98 P100\nN20 M30\nO100\nN30 G0 X1\nN40 M99\n",
            "100.ngc": "O100\nN50 G0 X2\nN60 M99\n"},
@@ -92,7 +92,7 @@ case(
     program="N10 G0 X5 M98 P1\nN20 M30\nO1\nN30 M99", runs="", alarm="m-code-not-available", at="MAIN N10",
 )
 case(
-    "words behind M98 do nothing", **RUN,
+    "words after M98 do nothing", **RUN,
     program="N10 M98 P1 G0 X3\nN20 M30\nO1\nN30 G0 X1\nN40 M99", moves_x=[1],
 )
 case(

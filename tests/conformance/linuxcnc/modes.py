@@ -38,7 +38,7 @@ case("M73 takes the modes back in at the return", pins="roles:M73=keep-modes", *
          N70 G0 X1
          N80 M2
      """, moves="R X5\nR X1")
-case("but not behind M71", **BOOK,
+case("but not after M71", **BOOK,
      program="""
          N10 o1 sub
          N20 M73
@@ -93,7 +93,7 @@ case("a spline needs its control point", **{**BOOK, "source": "LC g-code"},
      program="N10 F100\nN20 G5.1 X4 I2\nN30 M2", runs="N10", alarm="spline-word", word="G5.1")
 case("a spline is not compensated", **{**BOOK, "source": "LC g-code"}, setup={"radius_offsets": {1: 1}},
      program="N10 G41 D1 G1 X5 F100\nN20 G5.1 X9 I2 J2\nN30 M2", runs="N10", alarm="spline-in-offset", word="G5.1")
-case("behind G80 an axis wants a motion code", pins="refuses:no-motion-code", **RUN,
+case("after G80 an axis wants a motion code", pins="refuses:no-motion-code", **RUN,
      program="N10 G0 X1\nN20 G80\nN30 X2\nN40 M2", runs="N10 N20", alarm="no-motion-code", word="X2")
 case("and so does the first axis of a program", pins="refuses:no-motion-code", **RUN,
      program="N10 X2\nN20 M2", runs="", alarm="no-motion-code", word="X2")
@@ -128,7 +128,7 @@ case("D of G96 is the highest speed, not an offset", pins="speed_limit", **RUN,
 case("G96 without D has no highest speed", **RUN,
      program="N10 G21 G96 D600 S100 M3\nN20 G96 S31.415926535898\nN30 G0 X10\nN40 G95 G1 Z-10 F1\nN50 M2", moves="R X10\nF Z-10", time=0.66)
 for _begun, _before in (("G41.1 D4", "G40"), ("G41.1 D4", "G40\nN31 G41 D2\nN32 G40"), ("G41 D2", "G40")):
-    case(f"M72 begins the side of {_begun} by G41, with the tool in the spindle, behind {len(_before.split())} words", **RUN,
+    case(f"M72 begins the side of {_begun} by G41, with the tool in the spindle, after {len(_before.split())} words", **RUN,
          setup={"radius_offsets": {1: 1, 2: 3}},
          program=f"N10 T1 M6\nN20 {_begun}\nN25 M70\nN30 {_before}\nN40 M72\nN50 G1 X5 F100\nN60 X9\nN70 M2",
          centre="X5 Y1 | X9 Y1")

@@ -20,7 +20,7 @@ case("G40 lets the last move go, and no arc may follow", **RUN, setup=D1,
      centre="X5 Y1 | X9 Y1")
 case("an inside corner moves the end of the move before it back", **RUN, setup=D1,
      program="N10 G41 D1 G1 X9 F100\nN20 Y9\nN30 M2", centre="X8 Y1 | X8 Y9")
-case("but not behind its start", **RUN, setup=D1,
+case("but not after its start", **RUN, setup=D1,
      program="N10 G41 D1 G1 X9 F100\nN20 X9.5\nN30 Y9\nN40 M2", runs="N10 N20", alarm="offset-interference", word="Y9")
 case("an arc is beside its own centre, whatever its start says", **RUN, setup=D1,
      program="N10 G41 D1 G1 X5 F100\nN20 G3 X7.01 Y2 I0 J2\nN30 M2", centre="X5 Y1 | X6.01 Y2")

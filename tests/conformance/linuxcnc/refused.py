@@ -12,7 +12,7 @@ for _mode, _word in (
     ("G2 X2 I1 F1", "Q1"), ("G81 X1 Z-1 R1 F1", "Q1"), ("G81 X1 Z-1 R1 F1", "I1"), ("G83 X1 Z-1 R1 Q1 F1", "P1"),
     ("G85 X1 Z-1 R1 F1", "E1"), ("G0 X1", "H1"),
 ):  # one row for each mode and letter: the interpreter has a list of them
-    case(f"{_word} behind {_mode} is used by nothing", **RUN,
+    case(f"{_word} after {_mode} is used by nothing", **RUN,
          program=f"N10 {_mode}\nN20 X3 {_word}\nN30 M2", runs="N10", alarm="address-not-usable", word=_word)
 case("I J K move in an arc alone", **RUN,
      program="N10 G1 X1 F1\nN20 M8 J1\nN30 M2", runs="N10", alarm="address-not-usable", word="J1")
@@ -71,7 +71,7 @@ case("an F beside it is a feed", **RUN, program="N10 G1 X1 F10\nN20 G94 X2 F20\n
 case("under G93 every cut has its own F", pins="feed_mode_change", **RUN,
      program="N10 G93 G1 X1 F10\nN20 G0 X3\nN30 G1 X4\nN40 M2", runs="N10 N20", alarm="no-feed", word="G1")
 case("an arc too", **RUN, program="N10 G93 G2 X2 I1 F10\nN20 X4 I1\nN30 M2", runs="N10", alarm="no-feed", word="X4")
-case("G94 behind G93 begins anew", **RUN,
+case("G94 after G93 begins anew", **RUN,
      program="N10 F10\nN20 G93\nN30 G94\nN40 G1 X1\nN50 M2", runs="N10 N20 N30", alarm="no-feed", word="G1")
 case("M72 takes back the kind of feed, and the feed where that differs", **RUN,
      program="N10 F10\nN20 M70\nN30 G95 F2\nN40 M72\nN50 G1 X1\nN60 M2", moves="F X1")
@@ -81,7 +81,7 @@ case("a cycle does not go under G93", **RUN,
      program="N10 G93 G81 X1 Z-1 R1 F1\nN20 M2", runs="", alarm="cycle-in-inverse-time", word="G93")
 case("F beside G20 counts in the unit before", pins="feed_unit", **RUN,
      program="N10 G20 F100 G1 X1\nN20 M2", moves="F X25.4", time=15.24)
-case("F behind it in inches", **RUN, program="N10 G20\nN20 F10 G1 X1\nN30 M2", moves="F X25.4", time=6)
+case("F after it in inches", **RUN, program="N10 G20\nN20 F10 G1 X1\nN30 M2", moves="F X25.4", time=6)
 case("a feed per turn needs a speed", **RUN,
      program="N10 G95 G1 X1 F1\nN20 M2", runs="", alarm="no-spindle-speed", word="G1")
 case("a probe does not go by a feed per turn", **RUN,

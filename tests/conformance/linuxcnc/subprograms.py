@@ -11,7 +11,7 @@ case(
     runs="N10 N30 N40 N10 N20 N30 N50", moves_x=[5], calls="O:f",
 )
 case(
-    "a sub may stand behind its call, and behind the end of the program", **RUN,
+    "a sub may stand after its call, and after the end of the program", **RUN,
     program="N10 o1 call\nN20 M2\nN30 o1 sub\nN40 G0 X4\nN50 o1 endsub", runs="N10 N30 N40 N50 N20", moves_x=[4],
 )
 case(
@@ -94,7 +94,7 @@ case(
     program="N10 o1 sub\nN20 o2 foo\nN30 o1 endsub\nN40 M2", runs="N10 N30 N40",
 )
 case(
-    "no call leads behind the % that ends a program", **RUN,
+    "no call leads after the % that ends a program", **RUN,
     program="%\nN10 o1 call\nN20 M2\n%\nN30 o1 sub\nN40 o1 endsub", alarm="program-not-found", runs="N10",
 )
 case(

@@ -164,7 +164,7 @@ case(
     number="P273", at="O4 N4",
 )
 case(
-    "a registered G code calls its macro behind every move",
+    "a registered G code calls its macro after every move",
     control=EVERY, source="general knowledge, G-code call", evidence="inferred",
     program="""
         O1

@@ -282,7 +282,7 @@ case(
     runs="", alarm="missing-equals", number="P242", at="O1 N10",
 )
 case(
-    "NC words behind a macro statement are P272",
+    "NC words after a macro statement are P272",
     control=EVERY, source="MZ 854, P272 paired", evidence="inferred",
     program="""
         O1

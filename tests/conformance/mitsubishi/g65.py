@@ -227,7 +227,7 @@ def macro_chain(levels, first=2):
 # G65
 
 case(
-    "G65 calls the macro and its M99 goes on behind the G65",
+    "G65 calls the macro and its M99 goes on after the G65",
     control=EVERY, source="SM, G65", evidence="maker's manual",
     program="""
         O1
@@ -498,7 +498,7 @@ case(
     runs="N10 N210 N20", t=[7], arguments={1: 1},
 )
 case(
-    "P may stand behind the arguments",
+    "P may stand after the arguments",
     control=EVERY, source="general knowledge", evidence="inferred",
     program="""
         O1

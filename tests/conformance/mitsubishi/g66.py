@@ -3,7 +3,7 @@
 from conformance import case
 
 case(
-    "G66 calls behind each move, and neither in its own block nor behind an M code (MIT-108)",
+    "G66 calls after each move, and neither in its own block nor after an M code (MIT-108)",
     control="mitsubishi-m700",
     source="general knowledge of the M700V manuals",
     evidence="inferred",

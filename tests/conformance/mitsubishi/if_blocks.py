@@ -35,7 +35,7 @@ case(
     variables={100: 2}, runs="N10 N40 N45 N50",
 )
 case(
-    "M800: a false IF block without ELSE goes on behind its ENDIF",
+    "M800: a false IF block without ELSE goes on after its ENDIF",
     control=M800, source="general knowledge, IF blocks", evidence="inferred",
     program="""
         O1

@@ -21,7 +21,7 @@ case(
 )
 
 case(
-    "of two blocks with one number GOTO takes the next one behind it (MIT-115)",
+    "of two blocks with one number GOTO takes the next one after it (MIT-115)",
     control="mitsubishi-m700",
     source="general knowledge of the M700V manuals",
     evidence="inferred",
@@ -110,7 +110,7 @@ case(
     runs="N10 N40 N20",
 )
 case(
-    "GOTO searches from the head when nothing stands behind it",
+    "GOTO searches from the head when nothing stands after it",
     control=EVERY, source="general knowledge, forward to the end, then from the head",
     evidence="inferred",
     program="""
@@ -191,7 +191,7 @@ case(
     runs="", alarm="jump-target-not-found", number="P231", at="O1 N10",
 )
 case(
-    "a true IF without the number behind GOTO is P290",
+    "a true IF without the number after GOTO is P290",
     control=EVERY, source="general knowledge, IF; MZ 864, P290 paired", evidence="inferred",
     program="""
         O1
@@ -211,7 +211,7 @@ case(
     runs="", alarm="if-format", number="P290", at="O1 N10",
 )
 case(
-    "an IF with a condition and nothing behind it is P290",
+    "an IF with a condition and nothing after it is P290",
     control=EVERY, source="MZ 864, P290 paired", evidence="inferred",
     program="""
         O1
@@ -234,7 +234,7 @@ case(
     runs="", alarm="jump-target-not-found", number="P231", at="O1 N10",
 )
 case(
-    "a jump finds the block behind a block skip that is on and goes on with the next",
+    "a jump finds the block after a block skip that is on and goes on with the next",
     control=EVERY, source="general knowledge", evidence="inferred",
     program="""
         O1
@@ -313,7 +313,7 @@ case(
     runs="", alarm="if-format", number="P290", at="O1 N10",
 )
 case(
-    "M700: an IF THEN with nothing behind it is P290",
+    "M700: an IF THEN with nothing after it is P290",
     control=M700, source="general knowledge, IF THEN; MZ 864, P290 paired", evidence="inferred",
     program="""
         O1

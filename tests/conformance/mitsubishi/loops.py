@@ -87,7 +87,7 @@ case(
     runs="N10 (N20 N30 N40)*3 N20 N50", vars={1: 0},
 )
 case(
-    "a WHILE that is false from the start goes on behind its END",
+    "a WHILE that is false from the start goes on after its END",
     control=EVERY, source="general knowledge, WHILE", evidence="inferred",
     program="""
         O1

@@ -67,7 +67,7 @@ def way_in_and_out(levels):
 # The call and its return
 
 case(
-    "a Mitsubishi M98 P runs the program from its head and M99 goes on behind the call",
+    "a Mitsubishi M98 P runs the program from its head and M99 goes on after the call",
     control=EVERY, source="source 004, M98 P and M99", evidence="source document",
     program="""
         O1

@@ -210,7 +210,7 @@ case(
     variables={100: 40}, runs="N10 N210 N40",
 )
 case(
-    "M99 P from a vacant variable returns behind the call",
+    "M99 P from a vacant variable returns after the call",
     control=EVERY, source="general knowledge, vacant means word absent", evidence="inferred",
     program="""
         O1

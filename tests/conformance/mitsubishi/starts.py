@@ -236,7 +236,7 @@ case(
     skip=(2,), runs="N10 N30", calls="",
 )
 case(
-    "a call behind a block skip whose switch is off is made",
+    "a call after a block skip whose switch is off is made",
     control=EVERY, source="general knowledge; source 004, note 1", evidence="inferred",
     program="""
         O1
@@ -247,7 +247,7 @@ case(
     skip=(1,), runs="N10", alarm="program-not-found", number="P232", at="O1 N20", word="P999",
 )
 case(
-    "a run that starts at a sequence number makes only the calls behind it",
+    "a run that starts at a sequence number makes only the calls after it",
     control=EVERY, source="general knowledge", evidence="inferred",
     program="""
         O1

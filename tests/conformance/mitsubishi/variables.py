@@ -264,7 +264,7 @@ case(
     runs="N10 N20", messages=["CHECK TOOL"],
 )
 case(
-    "a comment behind another assignment is no message",
+    "a comment after another assignment is no message",
     control=EVERY, source="general knowledge, comments", evidence="inferred",
     program="""
         O1

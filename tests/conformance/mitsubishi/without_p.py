@@ -3,7 +3,7 @@
 from conformance import case
 
 case(
-    "M98 H100 without a P calls its own program on the M700, and M99 returns behind it (MIT-009)",
+    "M98 H100 without a P calls its own program on the M700, and M99 returns after it (MIT-009)",
     pins="omitted_program",
     control="mitsubishi-m700",
     source="IMD, P omitted; general knowledge of the M700V manuals",
@@ -214,7 +214,7 @@ case(
     max_cycles=100, max_blocks=7, runs="N10 (N210 N220)*3", stop="limit", calls="M98:O200",
 )
 case(
-    "MELDAS: a bare M98 behind a block skip that is on does nothing",
+    "MELDAS: a bare M98 after a block skip that is on does nothing",
     control=MELDAS, source="source 004, P, H and L omitted", evidence="inferred",
     program="""
         O1

@@ -83,12 +83,12 @@ case(
     vars={100: 10, 101: -2, 102: 15, 103: 1.5},
 )
 case(
-    "words of every block behind G66.1 compute", **ALIKE,
+    "words of every block after G66.1 compute", **ALIKE,
     program="O1\nN10 #5=3\nN20 G66.1 P2\nN30 X#5+7.\nN40 G67\nN50 M30\nO2\nN60 #100=#24\nN70 M99",
     vars={100: 10},
 )
 case(
-    "GOTO computes its number, behind IF too", **ALIKE,
+    "GOTO computes its number, after IF too", **ALIKE,
     program="O1\nN10 #1=20\nN20 GOTO#1+20\nN30 M0\nN40 IF[#1EQ20]GOTO#1*3\nN50 M0\nN60 M30",
     runs="N10 N20 N40 N60",
 )
@@ -97,7 +97,7 @@ case(
     program="O1\nN10 #1=2\nN20 G0 X#1 EQ 2\nN30 M30", runs="N10", alarm="address-without-value", number="P33", at="O1 N20",
 )
 case(
-    "an operator without a value behind it alarms", **ALIKE,
+    "an operator without a value after it alarms", **ALIKE,
     program="O1\nN10 G0 X#1+ Y2.\nN20 M30", runs="", alarm="expression-format", number="P282", at="O1 N10",
 )
 case(

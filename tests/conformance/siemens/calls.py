@@ -93,7 +93,7 @@ case(
     program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X4 M17", moves_x=[4],
 )
 case(
-    "M2 ends the program behind the words of its block", pins="power_on:G91", **MANUAL,
+    "M2 ends the program after the words of its block", pins="power_on:G91", **MANUAL,
     program="%_N_MAIN_MPF\nN10 G0 X1\nN20 X2 M2\nN30 X3", moves_x=[1, 2],
 )
 case(

@@ -12,7 +12,7 @@ case(
     program="N10 R1=1\nN20 IF R1==1\nN30 R2=1\nN40 ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30", runs="N10 N20 N30 N40 N60 N70",
 )
 case(
-    "and those behind ELSE where it does not", **MANUAL,
+    "and those after ELSE where it does not", **MANUAL,
     program="N20 IF R1==1\nN30 R2=1\nN40 ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30", runs="N20 N50 N60 N70", vars={2: 2},
 )
 case(
@@ -30,7 +30,7 @@ case(
     runs="N10 (N20 N30 N40 N50)*2 N20 N30 N40 N60",
 )
 case(
-    "REPEAT asks behind each pass", **KNOWN,
+    "REPEAT asks after each pass", **KNOWN,
     program="N10 REPEAT\nN20 R1=R1+1\nN30 UNTIL R1>=2\nN40 M30", runs="(N10 N20 N30)*2 N40",
 )
 case(
@@ -57,7 +57,7 @@ case(
     program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="", alarm="missing-end", at="MAIN N10",
 )
 case(
-    "nothing stands behind a statement", **KNOWN,
+    "nothing stands after a statement", **KNOWN,
     program="N10 LOOP X5\nN20 ENDLOOP\nN30 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5",
 )
 case(
@@ -94,7 +94,7 @@ case(
 )
 for mark in ("LAB: ", "/"):
     case(
-        f"an ELSE behind {mark.strip()} alarms when its IF does not hold", **MANUAL, number="12630",
+        f"an ELSE after {mark.strip()} alarms when its IF does not hold", **MANUAL, number="12630",
         program=f"N10 R1=1\nN20 IF R1==0\nN30 R2=1\n{mark}ELSE\nN50 R2=2\nN60 ENDIF\nN70 M30",
         runs="N10 N20", alarm="structure-marked", at="MAIN", word=mark.strip(),
     )

@@ -32,8 +32,7 @@ std::optional<std::uint32_t> ExpressionReader::finished(Value value, std::uint32
   if (!value) return std::nullopt;
   if (!out_.is_number(value))
     return out_.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
-  if (negative)
-    out_.emit(Ins::Negate, at);  // a vacant variable stays vacant: X-#1 is no word then
+  if (negative) out_.emit(Ins::Negate, at);  // a vacant variable stays vacant: X-#1 is no word then
   return out_.finish(at, offset() - at);
 }
 

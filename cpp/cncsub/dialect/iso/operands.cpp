@@ -16,7 +16,7 @@ struct ConstantName {
 constexpr ConstantName kConstants[] = {
     {Function::Pi, 3.14159265358979323846}, {Function::True, 1}, {Function::False, 0}};
 
-constexpr const char* kNoVariable = "behind # stands a number, or an expression in brackets";
+constexpr const char* kNoVariable = "a number, or an expression in brackets, follows #";
 
 bool starts_name(char c) { return is_letter(c) || c == '_'; }
 

@@ -37,7 +37,7 @@ bool StatementReader::print_field(Print& print) {
   field.expression = *value;
   const std::uint32_t at = s_.offset();
   if (!s_.take('[')) {
-    refuse(Cause::OutputFormat, at, 1, "behind the variable stands the number of digits, as [53]");
+    refuse(Cause::OutputFormat, at, 1, "the number of digits must follow the variable, as [53]");
     return false;
   }
   const Number format = scan_number(s_);

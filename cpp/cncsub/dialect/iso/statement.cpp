@@ -111,7 +111,7 @@ bool StatementReader::ends(Cause otherwise) {
   if (c == ']')
     refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
   else if (is_letter(c) || starts_assignment(s_))
-    refuse(otherwise, s_.offset(), 1, "behind the statement stands another word");
+    refuse(otherwise, s_.offset(), 1, "another word follows the statement");
   else
     refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(),
            1, "the statement ends before this");
@@ -158,7 +158,7 @@ void StatementReader::assignment(bool bracketed) {
     return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
   const std::uint32_t width = std::max<std::uint32_t>(1, s_.offset() - at);
   if (!s_.take('='))
-    return refuse(Cause::MissingEquals, s_.offset(), 1, "behind the variable stands no =");
+    return refuse(Cause::MissingEquals, s_.offset(), 1, "no = follows the variable");
   const auto value = expressions_.number(s_);
   if (!value) return refuse(expressions_.fault());
   const std::uint32_t end = s_.offset();
@@ -212,10 +212,10 @@ void StatementReader::if_statement(const Keyword& /*keyword*/, Statement& statem
     return jump({"GOTO", &StatementReader::jump, Op::IfGoto, StatementKind::Goto}, statement);
   const std::uint32_t at = s_.offset();
   if (form == IfForm::GotoOnly)
-    return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO");
+    return refuse(Cause::IfFormat, at, 1, "GOTO must follow the condition");
   const bool then = keyword("THEN");
   if (!then && form != IfForm::Words)
-    return refuse(Cause::IfFormat, at, 1, "behind the condition stands GOTO or THEN");
+    return refuse(Cause::IfFormat, at, 1, "GOTO or THEN must follow the condition");
   if (s_.peek() == '\0' && form == IfForm::ThenBlocks) return to_.become(block_, Op::If, statement);
   then_statement(statement);
 }
@@ -256,7 +256,7 @@ void StatementReader::while_statement(const Keyword& keyword, Statement& stateme
     return;
   }
   if (!s_.take_word("DO"))
-    return refuse(Cause::WhileFormat, s_.offset(), 1, "behind the condition stands DO");
+    return refuse(Cause::WhileFormat, s_.offset(), 1, "DO must follow the condition");
   loop(keyword, statement);
 }
 

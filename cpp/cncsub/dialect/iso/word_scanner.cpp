@@ -162,7 +162,7 @@ bool WordScanner::stray(const char* from) {
   const char c = s_.peek();
   const std::uint32_t at = s_.offset();
   if (c == '#')
-    return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement stands behind NC words"});
+    return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement follows NC words"});
   if (begins_number(c) || c == '[')
     return refuse({Cause::ValueWithoutAddress, at, 1, "a value stands without an address"});
   if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
@@ -304,7 +304,7 @@ std::optional<Fault> WordScanner::statement_at(const char* letter) const {
     Scanner probe = ahead;
     if (probe.take_word(word) && (word != "WH" || !is_letter(probe.peek())))
       return Fault{Cause::NcAndMacroInBlock, 0, static_cast<std::uint32_t>(word.size()),
-                   "a macro statement stands behind NC words"};
+                   "a macro statement follows NC words"};
   }
   return std::nullopt;
 }

@@ -177,7 +177,7 @@ bool BlockReader::end_of_statement(Block& block) {
   if (line_.at_end()) return true;
   const std::uint32_t at = line_.offset();
   line_.pass(first_character(line_.rest()).size());
-  return refuse(block, Cause::StatementFormat, "nothing may stand behind the statement", at);
+  return refuse(block, Cause::StatementFormat, "nothing may follow the statement", at);
 }
 
 }  // namespace cncsub::sinumerik

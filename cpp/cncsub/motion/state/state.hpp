@@ -165,10 +165,10 @@ struct ModalValues {
   double feed = 0;                   // mm/min, mm/rev
   double seconds_per_mm = 0;
   double time = 0;
-  Axes work{};      // the programmed point, work coordinates
-  Axes tool_at{};   // machine position after the last recorded move; kept where not `plain`
-  double lead = 0;  // of threads, where it is kept apart from the feed
-  std::uint32_t named = 0;    // axes that moves named
+  Axes work{};              // the programmed point, work coordinates
+  Axes tool_at{};           // machine position after the last recorded move; kept where not `plain`
+  double lead = 0;          // of threads, where it is kept apart from the feed
+  std::uint32_t named = 0;  // axes that moves named
   bool tool_pending = false;  // a tool offset waits for the next move
   bool moved_before = false;  // a move came, or set coordinates: the head of the program is over
 

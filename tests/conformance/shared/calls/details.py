@@ -163,7 +163,7 @@ case(
     runs="N10 N0 N40 N20", t=[2],
 )
 case(
-    "an end that is missing is missed behind the last block",
+    "an end that is missing is missed after the last block",
     pins="missing_end",
     control=["fanuc-30i", "gsk-988ta"], source="policy", evidence="inferred",
     program="O1\nN10 T1\nN20 T2\n",

@@ -21,7 +21,7 @@ case(
     optional_stop=True, runs="N10 N20 N30 N40",
 )
 case(
-    "cycle start goes on behind M00",
+    "cycle start goes on after M00",
     control=ALL, source=OPERATOR, evidence="inferred",
     program="O1\nN10 M8\nN20 M00\nN30 M00\nN40 M30",
     optional_stop=True, inputs={"operator": ["start", "start"]}, runs="N10 N20 N30 N40",
@@ -45,7 +45,7 @@ case(
     optional_stop=True, runs="N10 N20 N30 N40",
 )
 case(
-    "cycle start goes on behind M01 with its switch on",
+    "cycle start goes on after M01 with its switch on",
     control=ALL, source=OPERATOR, evidence="inferred",
     program="O1\nN10 M8\nN20 M01\nN30 M01\nN40 M30",
     optional_stop=True, inputs={"operator": ["start", "start"]}, runs="N10 N20 N30 N40",
@@ -110,7 +110,7 @@ case(
     stop="waiting",
 )
 case(
-    "an alarm behind M00 comes only when the operator has gone on",
+    "an alarm after M00 comes only when the operator has gone on",
     control=ALL, source="ALM PS0112; MZ 861; Talm 014; general knowledge, M00",
     evidence="inferred",
     program="""
@@ -123,7 +123,7 @@ case(
     number=per_control("112", "PS0112", "P283", "014"), at="O1 N20",
 )
 case(
-    "behind an M00 that is not answered nothing alarms",
+    "after an M00 that is not answered nothing alarms",
     control=ALL, source=OPERATOR, evidence="inferred",
     program="""
         O1
@@ -146,7 +146,7 @@ case(
     inputs={"operator": ["stop"]}, runs="N10 N20", m=[8], messages=["CHECK TOOL"], stop="waiting",
 )
 case(
-    "cycle start goes on behind #3006",
+    "cycle start goes on after #3006",
     control=ALL, source=MESSAGE, evidence="inferred",
     program="""
         O1
@@ -170,7 +170,7 @@ case(
     messages=["NEXT"], stop="waiting",
 )
 case(
-    "an M00 behind a block skip asks nobody",
+    "an M00 after a block skip asks nobody",
     control=ALL, source="general knowledge, block skip", evidence="inferred",
     program="""
         O1

@@ -486,7 +486,7 @@ case(
     external={"O0002.CNC": "O0002\nN30 M99\n"}, runs="N10 N30 N20", calls="M198:O0002",
 )
 case(
-    "M99 P takes the nearest block behind the call",
+    "M99 P takes the nearest block after the call",
     pins="return_search",
     control=T, source="source 000, note 2", evidence="inferred",
     program="""
@@ -917,7 +917,7 @@ case(
 # Other rules of reading and calls
 
 case(
-    "a run may start at an N that stands behind other words",
+    "a run may start at an N that stands after other words",
     pins="late_sequence_numbers",
     control=[HNC, TE], source="policy", evidence="inferred",
     program="""

@@ -242,42 +242,42 @@ case(
     arguments={n: n for n in (*range(1, 10), 11, 13, *range(17, 27))},
 )
 case(
-    "a sum behind EQ belongs to the comparison",
+    "a sum after EQ belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 EQ 1+2]GOTO 30\nN20 #100=1\nN30 M30",
     runs="N10 N30",
 )
 case(
-    "a sum behind NE belongs to the comparison",
+    "a sum after NE belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 NE 1+2]GOTO 30\nN20 #100=1\nN30 M30",
     runs="N10 N20 N30",
 )
 case(
-    "a sum behind GT belongs to the comparison",
+    "a sum after GT belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 GT 1+2]GOTO 30\nN20 #100=1\nN30 M30",
     runs="N10 N20 N30",
 )
 case(
-    "a sum behind LT belongs to the comparison",
+    "a sum after LT belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 LT 1+2]GOTO 30\nN20 #100=1\nN30 M30",
     runs="N10 N20 N30",
 )
 case(
-    "a sum behind GE belongs to the comparison",
+    "a sum after GE belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 GE 1+2]GOTO 30\nN20 #100=1\nN30 M30",
     runs="N10 N30",
 )
 case(
-    "a sum behind LE belongs to the comparison",
+    "a sum after LE belongs to the comparison",
     control=[*FANUC, *MITSUBISHI, "gsk-988ta", "gsk-980tdi"],
     source="general knowledge, order of operators", evidence="inferred",
     program="O1\nN10 IF[3 LE 1+2]GOTO 30\nN20 #100=1\nN30 M30",
@@ -310,7 +310,7 @@ case(
     number=dict.fromkeys(FANUC, "PS1131") | {"fanuc-16i": "114", "gsk-988ta": "202", "gsk-980tdi": "0104", "mitsubishi-m700": "P281"},
 )
 case(
-    "a bracket that closes behind an operator was never opened: #100=1+]",
+    "a bracket that closes after an operator was never opened: #100=1+]",
     control=[*FANUC, "gsk-988ta", "gsk-980tdi", "mitsubishi-m700"],
     source="form of expressions; policy", evidence="inferred",
     program="O1\nN10 T1\nN20 #100=1+]\nN30 M30\n",
@@ -426,7 +426,7 @@ case(
     runs="N10", alarm="missing-end", number="PS0124", at="O1 N20",
 )
 case(
-    "behind THEN stands a jump too",
+    "after THEN stands a jump too",
     control=[*LATER, "fanuc-16i", "mitsubishi-m800"], source="general knowledge, IF", evidence="inferred",
     program="""
         O1
@@ -488,7 +488,7 @@ case(
     runs="N10 N20 N30 N40 N50", vars={100: 5, 101: 7, 102: 0},
 )
 case(
-    "#7001 and those behind it are read as they were written",
+    "#7001 and those after it are read as they were written",
     control=["fanuc-16i", "fanuc-30i"], source="general knowledge, #7001", evidence="inferred",
     replace={"whole_numbers": "millimetres"}, setup={"machine": "mill"},
     program="""
@@ -729,7 +729,7 @@ case(
     runs="N10 N20", m=[8], moves_x=[10],
 )
 case(
-    "#3002 that is written behind some motion counts from then on",
+    "#3002 that is written after some motion counts from then on",
     control=FANUC, source="general knowledge, #3002", evidence="inferred",
     replace={"whole_numbers": "millimetres"},
     program="""
@@ -742,7 +742,7 @@ case(
     runs="N10 N20 N30 N40", vars={100: 2},
 )
 case(
-    "a number that GOTO does not find is told without the comment behind it",
+    "a number that GOTO does not find is told without the comment after it",
     control=["fanuc-16i", "mitsubishi-m700"], source="ALM 128; Mazak list P231", evidence="secondary",
     program="O1\nN10 M8\nN20 GOTO 99 (AWAY)\nN30 M30\n",
     runs="N10", alarm="jump-target-not-found", at="O1 N20", word="99",
@@ -777,14 +777,14 @@ _POINTED = {
 }
 
 case(
-    "a Mitsubishi's variable with a point behind its number is written",
+    "a Mitsubishi's variable with a point after its number is written",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 #504.=7\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={504: 7},
 )
 case(
-    "no other control has a variable with a point behind its number written",
+    "no other control has a variable with a point after its number written",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 #504.=7\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -792,14 +792,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is read",
+    "a Mitsubishi's variable with a point after its number is read",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 #100=#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={100: 2},
 )
 case(
-    "no other control has a variable with a point behind its number read",
+    "no other control has a variable with a point after its number read",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 #100=#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -807,14 +807,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is read twice in an expression",
+    "a Mitsubishi's variable with a point after its number is read twice in an expression",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 #100=#504.+#504.*#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={100: 6},
 )
 case(
-    "no other control has a variable with a point behind its number read twice in an expression",
+    "no other control has a variable with a point after its number read twice in an expression",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 #100=#504.+#504.*#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -822,14 +822,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is compared",
+    "a Mitsubishi's variable with a point after its number is compared",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 IF[#504.EQ2]GOTO30\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={504: 2},
 )
 case(
-    "no other control has a variable with a point behind its number compared",
+    "no other control has a variable with a point after its number compared",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 IF[#504.EQ2]GOTO30\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -837,14 +837,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is an address's value",
+    "a Mitsubishi's variable with a point after its number is an address's value",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 G0 X#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={504: 2},
 )
 case(
-    "no other control has a variable with a point behind its number an address's value",
+    "no other control has a variable with a point after its number an address's value",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 G0 X#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -852,14 +852,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is an argument's value",
+    "a Mitsubishi's variable with a point after its number is an argument's value",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 G65 P2 A#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={100: 2},
 )
 case(
-    "no other control has a variable with a point behind its number an argument's value",
+    "no other control has a variable with a point after its number an argument's value",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 G65 P2 A#504.\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -867,14 +867,14 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is the number of a variable",
+    "a Mitsubishi's variable with a point after its number is the number of a variable",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nN10 #504=2\nN20 #100=#[#504.+502]\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={100: 2},
 )
 case(
-    "no other control has a variable with a point behind its number the number of a variable",
+    "no other control has a variable with a point after its number the number of a variable",
     pins="variable_forms:point", control=["gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", *FANUC],
     source="policy, nobody says", evidence="inferred",
     program="O1\nN10 #504=2\nN20 #100=#[#504.+502]\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
@@ -882,21 +882,21 @@ case(
     number={"gsk-988ta": "203", "gsk-988t": "203", "gsk-980tdi": "0111", "gsk-980mdi": "0111", "fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "a Mitsubishi's variable with a point behind its number is printed",
+    "a Mitsubishi's variable with a point after its number is printed",
     pins="variable_forms:point", control=["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"],
     source=_POINT, evidence="secondary",
     program="O1\nPOPEN\nN10 #504=2\nN20 DPRNT[X#504.[53]]\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     vars={504: 2},
 )
 case(
-    "no other control has a variable with a point behind its number printed",
+    "no other control has a variable with a point after its number printed",
     pins="variable_forms:point", control=[*FANUC], source="policy, nobody says", evidence="inferred",
     program="O1\nPOPEN\nN10 #504=2\nN20 DPRNT[X#504.[53]]\nN30 M30\nO2\nN40 #100=#1\nN50 M99",
     runs="N10", alarm="illegal-variable", at="O1 N20", vars={504: 2},
     number={"fanuc-16i": "115", "fanuc-0i-d": "PS0115", "fanuc-0i-f": "PS0115", "fanuc-30i": "PS0115"},
 )
 case(
-    "HNC: a variable's number has no point behind it",
+    "HNC: a variable's number has no point after it",
     pins="variable_forms:point",
     control="hnc-21m", source="policy, nobody says", evidence="inferred",
     program="%1\nN10 #50=2\nN20 #50.=7\nN30 M30",

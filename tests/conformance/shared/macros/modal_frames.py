@@ -43,7 +43,7 @@ alarms(
     runs="N10 N20 N70 N80",
 )
 alarms(
-    "a subprogram that such a block calls and nobody has is missed behind the modal macro",
+    "a subprogram that such a block calls and nobody has is missed after the modal macro",
     MAIN + MACRO, "program-not-found", MISSING, "O1 N20", "", runs="N10 N20 N70 N80",
 )
 holds(
@@ -95,7 +95,7 @@ alarms(
 _CHAIN = MAIN.replace("N20", "N15 G66 P4\nN20") + SUB + MACRO + "O4\nN85 Z1.\nN90 #102=#102+1\nN95 M99\n"
 
 holds(
-    "two modal macros of such a block run inside each other, and the call behind both from the block",
+    "two modal macros of such a block run inside each other, and the call after both from the block",
     _CHAIN, "N10 N15 N20 N85 N70 N80 N90 N95 N50 N60 N30 N40", "G66:O4(G66:O3) M98:O2",
     vars={100: 1, 101: 1, 102: 1},
 )
@@ -104,7 +104,7 @@ alarms(
     _CHAIN.replace("#101+1", "1/#101"), "division-by-zero", FAULT, "O3 N70", "O4 N85 G66 < O1 N20 G66",
 )
 alarms(
-    "a fault of the call behind two modal macros shows neither",
+    "a fault of the call after two modal macros shows neither",
     _CHAIN.replace("#100+1", "1/#100"), "division-by-zero", FAULT, "O2 N50", "O1 N20 M98",
 )
 
@@ -125,7 +125,7 @@ alarms(
     control=_MAY_RETURN, runs="N10 N50 N60",
 )
 holds(
-    "M99 P of such a block goes to the caller of the block's program, behind the modal macro",
+    "M99 P of such a block goes to the caller of the block's program, after the modal macro",
     _RETURN.replace("N40", "N20 #103=1\nN30 G67\nN40").replace("M99\nO3", "M99 P30\nO3"),
     "N10 N50 N60 N70 N80 N30 N40", "M98:O2(G66:O3)", control=_MAY_RETURN,
 )
@@ -140,12 +140,12 @@ holds(
     "N5 N10 (N60 N70 N80)*3 N40", "M98:O2(G66:O3 G66:O3 G66:O3)", control=_MAY_RETURN,
 )
 holds(
-    "a modal macro whose own last block moves returns behind the outer macro of that move",
+    "a modal macro whose own last block moves returns after the outer macro of that move",
     _CHAIN.replace("N85 Z1.\nN90 #102=#102+1\nN95 M99", "N95 Z1. M99"),
     "N10 N15 N20 N95 N70 N80 N50 N60 N30 N40", "G66:O4(G66:O3) M98:O2", control=_MAY_RETURN,
 )
 alarms(
-    "the return of a modal macro behind an outer one leaves the frames as they were",
+    "the return of a modal macro after an outer one leaves the frames as they were",
     _CHAIN.replace("N85 Z1.\nN90 #102=#102+1\nN95 M99", "N95 Z1. M99").replace("#100+1", "1/#100"),
     "division-by-zero", FAULT, "O2 N50", "O1 N20 M98", control=_MAY_RETURN,
 )
@@ -158,34 +158,34 @@ holds(
 _CODE = MAIN.replace("M98 P2", "M60") + SUB.replace("O2", "O9001") + MACRO
 
 holds(
-    "a call by an M code behind a move waits for the modal macro", _CODE,
+    "a call by an M code after a move waits for the modal macro", _CODE,
     "N10 N20 N70 N80 N50 N60 N30 N40", "G66:O3 M-code:O9001", control=FANUC, params={"6071": 60},
 )
 alarms(
-    "a fault of a call by an M code behind a move shows the block alone", _CODE.replace("#100+1", "1/#100"),
+    "a fault of a call by an M code after a move shows the block alone", _CODE.replace("#100+1", "1/#100"),
     "division-by-zero", FAULT, "O9001 N50", "O1 N20 M-code", control=FANUC, params={"6071": 60},
 )
 
 _TOOL = MAIN.replace("M98 P2", "T5") + SUB.replace("O2", "O9000").replace("#100+1", "#149") + MACRO
 
 holds(
-    "a call by a T code behind a move waits for the modal macro, with the code it was called by", _TOOL,
+    "a call by a T code after a move waits for the modal macro, with the code it was called by", _TOOL,
     "N10 N20 N70 N80 N50 N60 N30 N40", "G66:O3 T-code:O9000", control=FANUC, params={"6001#5": 1},
     vars={100: 5},
 )
 alarms(
-    "a fault of a call by a T code behind a move shows the block alone", _TOOL.replace("#149", "1/[#149-5]"),
+    "a fault of a call by a T code after a move shows the block alone", _TOOL.replace("#149", "1/[#149-5]"),
     "division-by-zero", FAULT, "O9000 N50", "O1 N20 T-code", control=FANUC, params={"6001#5": 1},
 )
 
 _DEVICE = {"files": {"main.nc": MAIN.replace("M98 P2", "M198 P2") + MACRO}, "external": {"O2.nc": SUB}}
 
 case(
-    "M198 behind a move waits for the modal macro", control=[FF, F30], **OWN, **_DEVICE,
+    "M198 after a move waits for the modal macro", control=[FF, F30], **OWN, **_DEVICE,
     runs="N10 N20 N70 N80 N50 N60 N30 N40", tree="G66:O3 M198:O2",
 )
 case(
-    "M198 behind a move misses its program behind the modal macro", control=[FF, F30], **OWN,
+    "M198 after a move misses its program after the modal macro", control=[FF, F30], **OWN,
     files=_DEVICE["files"], external={"O5.nc": SUB.replace("O2", "O5")}, runs="N10 N20 N70 N80",
     alarm="external-program-not-found", number="PS1079", at="O1 N20", frames="",
 )
@@ -198,7 +198,7 @@ holds(
     variables={101: 4},
 )
 alarms(
-    "a fault of G65 behind a move shows the block alone", _G65.replace("N50 #100=#1", "N50 #100=1/0"),
+    "a fault of G65 after a move shows the block alone", _G65.replace("N50 #100=#1", "N50 #100=1/0"),
     "division-by-zero", FAULT, "O2 N50", "O1 N20 G65", control=MITSUBISHI,
 )
 
@@ -215,7 +215,7 @@ alarms(
 
 # The call of such a block is as deep as the same call alone.
 case(
-    "a chain of 4 macros behind the move of a block under G66 is allowed",
+    "a chain of 4 macros after the move of a block under G66 is allowed",
     control="fanuc-16i", source="PB p.304: four levels of macro calls", evidence="maker's manual",
     program="""
         O1
@@ -244,7 +244,7 @@ case(
     number=None, vars={100: 1},
 )
 case(
-    "a chain of 5 macros behind the move of a block under G66 is too deep",
+    "a chain of 5 macros after the move of a block under G66 is too deep",
     control="fanuc-16i", source="PB p.304: four levels of macro calls", evidence="maker's manual",
     program="""
         O1

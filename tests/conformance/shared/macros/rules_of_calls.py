@@ -56,7 +56,7 @@ case(
     runs="N10 N30 N40 N20", vars={100: 2},
 )
 case(
-    "two modal calls stack: behind a move the last runs, and its own move calls the first",
+    "two modal calls stack: after a move the last runs, and its own move calls the first",
     pins="second_modal_call",
     control=[*MITSUBISHI, *FANUC], source="NCT; M7V; general knowledge", evidence="inferred",
     program="""

@@ -101,7 +101,7 @@ case(
     runs="N10 N20", vars={100: 225},
 )
 case(
-    "ASIN of a negative value lies behind 180",
+    "ASIN of a negative value lies after 180",
     pins="asin_range",
     control=[*GSK_988, MDI, *FANUC, "haas-ngc"], source="TApar 6004#0; ALI; general knowledge",
     evidence="inferred",

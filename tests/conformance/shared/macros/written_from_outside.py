@@ -64,7 +64,7 @@ case(
     variables={500: 1}, inputs={"writes": [{500: None}]}, m=[8], vars={500: None},
 )
 case(
-    "what another computer writes may raise the alarm behind the loop",
+    "what another computer writes may raise the alarm after the loop",
     control=ALL, source=WAITING, evidence="inferred",
     program="""
         O1

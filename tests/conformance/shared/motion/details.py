@@ -57,7 +57,7 @@ case(
     moves="CCW X-10 Z10 C X-10 Z0",
 )
 case(
-    "#7001 and those behind it are the offsets of G54.1",
+    "#7001 and those after it are the offsets of G54.1",
     control=["fanuc-16i", "fanuc-30i"], source="general knowledge, #7001", evidence="inferred",
     replace=MM, setup=MILL,
     program="""

@@ -111,7 +111,7 @@ case(
     runs="N10", alarm="no-skip-feed", number="P603", at="O1 N20", word="G31",
 )
 case(
-    "a G31 with the feed in its block runs behind other G codes", control=[M7],
+    "a G31 with the feed in its block runs after other G codes", control=[M7],
     source="M7 p.550", evidence="maker's manual",
     program="O1\nN10 G0 X0\nN20 G98 G31 X10. F100\nN30 M30", runs="N10 N20 N30",
 )

@@ -58,20 +58,20 @@ for _corner in (",C2.", ",R2."):  # the same claim for a chamfer and a round
         runs="N10", alarm="corner-too-short", number="P383", at="O1 N10", word=_corner,
     )
 case(
-    "G43 behind a chamfer is refused on the 980MDi",
+    "G43 after a chamfer is refused on the 980MDi",
     control=MDI, source="MDib 0031", evidence="maker's manual", setup=MILL,
     pins="refuses:corner-with-codes",
     program="O1\nN10 G1 X10 L2 F100\nN20 G43 H1 Y10\nN30 M30",
     runs="N10", alarm="corner-with-codes", number="0031", at="O1 N20", word="G43",
 )
 case(
-    "G55 behind a chamfer is refused on the 980MDi",
+    "G55 after a chamfer is refused on the 980MDi",
     control=MDI, source="MDib 0031", evidence="maker's manual", setup=MILL,
     program="O1\nN10 G1 X10 L2 F100\nN20 G55 Y10\nN30 M30",
     runs="N10", alarm="corner-with-codes", number="0031", at="O1 N20", word="G55",
 )
 case(
-    "G43 behind the move that ends a chamfer is taken on the 980MDi",
+    "G43 after the move that ends a chamfer is taken on the 980MDi",
     control=MDI, source="MDib 0031", evidence="maker's manual", setup=MILL,
     program="O1\nN10 G1 X10 L2 F100\nN20 Y10\nN30 G43 H1 Z0\nN40 M30",
     runs="N10 N20 N30 N40",
@@ -86,7 +86,7 @@ case(
     runs="N10", alarm="offset-without-move", number="0033", at="O1 N20", word="G41",
 )
 case(
-    "G42 behind G41 without a move in its block is refused on the 980MDi",
+    "G42 after G41 without a move in its block is refused on the 980MDi",
     control=MDI, source="MDib 0033", evidence="maker's manual", setup=RADIUS,
     program="O1\nN10 G41 G1 X10 D1 F100\nN20 X30\nN30 G42\nN40 X50\nN50 M30",
     runs="N10 N20", alarm="offset-without-move", number="0033", at="O1 N30", word="G42",
@@ -105,7 +105,7 @@ case(
     runs="N10 N20 N30", alarm="offset-end-in-arc-mode", number="0264", at="O1 N40", word="G40",
 )
 case(
-    "G40 in the block of G01 ends compensation behind an arc on the 980MDi",
+    "G40 in the block of G01 ends compensation after an arc on the 980MDi",
     control=MDI, source="MDib 0264", evidence="maker's manual", setup=RADIUS,
     program="O1\nN10 G41 G1 X10 D1 F100\nN20 X20\nN30 G3 X30 Y10 R10\nN40 G40 G1 Y30\nN50 M30",
     runs="N10 N20 N30 N40 N50",
@@ -168,7 +168,7 @@ case(
     runs="N10 N20 N30",
 )
 case(
-    "tapping behind M29 with S runs on the 988T",
+    "tapping after M29 with S runs on the 988T",
     control=[T, TA], source="TA 25", evidence="secondary", setup=LATHE,
     program="O1\nN10 G98 M29 S500\nN20 G84 Z-10 R-1 F100\nN30 M30",
     runs="N10 N20 N30",
@@ -181,7 +181,7 @@ case(
     runs="N10", alarm="cycle-axis-changed", number="186", at="O1 N20", word="G87",
 )
 case(
-    "another drilling axis behind G80 is taken on the 988T",
+    "another drilling axis after G80 is taken on the 988T",
     control=[T, TA], source="Talm 186", evidence="secondary", setup=LATHE,
     program="O1\nN10 G98 G83 Z-10 R-1 F100\nN20 G80\nN30 G87 X20 R-1\nN40 M30",
     runs="N10 N20 N30 N40",
@@ -225,7 +225,7 @@ case(
 
 # Moves of a compensated contour that do not meet
 case(
-    "an offset arc that does not reach the offset line behind it has a number of its own on the 980MDi",
+    "an offset arc that does not reach the offset line after it has a number of its own on the 980MDi",
     control=MDI, source="MDib 0262", evidence="maker's manual", replace=MM,
     setup=MILL | {"radius_offsets": {1: 5}},
     program="""
@@ -281,15 +281,15 @@ taken(
     runs="N10", alarm="corner-too-short", at="O1 N10", word="L2.",
 )
 taken(
-    "G55 behind a chamfer is taken", [*LIKE_FANUC, HAAS, HNC], "G1 X10. ,C2. F100", "G55 Y10.",
+    "G55 after a chamfer is taken", [*LIKE_FANUC, HAAS, HNC], "G1 X10. ,C2. F100", "G55 Y10.",
     "corner-with-codes",
 )
 taken(
-    "G55 behind a chamfer is taken on the 980TDi", TDI, "G98 G1 X20. L2. F100", "G55 Z-10.",
+    "G55 after a chamfer is taken on the 980TDi", TDI, "G98 G1 X20. L2. F100", "G55 Z-10.",
     "corner-with-codes", LATHE,
 )
 taken(
-    "G55 behind a chamfer is taken on the 988s", T_TA, "G98 G1 X20. ,C2. F100", "G55 Z-10.",
+    "G55 after a chamfer is taken on the 988s", T_TA, "G98 G1 X20. ,C2. F100", "G55 Z-10.",
     "corner-with-codes", LATHE,
 )
 case(
@@ -319,7 +319,7 @@ taken(
     "rigid-tap-word-twice",
 )
 taken(
-    "a move may stand behind M29", [TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC], "M29 S500", "G0 X20.",
+    "a move may stand after M29", [TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC], "M29 S500", "G0 X20.",
     "move-before-rigid-tap",
 )
 taken(
@@ -361,7 +361,7 @@ taken(
     "thread-run-out-sign", LATHE, source="TDi 24.9",
 )
 
-NO_WAIT = "M29 is nothing to the blocks behind it where a move there is not refused"
+NO_WAIT = "M29 is nothing to the blocks after it where a move there is not refused"
 NO_RUN_OUT = "J and K are no run-out of its threads"
 for _control in (TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC):
     inert("refuses:rigid-tap-word-twice refuses:rigid-tap-without-speed", control=_control, reason=NO_WAIT)

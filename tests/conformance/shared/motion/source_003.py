@@ -295,7 +295,7 @@ case(
     final_machine="X0 Y10",
 )
 case(
-    "HNC: G20 behind a move alarms",
+    "HNC: G20 after a move alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G00 X10\nN20 G20\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G20",
@@ -307,13 +307,13 @@ case(
     runs="", alarm="unit-change-misplaced", number=None, at="%1 N10", word="G20",
 )
 case(
-    "HNC: G20 behind the coordinate system alarms",
+    "HNC: G20 after the coordinate system alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G92 X0 Y0 Z0\nN20 G20\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G20",
 )
 case(
-    "HNC: G21 behind a move alarms",
+    "HNC: G21 after a move alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G00 X10\nN20 G21\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G21",
@@ -325,13 +325,13 @@ case(
     runs="", alarm="unit-change-misplaced", number=None, at="%1 N10", word="G21",
 )
 case(
-    "HNC: G21 behind the coordinate system alarms",
+    "HNC: G21 after the coordinate system alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G92 X0 Y0 Z0\nN20 G21\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G21",
 )
 case(
-    "HNC: G22 behind a move alarms",
+    "HNC: G22 after a move alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G00 X10\nN20 G22\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G22",
@@ -343,7 +343,7 @@ case(
     runs="", alarm="unit-change-misplaced", number=None, at="%1 N10", word="G22",
 )
 case(
-    "HNC: G22 behind the coordinate system alarms",
+    "HNC: G22 after the coordinate system alarms",
     control="hnc-21m", source="source 003, G20 G21 G22", **SOURCE,
     program="%1\nN10 G92 X0 Y0 Z0\nN20 G22\nN30 M30",
     runs="N10", alarm="unit-change-misplaced", number=None, at="%1 N20", word="G22",
@@ -373,7 +373,7 @@ case(
     moves="R X25.4",
 )
 case(
-    "G22 of a FANUC is the stroke check and no unit, also behind a move",
+    "G22 of a FANUC is the stroke check and no unit, also after a move",
     control=["fanuc-0i-f", "fanuc-16i", "fanuc-30i"], source="general knowledge",
     evidence="inferred", replace=MM, setup=MILL,
     program="""

@@ -51,7 +51,7 @@ case(
     runs="N10 N30 N40", m=[],
 )
 case(
-    "a sequence number behind another word is 006 on the GSK 980",
+    "a sequence number after another word is 006 on the GSK 980",
     pins="refuses:sequence-number-not-first",
     control=GSK_980, source="MDia 006", evidence="maker's manual",
     program="""
@@ -174,7 +174,7 @@ case(
     skip=(2, 4), runs="N20 N30", m=[9],
 )
 case(
-    "the slash may stand behind the sequence number",
+    "the slash may stand after the sequence number",
     control=FANUC + MITSUBISHI, source="GED, slash before and after N", evidence="secondary",
     program="""
         O1

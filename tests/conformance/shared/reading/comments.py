@@ -129,14 +129,14 @@ case("a comment with brackets of its own ends a macro statement", control=FANUC 
      program="O1\nN10 #100=2 (A (B) )\nN20 IF[#100EQ2]GOTO40 (A (B) )\nN30 M8\nN40 M30\n",
      runs="N10 N20 N40", vars={100: 2})
 case(
-    "a parenthesis behind a word alarms",
+    "a parenthesis after a word alarms",
     control=FANUC + GSK_988 + MITSUBISHI, source=OWN, evidence="inferred",
     program="O1\nN10 M8\nN20 M9)\nN30 M30\n",
     runs="N10", m=[8], alarm="illegal-character", word=")",
     number={**dict.fromkeys(GSK_988), **dict.fromkeys(MITSUBISHI, "P32"), **on_fanuc(9), "fanuc-16i": "009"},
 )
 case(
-    "a parenthesis behind a word behind a comment alarms",
+    "a parenthesis after a word after a comment alarms",
     control=FANUC + GSK_988 + MITSUBISHI, source=OWN, evidence="inferred",
     program="O1\nN10 M8\nN20 (A) M9 )\nN30 M30\n",
     runs="N10", m=[8], alarm="illegal-character", word=")",
@@ -150,20 +150,20 @@ case(
     number={**dict.fromkeys(GSK_988), **dict.fromkeys(MITSUBISHI, "P32"), **on_fanuc(9), "fanuc-16i": "009"},
 )
 case(
-    "a parenthesis and a sign behind a comment alarms",
+    "a parenthesis and a sign after a comment alarms",
     control=FANUC + GSK_988 + MITSUBISHI, source=OWN, evidence="inferred",
     program="O1\nN10 M8\nN20 M9 (A (B) ) !\nN30 M30\n",
     runs="N10", m=[8], alarm="illegal-character", word="!",
     number={**dict.fromkeys(GSK_988), **dict.fromkeys(MITSUBISHI, "P32"), **on_fanuc(9), "fanuc-16i": "009"},
 )
 case(
-    "a parenthesis too many behind a word is 041 on the GSK 980",
+    "a parenthesis too many after a word is 041 on the GSK 980",
     control=GSK_980, source="MDia 041: brackets not paired", evidence="maker's manual",
     program="O1\nN10 M8\nN20 M9)\nN30 M30\n",
     runs="N10", m=[8], alarm="comment-not-closed", number="0041", at="O1 N20", word=")",
 )
 case(
-    "a parenthesis too many behind a comment is 041 on the GSK 980",
+    "a parenthesis too many after a comment is 041 on the GSK 980",
     control=GSK_980, source="MDia 041: brackets not paired", evidence="maker's manual",
     program="O1\nN10 M8\nN20 M9 (A (B) )\nN30 M30\n",
     runs="N10", m=[8], alarm="comment-not-closed", number="0041", at="O1 N20", word=")",

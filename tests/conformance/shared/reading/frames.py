@@ -68,20 +68,20 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "a fault behind a semicolon is told at its own block",
+    "a fault after a semicolon is told at its own block",
     control=FANUC, source="PB155, EOB; ALM PS0006", evidence="inferred",
     program="O1;N10 M8;N20 M-9;N30 M30;",
     runs="N10", m=[8], alarm="illegal-minus-sign", number=on_fanuc(6), at="O1 N20", word="M-9",
 )
 case(
-    "on HNC the text behind a semicolon is a comment and no block",
+    "on HNC the text after a semicolon is a comment and no block",
     pins="semicolon",
     control=HNC, source="HD, comments", evidence="secondary",
     files={"O1": b"%1\nN10 M8 ; N15 M3 ; N16 M4\nN20 M9;\nN30 M30\n"},
     runs="N10 N20 N30", m=[8, 9],
 )
 case(
-    "on HNC even a fault behind a semicolon is a comment",
+    "on HNC even a fault after a semicolon is a comment",
     control=HNC, source="HD, comments", evidence="secondary",
     files={"O1": b"%1\nN10 M8 ; M98 P77 !!\nN20 M9\nN30 M30\n"},
     runs="N10 N20 N30", m=[8, 9],
@@ -93,7 +93,7 @@ everywhere("zeros of a punched-tape leader are skipped",
            b"\0" * 200 + b"HEAD\nN10 M8\nN20 M9\nN30 M30\n", **PLAIN)
 everywhere("zeros of a punched-tape trailer are skipped",
            b"HEAD\nN10 M8\nN20 M9\nN30 M30\n" + b"\0" * 200, **PLAIN)
-everywhere("zeros before and behind the percent signs are skipped",
+everywhere("zeros before and after the percent signs are skipped",
            b"\0" * 50 + b"%\nHEAD\nN10 M8\nN20 M9\nN30 M30\n%\n" + b"\0" * 50, **PLAIN)
 everywhere("a byte order mark is no text",
            b"\xef\xbb\xbfHEAD\nN10 M8\nN20 M9\nN30 M30\n", **PLAIN)
@@ -128,7 +128,7 @@ for _kind, _head, _number in (("O", b"O1", NOT_FOUND), ("percent", b"%1", None))
         case(f"{_name} before the first percent sign is a leader, {_kind} programs", **_where,
              files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M9\nN30 M30\n%\n"},
              runs="N10 N20 N30", m=[8, 9])
-        case(f"behind {_name} as a leader the program alarms where it always does, {_kind} programs",
+        case(f"after {_name} as a leader the program alarms where it always does, {_kind} programs",
              control=[c for c in _where["control"] if c != "gsk-928te"], source=LEADER,
              evidence="inferred",
              files={"O1.NC": _before + b"%\n" + _head + b"\nN10 M8\nN20 M98 P77\nN30 M30\n"},
@@ -142,13 +142,13 @@ case(
 
 # Blocks before the first % that could run are the main program, and no leader
 STARTS = "B-63524EN p.649: a file starts with % or LF; general knowledge: a leader holds no program"
-for _kind, _tape in (("O", b"%\nO2"), ("percent", b"%2"), ("percent behind a percent sign", b"%\n%2")):
+for _kind, _tape in (("O", b"%\nO2"), ("percent", b"%2"), ("percent after a percent sign", b"%\n%2")):
     _controls = WITH_O if _kind == "O" else WITH_PERCENT
     for _name, _text, _runs, _m in [
         ("with M30", b"N10 M8\nN20 M30\n", "N10 N20", [8]),
         ("without sequence numbers", b"M8\nG0 X1\nM9\nM30\n", "", [8, 9]),
-        ("with M02 behind a skip", b"/N10 M8\n(TITLE)\nN20 M9\nN30 M2\n", "N10 N20 N30", [8, 9]),
-        ("behind a title", b"(SHAFT)\n\nN10 M8\nN20 M30\n", "N10 N20", [8]),
+        ("with M02 after a skip", b"/N10 M8\n(TITLE)\nN20 M9\nN30 M2\n", "N10 N20 N30", [8, 9]),
+        ("after a title", b"(SHAFT)\n\nN10 M8\nN20 M30\n", "N10 N20", [8]),
     ]:
         case(
             f"a main program without a head {_name} before the first percent sign runs, {_kind}",
@@ -156,7 +156,7 @@ for _kind, _tape in (("O", b"%\nO2"), ("percent", b"%2"), ("percent behind a per
             files={"MAIN.NC": _text + _tape + b"\nN60 M3\nN70 M99\n%\n"}, runs=_runs, m=_m,
         )
 case(
-    "a main program without a head before the first percent sign calls the program behind it",
+    "a main program without a head before the first percent sign calls the program after it",
     control=WITH_O, source=STARTS, evidence="inferred",
     files={"MAIN.NC": b"N10 M98 P2\nN20 M30\n%\nO2\nN60 M3\nN70 M99\n%\n"}, runs="N10 N60 N70 N20",
     m=[3],
@@ -195,17 +195,17 @@ for _name, _text in [
     ("another program", b"O1\nN10 M8\nN20 M9\nN30M30%\nO2\nN40 M3\nN50 M99\n%\n"),
     ("more on its line", b"O1\nN10 M8\nN20 M9\nN30 M30 % N40 M3\n"),
 ]:
-    case(f"a percent sign behind words ends the program before {_name}", control=WITH_O,
+    case(f"a percent sign after words ends the program before {_name}", control=WITH_O,
          source=BEHIND, evidence="inferred", files={"O1.NC": _text}, **{
              k: v for k, v in PLAIN.items() if k in ("runs", "m")})
 case(
-    "a percent sign behind words is the end of a program that has no M30",
+    "a percent sign after words is the end of a program that has no M30",
     control=FANUC, source=BEHIND + "; ALM 5010", evidence="inferred",
     files={"O1.NC": b"O1\nN10 M8%\nN20 M9\nN30 M30\n"}, runs="N10", m=[8],
     alarm="end-of-record", number=on_fanuc(5010),
 )
 case(
-    "a percent sign behind a skipped word ends the program too",
+    "a percent sign after a skipped word ends the program too",
     control=FANUC, source=BEHIND, evidence="inferred", skip=(1,),
     files={"O1.NC": b"O1\nN10 M8\nN20 M30 /M3%\nN30 M9\n"}, runs="N10 N20", m=[8],
 )
@@ -270,25 +270,25 @@ case(
     number=NOT_FOUND, m=[],
 )
 case(
-    "a main program without a head behind the first percent sign is no leader",
+    "a main program without a head after the first percent sign is no leader",
     control=WITH_O, source=LEADER, evidence="inferred",
     files={"MAIN.NC": b'%\nN10 M98 P2\nN20 M30\nO2\nN30 M8\nN40 M99\n%\n'}, runs="N10 N30 N40 N20",
     m=[8],
 )
 case(
-    "a main program without a head behind the first percent sign alarms as any does",
+    "a main program without a head after the first percent sign alarms as any does",
     control=WITH_O, source=LEADER, evidence="inferred",
     files={"MAIN.NC": b'%\nN10 M98 P2\nN20 M30\nO2\nN30 M98 P77\nN40 M99\n%\n'},
     alarm="program-not-found", number=NOT_FOUND, m=[],
 )
 case(
-    "a main program without a head behind the first percent sign and closed by one of its own is no leader",
+    "a main program without a head after the first percent sign and closed by one of its own is no leader",
     control=WITH_O, source=LEADER, evidence="inferred",
     files={"MAIN.NC": b'%\nN10 M98 P2\nN20 M30\n%\nO2\nN30 M8\nN40 M99\n%\n'},
     runs="N10 N30 N40 N20", m=[8],
 )
 case(
-    "a main program without a head behind the first percent sign and closed by one of its own alarms as any does",
+    "a main program without a head after the first percent sign and closed by one of its own alarms as any does",
     control=WITH_O, source=LEADER, evidence="inferred",
     files={"MAIN.NC": b'%\nN10 M98 P2\nN20 M30\n%\nO2\nN30 M98 P77\nN40 M99\n%\n'},
     alarm="program-not-found", number=NOT_FOUND, m=[],

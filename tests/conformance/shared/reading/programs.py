@@ -50,7 +50,7 @@ case(
     runs="N10 N30 N40 N20",
 )
 case(
-    "a program does not run on into the program behind it",
+    "a program does not run on into the program after it",
     control=FANUC, source="ALM 5010, END OF RECORD", evidence="inferred",
     program="""
         O1
@@ -98,8 +98,8 @@ case(
     main="O1", runs="N10 N30 N20", calls="M98:O0022",
 )
 case(
-    "a title behind the O is a comment",
-    control=WITH_O, source="GED, comment behind the O", evidence="secondary",
+    "a title after the O is a comment",
+    control=WITH_O, source="GED, comment after the O", evidence="secondary",
     program="""
         O1 (MAIN M98 P99)
         N10 M98 P22
@@ -110,7 +110,7 @@ case(
     runs="N10 N30 N20",
 )
 case(
-    "words behind the O on its line are a block of the program",
+    "words after the O on its line are a block of the program",
     control=FANUC, source=POLICY, evidence="inferred",
     program="""
         O1 M8

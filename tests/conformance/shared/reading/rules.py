@@ -78,7 +78,7 @@ case(
     runs="N0 N30", m=[8],
 )
 case(
-    "an N behind other words is read",
+    "an N after other words is read",
     pins="refuses:sequence-number-not-first late_sequence_numbers",
     control=[T, *FANUC, "haas-ngc"], source="policy", evidence="inferred",
     program="""
@@ -90,7 +90,7 @@ case(
     runs="N10 N20 N30", m=[8, 9],
 )
 case(
-    "GOTO finds no N that stands behind other words",
+    "GOTO finds no N that stands after other words",
     pins="late_sequence_numbers",
     control=MITSUBISHI, source="general knowledge, N at the head; MZ 843", evidence="inferred",
     program="""
@@ -478,7 +478,7 @@ case(
     number={**dict.fromkeys(GSK_988, "002"), **dict.fromkeys(GSK_980, "0037")}, at="O1 N20", m=[9],
 )
 case(
-    "an N behind other words is read and names nothing",
+    "an N after other words is read and names nothing",
     pins="refuses:sequence-number-not-first",
     control=MITSUBISHI, source="general knowledge, N at the head", evidence="inferred",
     program="""
@@ -527,7 +527,7 @@ case(
     runs="N0 N30", m=[8],
 )
 case(
-    "an N behind other words is read on the HNC and the GSK 928",
+    "an N after other words is read on the HNC and the GSK 928",
     pins="refuses:sequence-number-not-first",
     control=[HNC, TE], source="general knowledge", evidence="inferred",
     program="""

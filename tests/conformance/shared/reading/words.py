@@ -559,7 +559,7 @@ case(
     runs="N10", m=[9], alarm="illegal-character", number=None, at="%1 N20",
 )
 case(
-    "an unknown character behind M30 is never reached",
+    "an unknown character after M30 is never reached",
     control=WITH_O, source="reading never fails", evidence="inferred",
     program="""
         O1

@@ -37,7 +37,7 @@ case(
     time=12,
 )
 case(
-    "the highest speed of G50 S counts behind a G97 too",
+    "the highest speed of G50 S counts after a G97 too",
     control=LATHES, source="TDi 25; FANUC: general knowledge", evidence="inferred",
     pins="g_meanings", setup=LATHE | _AT,
     program=lines("M3", *("G50 S500", "G96 S150", "G97 S300", "G96 S150"), "G99 G1 Z-10. F0.1"),
@@ -51,7 +51,7 @@ case(
     time=6.2832,
 )
 case(
-    "the S of G96 comes back behind a G97",
+    "the S of G96 comes back after a G97",
     control=LATHES, source="TDi 25; FANUC: general knowledge", evidence="inferred",
     pins="g_meanings", setup=LATHE | _AT,
     program=lines("M3", *("G96 S150", "G97 S300", "G96"), "G99 G1 Z-10. F0.1"),
@@ -167,7 +167,7 @@ case(
     centre="X5 Y10 | X5 Y55 | X60 Y55 | X80 Y80",
 )
 case(
-    "the radius offset begins with the first move behind G41",
+    "the radius offset begins with the first move after G41",
     # The 980MDi wants the move in the block itself. [MDib 0033]
     control=[name for name in MILLS if name != MDI], source="source 003, G41", evidence="source document", setup=D,
     program=lines(*("G41 D1", "G1 X10. Y10. F100"), "G1 Y50.", "X60.", "G40 X80. Y80."),
@@ -180,7 +180,7 @@ case(
     centre="X5 Y10 | X5 Y55 | X60 Y55 | X80 Y80",
 )
 case(
-    "the start-up of type A ends on the normal of the move behind an acute corner",
+    "the start-up of type A ends on the normal of the move after an acute corner",
     control=[*FANUC, *MITSUBISHI], source="16MC p.293; M7 p.188", evidence="maker's manual",
     setup=D, program=lines("G41 G1 X20. Y0 D1 F100", "X0 Y-30.", "X-20."),
     centre="X24.160 Y-2.774 | X2.676 Y-35 | X-20 Y-35",
@@ -194,7 +194,7 @@ case(
     centre="X25 Y5 | X26.934 Y1.387 | X2.676 Y-35 | X-20 Y-35",
 )
 case(
-    "the start-up of type B meets the parallel of the move behind an obtuse corner",
+    "the start-up of type B meets the parallel of the move after an obtuse corner",
     control=FANUC, source="16MC p.293; the way: general knowledge", evidence="inferred",
     setup=D, params={"5003#0": 1},
     program=lines("G41 G1 X20. Y0 D1 F100", "X30. Y-30.", "X50."),
@@ -473,7 +473,7 @@ case(
     moves="R X24 Z2\nF X20\nF Z-10\nR X24 Z2",
 )
 case(
-    "behind G71 the 988 runs what stands before its profile, and the profile", control=GSK_988,
+    "after G71 the 988 runs what stands before its profile, and the profile", control=GSK_988,
     pins="after_contour",
     source="TA 8", evidence="maker's manual", setup=LATHE | {"start": {"X": 24, "Z": 2}},
     program="O1\nN10 G98 F100\nN20 G71 U2. R1.\nN30 G71 P50 Q60 U0 W0\nN40 M8\n"
@@ -481,7 +481,7 @@ case(
     runs="N10 N20 N30 N40 N50 N60 N90",
 )
 case(
-    "behind G71 the run goes on behind the profile, wherever it stands", control=[*FANUC, TDI],
+    "after G71 the run goes on after the profile, wherever it stands", control=[*FANUC, TDI],
     pins="after_contour",
     source="TDi 23.1; FANUC: general knowledge", evidence="inferred", setup=LATHE | {"start": {"X": 24, "Z": 2}},
     program="O1\nN10 G98 F100\nN20 G71 U2. R1.\nN30 G71 P50 Q60 U0 W0\nN40 M8\n"

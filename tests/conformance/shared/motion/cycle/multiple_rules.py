@@ -317,14 +317,14 @@ case(
     alarm="profile-not-monotone", word="Z-5.",
 )
 case(
-    "behind G71 the program goes on behind the profile",
+    "after G71 the program goes on after the profile",
     control=[TDI, *MITSUBISHI, *FANUC], source="TDi 23.1; TA 8; general knowledge",
     evidence="inferred", setup=PROFILE, pins="after_contour",
     program="O1\nN10 G71 P20 Q30 U0 W0 F10.\nN15 M8\nN20 G0 X10.\nN30 G1 Z-10.\nN50 M30",
     runs="N10 N50",
 )
 case(
-    "behind G71 the 988 goes on with the next block where the profile stands elsewhere",
+    "after G71 the 988 goes on with the next block where the profile stands elsewhere",
     control=GSK_988, source="TDi 23.1; TA 8; general knowledge", evidence="inferred", setup=PROFILE,
     pins="after_contour",
     program="O1\nN10 G71 P20 Q30 U0 W0 F10.\nN15 M8\nN20 G0 X10.\nN30 G1 Z-10.\nN50 M30",

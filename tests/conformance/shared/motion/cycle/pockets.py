@@ -73,7 +73,7 @@ case(
     program=program(), moves=FEED + HOME,
 )
 case(
-    "J1 cuts the whole profile once more behind the pockets", control="gsk-980tdi", **TDI,
+    "J1 cuts the whole profile once more after the pockets", control="gsk-980tdi", **TDI,
     setup=LATHE, program=program("J1"), moves=FEED + PASS,
 )
 case(
@@ -81,7 +81,7 @@ case(
     program=program("J2"), moves=FEED + HOME,
 )
 case(
-    "behind the pockets the whole profile is cut once more", control=FANUC + MITSUBISHI, **KNOWN,
+    "after the pockets the whole profile is cut once more", control=FANUC + MITSUBISHI, **KNOWN,
     pins="escape pocket_pass",
     setup=LATHE, program=program(), moves=RAPID + PASS,
 )

@@ -7,7 +7,7 @@ TDI = "gsk-980tdi"
 MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
 F16, *FANUC_PS = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 LATHES = [*GSK_988, TDI, *MITSUBISHI, *FANUC]
-SOURCE = {"source": "general knowledge: the profile next behind the cycle", "evidence": "inferred"}
+SOURCE = {"source": "general knowledge: the profile next after the cycle", "evidence": "inferred"}
 NOT_FOUND = {
     **dict.fromkeys(GSK_988, "134"), TDI: None, **dict.fromkeys(MITSUBISHI, "P201"),
     F16: "063", **dict.fromkeys(FANUC_PS, "PS0063"),
@@ -40,52 +40,52 @@ def profile(x):
 _TWICE = "N1 S500 F0.2\n{0}N2 {1} P10 Q90\n" + profile(30) + "N3 G0 Z2.\nN4 {1} P10 Q90\n" + profile(40)
 
 follows(
-    "behind the second of two G71 that use the same numbers the run goes on behind its own profile",
+    "after the second of two G71 that use the same numbers the run goes on after its own profile",
     _TWICE.format("N5 G71 U50. R1.\n", "G71") + "N6 G0 X60.\nN7 M30", "N1 N5 N2 N3 N4 N6 N7",
 )
 alarms(
-    "where the second G71 names a block that only the first profile has, there is none behind",
+    "where the second G71 names a block that only the first profile has, there is none after",
     _TWICE.format("N5 G71 U50. R1.\n", "G71").replace("Q90", "Q91").replace("N90", "N91", 1) + "N6 M30",
     "O1 N4", word="Q91",
 )
 follows(
-    "behind the second of two G72 that use the same numbers the run goes on behind its own profile",
+    "after the second of two G72 that use the same numbers the run goes on after its own profile",
     _TWICE.format("N5 G72 W50. R1.\n", "G72").replace("G0 X30.\n", "G0 Z-9.\n").replace("G1 Z-9.\nN90 X50.", "G1 X30.\nN90 Z2.", 1).replace("G0 X40.\n", "G0 Z-9.\n").replace("G1 Z-9.\nN90 X50.", "G1 X40.\nN90 Z2.", 1) + "N6 G0 X60.\nN7 M30",
     "N1 N5 N2 N3 N4 N6 N7",
 )
 alarms(
-    "where the second G72 names a block that only the first profile has, there is none behind",
+    "where the second G72 names a block that only the first profile has, there is none after",
     _TWICE.format("N5 G72 W50. R1.\n", "G72").replace("G0 X30.\n", "G0 Z-9.\n").replace("G1 Z-9.\nN90 X50.", "G1 X30.\nN90 Z2.", 1).replace("G0 X40.\n", "G0 Z-9.\n").replace("G1 Z-9.\nN90 X50.", "G1 X40.\nN90 Z2.", 1).replace("Q90", "Q91").replace("N90", "N91", 1) + "N6 M30",
     "O1 N4", word="Q91",
 )
 follows(
-    "behind the second of two G73 that use the same numbers the run goes on behind its own profile",
+    "after the second of two G73 that use the same numbers the run goes on after its own profile",
     _TWICE.format("N5 G73 U0 W0 R2\n", "G73") + "N6 G0 X60.\nN7 M30", "N1 N5 N2 N3 N4 N6 N7",
 )
 alarms(
-    "where the second G73 names a block that only the first profile has, there is none behind",
+    "where the second G73 names a block that only the first profile has, there is none after",
     _TWICE.format("N5 G73 U0 W0 R2\n", "G73").replace("Q90", "Q91").replace("N90", "N91", 1) + "N6 M30",
     "O1 N4", word="Q91",
 )
 follows(
-    "a cycle's profile is the next behind it, also where a block of that number stands before",
+    "a cycle's profile is the next after it, also where a block of that number stands before",
     "N1 S500 F0.2\nN10 G0 X50.\nN5 G71 U50. R1.\nN2 G71 P10 Q90\n" + profile(30) + "N90 G0 X70.\nN7 M30",
     "N1 N10 N5 N2 N90 N7", [50, 50, 30, 30, 50, 50, 70],
 )
 follows(
-    "G70 follows the profile that stands behind it before one that stands in front",
+    "G70 follows the profile that stands after it before one that stands in front",
     "N1 S500 F0.2\nN2 G0 X50.\nN3 G70 P10 Q90\nN4 M0\n" + profile(30) + "N5 G70 P10 Q90\nN6 M30",
     "N1 N2 N3 N4 N10 N20 N90 N5 N6",
     [50, 30, 30, 50, 50, 30, 30, 50, 30, 30, 50, 50],
 )
 follows(
-    "a profile that ends the program has its end behind it",
+    "a profile that ends the program has its end after it",
     "N1 S500 F0.2\nN5 G71 U50. R1.\nN6 M98 P2\nN7 M30\nO2\nN2 G71 P10 Q90\n" + profile(30).replace(
         "N90 X50.\n", "N90 X50.\nM99\n"),
     "N1 N5 N6 N2 N7",
 )
 alarms(
-    "a profile behind which nothing stands ends the program without a code that ends it",
+    "a profile after which nothing stands ends the program without a code that ends it",
     "N1 S500 F0.2\nN5 G71 U50. R1.\nN6 M98 P2\nN7 M30\nO2\nN2 G71 P10 Q90\n" + profile(30),
     "O2", control=["fanuc-30i"], cause="end-of-record", number={"fanuc-30i": "PS5010"},
 )
@@ -105,7 +105,7 @@ alarms(
     "O1 N2", word="Q90",
 )
 follows(
-    "behind G71 in a loop the run goes on behind the profile outside it, and the loop is left",
+    "after G71 in a loop the run goes on after the profile outside it, and the loop is left",
     "N1 S500 F0.2\nN5 G71 U50. R1.\nWHILE[1EQ1]DO1\nN2 G71 P10 Q90\nEND1\n" + profile(30)
     + "N3 G0 Z2.\nWHILE[#1NE1]DO1\nN4 #1=1\nEND1\nN7 M30",
     "N1 N5 N2 N3 N4 N7", control=[*MITSUBISHI, *FANUC],
@@ -118,28 +118,28 @@ case(
     runs="N1 N2 N3 N4 N6 N7",
 )
 case(
-    "behind G71 the 988 goes on behind a profile that stands right behind, over 'nothing'",
+    "after G71 the 988 goes on after a profile that stands right behind, over 'nothing'",
     control=GSK_988, source="TA 8", evidence="maker's manual", setup=at(50, 2), skip=(1,),
     max_blocks=100,
     program="O1\nN1 S500 F0.2\nN5 G71 U50. R1.\nN2 G71 P10 Q90\n" + profile(30) + "N3 G0 Z2.\nN7 M30",
     runs="N1 N5 N2 N3 N7",
 )
 case(
-    "behind G71 the 988 goes on behind a profile that stands right behind, over '(PROFILE)'",
+    "after G71 the 988 goes on after a profile that stands right behind, over '(PROFILE)'",
     control=GSK_988, source="TA 8", evidence="maker's manual", setup=at(50, 2), skip=(1,),
     max_blocks=100,
     program="O1\nN1 S500 F0.2\nN5 G71 U50. R1.\nN2 G71 P10 Q90\n(PROFILE)\n\n" + profile(30) + "N3 G0 Z2.\nN7 M30",
     runs="N1 N5 N2 N3 N7",
 )
 case(
-    "behind G71 the 988 goes on behind a profile that stands right behind, over '/N4 M8'",
+    "after G71 the 988 goes on after a profile that stands right behind, over '/N4 M8'",
     control=GSK_988, source="TA 8", evidence="maker's manual", setup=at(50, 2), skip=(1,),
     max_blocks=100,
     program="O1\nN1 S500 F0.2\nN5 G71 U50. R1.\nN2 G71 P10 Q90\n/N4 M8\n" + profile(30) + "N3 G0 Z2.\nN7 M30",
     runs="N1 N5 N2 N3 N7",
 )
 case(
-    "behind G71 the 988 goes on behind a profile that stands right behind, over 'N4 M8'",
+    "after G71 the 988 goes on after a profile that stands right behind, over 'N4 M8'",
     control=GSK_988, source="TA 8", evidence="maker's manual", setup=at(50, 2), skip=(1,),
     max_blocks=100,
     program="O1\nN1 S500 F0.2\nN5 G71 U50. R1.\nN2 G71 P10 Q90\nN4 M8\n" + profile(30) + "N3 G0 Z2.\nN7 M30",

@@ -130,7 +130,7 @@ case(
     runs="N10 N20 N30 N40 N50 N60 N70",
 )
 case(
-    "M29 with a move in its block, a dwell behind it and its cycle then is no fault",
+    "M29 with a move in its block, a dwell after it and its cycle then is no fault",
     control=[MDI, *FANUC], source="MDib 0232; added facts, PS0204", evidence="secondary",
     replace=MM, setup=MILL,
     program="""

@@ -169,7 +169,7 @@ thread(
     start=(50, 0), source="TDi 24.1: J on the short axis",
 )
 case(
-    "J and K of G32 stay for the thread behind it, and end with another motion code",
+    "J and K of G32 stay for the thread after it, and end with another motion code",
     control=TDI, source="TDi 24.1 note 1", evidence="maker's manual", setup=at(20, 0),
     program="O1\nN10 G97 S60 M3\nN20 G32 Z-10 F2 J1 K1\nN30 Z-20\nN40 G0 Z0\nN50 G32 Z-5 F2\nN60 M30",
     moves="T X20 Z-9\nT X22 Z-10\nT X22 Z-19\nT X24 Z-20\nR Z0\nT X24 Z-5",
@@ -311,21 +311,21 @@ multiple(
     "G76 X18 Z-20 P1000 Q1000 F2", _PASS * 3, params={"057": 2}, source="TDi 24.12 note 4",
 )
 multiple(
-    "G76 without its first block takes the parameters 5142 and behind with P1 Q0.4 of a control with 2",
+    "G76 without its first block takes the parameters 5142 and after with P1 Q0.4 of a control with 2",
     GSK_988, "G4 P1000", "G76 X18. Z-20. P1 Q0.4 F2.",
     "W 1\nR X19.2000 Z4.7691\nT X19.2000 Z-20\nR X30\nR Z5\nR X18.6000 Z4.5959\nT X18.6000 Z-20\nR X30\nR Z5\nR X18.2686 Z4.5002\nT X18.2686 Z-20\nR X30\nR Z5\nR X18.2000 Z4.4804\nT X18.2000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\n",
     params={"5142": 2, "5143": 60, "5140": 0.3, "5141": 0.1}, source="TDi 24.12; TA 21",
     evidence="maker's manual",
 )
 multiple(
-    "G76 without its first block takes the parameters 5142 and behind with P1000 Q400 of a control with 4",
+    "G76 without its first block takes the parameters 5142 and after with P1000 Q400 of a control with 4",
     FANUC, "G4 P1000", "G76 X18. Z-20. P1000 Q400 F2.",
     "W 1\nR X19.2000 Z4.7691\nT X19.2000 Z-20\nR X30\nR Z5\nR X18.6000 Z4.5959\nT X18.6000 Z-20\nR X30\nR Z5\nR X18.2686 Z4.5002\nT X18.2686 Z-20\nR X30\nR Z5\nR X18.2000 Z4.4804\nT X18.2000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\n",
     params={"5142": 2, "5143": 60, "5140": 0.3, "5141": 0.1}, source="TDi 24.12; TA 21",
     evidence="inferred",
 )
 multiple(
-    "G76 without its first block takes the parameters 057 and behind with P1000 Q400 of a control with 10",
+    "G76 without its first block takes the parameters 057 and after with P1000 Q400 of a control with 10",
     TDI, "G4 P1000", "G76 X18. Z-20. P1000 Q400 F2.",
     "W 1\nR X19.2000 Z4.7691\nT X19.2000 Z-20\nR X30\nR Z5\nR X18.6000 Z4.5959\nT X18.6000 Z-20\nR X30\nR Z5\nR X18.2686 Z4.5002\nT X18.2686 Z-20\nR X30\nR Z5\nR X18.2000 Z4.4804\nT X18.2000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\nR X18.0000 Z4.4226\nT X18.0000 Z-20\nR X30\nR Z5\n",
     params={"057": 2, "058": 60, "059": 0.3, "060": 0.1}, source="TDi 24.12; TA 21",
@@ -422,7 +422,7 @@ GSK_STARTS = ["gsk-988ta", "gsk-988t", "gsk-980tdi"]
 STARTS = {"source": "TDi 24.9, TA 18: L", "evidence": "maker's manual"}
 
 case(
-    "a thread of two starts is cut twice, also in the blocks behind", control=GSK_STARTS, **STARTS,
+    "a thread of two starts is cut twice, also in the blocks after", control=GSK_STARTS, **STARTS,
     pins="thread_starts",
     setup={"start": {"X": 30, "Z": 5}},
     program="O1\nN5 S500 M3\nN10 G92 X20 Z-20 F2 L2\nN20 X19\nN30 M30",

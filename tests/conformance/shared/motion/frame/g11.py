@@ -12,7 +12,7 @@ case(
     runs="N10", alarm="g11-before-g10", number="0029", at="O1 N20", word="G11",
 )
 case(
-    "G11 behind a G10 is no fault on the 980MDi",
+    "G11 after a G10 is no fault on the 980MDi",
     control=MDI, source="MDib 0029", evidence="maker's manual", setup=MILL,
     program="O1\nN10 G10 L2 P1 X5.\nN20 G11\nN30 M30\n", runs="N10 N20 N30",
 )

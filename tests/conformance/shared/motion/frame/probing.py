@@ -398,7 +398,7 @@ case(
     moves="F X10\nF X20\nF X30", time=1 + 10 + 1, vars={100: 600},
 )
 case(
-    "F of G31 holds for the blocks behind it",
+    "F of G31 holds for the blocks after it",
     pins="skip_own_feed",
     control=[*FANUC, "gsk-980mdi"], source="15iM p.564: F in or before the block; general knowledge",
     evidence="inferred", replace=MM, setup=START,
@@ -413,7 +413,7 @@ case(
     moves="F X10\nF X20\nF X30\nF X40", time=1 + 10 + 10 + 10,
 )
 case(
-    "F of G31 holds for the blocks behind it on a lathe",
+    "F of G31 holds for the blocks after it on a lathe",
     pins="skip_own_feed",
     control=[*T988, "gsk-980tdi", "haas-ngc"], source="TA p.54 and TDi p.93: as G01", evidence="secondary",
     setup={"start": {"X": 0, "Z": 0}},

@@ -168,7 +168,7 @@ one(
     source="forum posts on G10 and G04 of a Mitsubishi, excerpts; general knowledge, #8112",
     params={"8112": 0}, time=0.002,
 )
-one("what is behind the point of a dwell is cut on a Mitsubishi as delivered", MITSUBISHI,
+one("what is after the point of a dwell is cut on a Mitsubishi as delivered", MITSUBISHI,
     "G4 P2.5", source=f"{POSTS}; M700V manual, 5.3 (7)", time=0.002)
 one("P of a dwell has a point on the HNC-21M: it counts seconds", HNC, "G4 P1.5",
     source="source 003, G04", time=1.5)

@@ -26,7 +26,7 @@ def numbers(controls, fanuc=None, mitsubishi=None, gsk_988=None, mdi=None):
 
 
 case(
-    "G20 behind a move changes the unit from there on",
+    "G20 after a move changes the unit from there on",
     pins="unit_change",
     control=[*MITSUBISHI, *FANUC, "haas-ngc"], source="30i p.226; general knowledge", evidence="inferred",
     setup=MILL,
@@ -40,7 +40,7 @@ case(
     moves_x=[10, 25.4],
 )
 case(
-    "G20 behind a move changes the unit of a lathe from there on",
+    "G20 after a move changes the unit of a lathe from there on",
     pins="unit_change",
     control=TDI, **POLICY, setup=LATHE,
     program="""
@@ -53,7 +53,7 @@ case(
     moves_x=[10, 25.4],
 )
 case(
-    "G20 behind a move alarms on the HNC",
+    "G20 after a move alarms on the HNC",
     pins="unit_change",
     control=HNC, source="source 003, G20 G21 G22", evidence="source document",
     program="""
@@ -68,7 +68,7 @@ case(
 _late = [*GSK_988, MDI]
 
 case(
-    "G20 behind a move alarms",
+    "G20 after a move alarms",
     pins="unit_change",
     control=_late, source="Talm 042; MDib 0038", evidence="secondary",
     program="""

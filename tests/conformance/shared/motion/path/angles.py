@@ -56,7 +56,7 @@ both("beside both coordinates an angle does not count", "G1 X40. Z-30. ANGLE150.
 both("two lines by their angles meet", "G1 ANGLE150.", "X40. Z-40. ANGLE180.", moves=MEET)
 both("one block without a move may stand between two angles", "G1 ANGLE150.", "M8",
      "X40. Z-40. ANGLE180.", moves=MEET)
-both("behind two angles a third line goes on", "G1 ANGLE150.", "X40. Z-40. ANGLE180.", "X50.",
+both("after two angles a third line goes on", "G1 ANGLE150.", "X40. Z-40. ANGLE180.", "X50.",
      moves=MEET + "\nF X50")
 both("a round lies where two lines by their angles meet", "G1 ANGLE90. ,R2.",
      "X40. Z-40. ANGLE180. ,R3.", "X60.",
@@ -119,7 +119,7 @@ case(
     alarm="angle-end", number=numbers("056"), at="O1 N20", word=",A180.",
 )
 case(
-    "no arc behind an angle, written with ,A",
+    "no arc after an angle, written with ,A",
     control=FANUC, source="ALM 056 to 058", evidence="secondary", setup=LATHE,
     program="O1\nN5 G98 S100 M3 F100.\nN10 G1 ,A150.\nN20 G2 X40. Z-40. R60.\nN90 M30",
     alarm="angle-end", number=numbers("056"), at="O1 N20", word="X40.",
@@ -143,7 +143,7 @@ case(
     alarm="angle-parallel", number=numbers("057"), at="O1 N10", word=",A90.5",
 )
 case(
-    "two blocks without a move behind an angle, written with ,A",
+    "two blocks without a move after an angle, written with ,A",
     control=FANUC, source="ALM 056 to 058", evidence="secondary", setup=LATHE,
     program="""
         O1
@@ -157,7 +157,7 @@ case(
     alarm="angle-no-end", number=numbers("058"), at="O1 N30", word="M9",
 )
 case(
-    "the program ends behind an angle, written with ,A",
+    "the program ends after an angle, written with ,A",
     control=FANUC, source="ALM 056 to 058", evidence="secondary", setup=LATHE,
     program="O1\nN5 G98 S100 M3 F100.\nN10 G1 ,A150.\nN90 M30",
     alarm="angle-no-end", number=numbers("058"), word=",A150.",
@@ -187,7 +187,7 @@ case(
     alarm="angle-end", number=None, at="O1 N20", word="Q180.",
 )
 case(
-    "no arc behind an angle, written with Q",
+    "no arc after an angle, written with Q",
     control=TDI, **TDI13, setup=LATHE, params={"182#7": 1},
     program="O1\nN5 G98 S100 M3 F100.\nN10 G1 Q150.\nN20 G2 X40. Z-40. R60.\nN90 M30",
     alarm="angle-end", number=None, at="O1 N20", word="X40.",
@@ -211,7 +211,7 @@ case(
     alarm="angle-parallel", number=None, at="O1 N10", word="Q90.5",
 )
 case(
-    "two blocks without a move behind an angle, written with Q",
+    "two blocks without a move after an angle, written with Q",
     control=TDI, **TDI13, setup=LATHE, params={"182#7": 1},
     program="""
         O1
@@ -225,7 +225,7 @@ case(
     alarm="angle-no-end", number=None, at="O1 N30", word="M9",
 )
 case(
-    "the program ends behind an angle, written with Q",
+    "the program ends after an angle, written with Q",
     control=TDI, **TDI13, setup=LATHE, params={"182#7": 1},
     program="O1\nN5 G98 S100 M3 F100.\nN10 G1 Q150.\nN90 M30",
     alarm="angle-no-end", number=None, word="Q150.",

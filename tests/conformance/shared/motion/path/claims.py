@@ -427,7 +427,7 @@ case(
     program="O1\nN10 G0 X5.\nN20 X5.\nN30 M30\n", moves="R X5\nR X10",
 )
 case(
-    "G01 beside G52 holds for the blocks behind", control=[*FANUC, *MITSUBISHI],
+    "G01 beside G52 holds for the blocks after", control=[*FANUC, *MITSUBISHI],
     source="general knowledge: a code of group 01 is modal", evidence="inferred", setup=MILL,
     program="O1\nN10 G0 X1.\nN20 G1 G52 X0 F100.\nN30 X10.\nN40 M30\n", moves="R X1\nF X10",
 )

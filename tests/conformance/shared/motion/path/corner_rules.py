@@ -81,14 +81,14 @@ case(
     alarm="corner-in-rapid", number=numbers([*MITSUBISHI, *FANUC], "050", "P385", None, None), word=",C2.",
 )
 case(
-    "a rapid behind a chamfer alarms",
+    "a rapid after a chamfer alarms",
     control=[*FANUC, MDI], source="ALM; MZ 951, 919, paired; MDib", evidence="secondary",
     setup=MILL,
     program="O1\nN10 G1 X1. F100\nN20 G1 X10. ,C2.\nN30 G0 Y10.\nN40 M30",
     alarm="corner-next-move", number=numbers([*FANUC, MDI], "052", None, None, "0036"), word="G0",
 )
 case(
-    "a plane change behind a chamfer alarms",
+    "a plane change after a chamfer alarms",
     control=[*MITSUBISHI, *FANUC_PS, MDI], source="ALM; MZ 951, 919, paired; MDib",
     evidence="secondary", setup=MILL,
     program="O1\nN10 G1 X1. F100\nN20 G1 X10. ,C2.\nN30 G18 G1 Z10.\nN40 M30",

@@ -72,7 +72,7 @@ case(
 )
 
 case(
-    "a corner with no move behind it alarms (M505)",
+    "a corner with no move after it alarms (M505)",
     control=["fanuc-16i", "fanuc-30i", "mitsubishi-m700"],
     source="ALM PS0051; MZ 912, paired with P382",
     evidence="secondary",

@@ -14,7 +14,7 @@ def on_fanuc(number):
 
 
 case(
-    "I behind a move along Z is a chamfer towards X, K behind one along X a chamfer towards Z",
+    "I after a move along Z is a chamfer towards X, K after one along X a chamfer towards Z",
     pins="chamfer_ik",
     control=FANUC, **KNOWN, setup=AT,
     program="O1\nN10 G1 Z-20. I3. F0.2\nN20 X50. K-2.\nN30 Z-40.\nN40 M30",

@@ -43,7 +43,7 @@ case(
     runs="N10 N20", alarm="over-travel", number="OT0500", at="O1 N30", word="Z0",
 )
 case(
-    "G53 goes without the radius offset, and the moves behind it have it again",
+    "G53 goes without the radius offset, and the moves after it have it again",
     control="fanuc-30i", source="general knowledge, G53", evidence="inferred",
     replace=MM, setup=MILL | {"radius_offsets": {1: 2}},
     program="""

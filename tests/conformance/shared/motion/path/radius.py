@@ -34,39 +34,39 @@ def numbers(controls, fanuc, mitsubishi, gsk_988, mdi):
 
 # A block after an acute corner is executed when the tool is around the corner.
 path(
-    "behind an acute corner a move across G17 comes when the tool is around it",
+    "after an acute corner a move across G17 comes when the tool is around it",
     MILLS, *("G90 G17 G0 X0. Y-10.", "G41 D1 G1 X10. Y0. F100", "X10. Y50."), "Z20.",
     *("X15. Y0.", "G40 X50."),
     centre="X0 Y-10 Z0 | X9 Y0 Z0 | X9 Y51 Z0 | X10.8955 Y51.0945 Z0 | X10.8955 Y51.0945 Z20 | X15.995 Y0.0995 Z20 | X50 Y0 Z20",
 )
 path(
-    "two moves across G17 behind an acute corner come in their order",
+    "two moves across G17 after an acute corner come in their order",
     ["fanuc-30i", *MITSUBISHI, MDI],
     *("G90 G17 G0 X0. Y-10.", "G41 D1 G1 X10. Y0. F100", "X10. Y50."), "Z20.", "Z30.",
     *("X15. Y0.", "G40 X50."),
     centre="X0 Y-10 Z0 | X9 Y0 Z0 | X9 Y51 Z0 | X10.8955 Y51.0945 Z0 | X10.8955 Y51.0945 Z20 | X10.8955 Y51.0945 Z30 | X15.995 Y0.0995 Z30 | X50 Y0 Z30",
 )
 path(
-    "behind an acute corner a move across G18 comes when the tool is around it",
+    "after an acute corner a move across G18 comes when the tool is around it",
     MILLS, *("G90 G18 G0 Z0. X-10.", "G41 D1 G1 Z10. X0. F100", "Z10. X50."), "Y20.",
     *("Z15. X0.", "G40 Z50."),
     centre="Z0 X-10 Y0 | Z9 X0 Y0 | Z9 X51 Y0 | Z10.8955 X51.0945 Y0 | Z10.8955 X51.0945 Y20 | Z15.995 X0.0995 Y20 | Z50 X0 Y20",
 )
 path(
-    "two moves across G18 behind an acute corner come in their order",
+    "two moves across G18 after an acute corner come in their order",
     ["fanuc-30i", *MITSUBISHI, MDI],
     *("G90 G18 G0 Z0. X-10.", "G41 D1 G1 Z10. X0. F100", "Z10. X50."), "Y20.", "Y30.",
     *("Z15. X0.", "G40 Z50."),
     centre="Z0 X-10 Y0 | Z9 X0 Y0 | Z9 X51 Y0 | Z10.8955 X51.0945 Y0 | Z10.8955 X51.0945 Y20 | Z10.8955 X51.0945 Y30 | Z15.995 X0.0995 Y30 | Z50 X0 Y30",
 )
 path(
-    "behind an acute corner a move across G19 comes when the tool is around it",
+    "after an acute corner a move across G19 comes when the tool is around it",
     MILLS, *("G90 G19 G0 Y0. Z-10.", "G41 D1 G1 Y10. Z0. F100", "Y10. Z50."), "X20.",
     *("Y15. Z0.", "G40 Y50."),
     centre="Y0 Z-10 X0 | Y9 Z0 X0 | Y9 Z51 X0 | Y10.8955 Z51.0945 X0 | Y10.8955 Z51.0945 X20 | Y15.995 Z0.0995 X20 | Y50 Z0 X20",
 )
 path(
-    "two moves across G19 behind an acute corner come in their order",
+    "two moves across G19 after an acute corner come in their order",
     ["fanuc-30i", *MITSUBISHI, MDI],
     *("G90 G19 G0 Y0. Z-10.", "G41 D1 G1 Y10. Z0. F100", "Y10. Z50."), "X20.", "X30.",
     *("Y15. Z0.", "G40 Y50."),
@@ -77,23 +77,23 @@ _TO_CORNER = "G90 G17 G0 X0 Y-10.", "G41 D1 G1 X10. Y0 F100", "X10. Y50."
 _AWAY = "X15. Y0", "G40 X50."
 
 path(
-    "behind an acute corner the length offset comes when the tool is around it", [*FANUC, *MITSUBISHI],
+    "after an acute corner the length offset comes when the tool is around it", [*FANUC, *MITSUBISHI],
     *_TO_CORNER, "G43 H1", *_AWAY,
     centre="X0 Y-10 | X9 Y0 | X9 Y51 | X10.8955 Y51.0945 | X10.8955 Y51.0945 Z30"
     " | X15.995 Y0.0995 Z30 | X50 Y0 Z30",
 )
 path(
-    "behind an acute corner G4 P2000 waits when the tool is around it",
+    "after an acute corner G4 P2000 waits when the tool is around it",
     [*FANUC, *MITSUBISHI, MDI], *_TO_CORNER, "G4 P2000", *_AWAY,
     moves="R X0 Y-10\nF X10 Y0\nF Y50\nF Y50\nW 2\nF X15 Y0\nF X50",
 )
 path(
-    "behind an acute corner G4 P2 waits when the tool is around it",
+    "after an acute corner G4 P2 waits when the tool is around it",
     HNC, *_TO_CORNER, "G4 P2", *_AWAY,
     moves="R X0 Y-10\nF X10 Y0\nF Y50\nF Y50\nW 2\nF X15 Y0\nF X50",
 )
 path(
-    "behind an acute corner of a lathe a dwell waits when the nose is around it", GSK_LATHES,
+    "after an acute corner of a lathe a dwell waits when the nose is around it", GSK_LATHES,
     "T0101 G0 Z0. X-20.", "G98 G41 G1 Z10. X0. F100", "Z10. X100.", "G4 X2.", "Z15. X0.", "G40 Z50.",
     setup=NOSE, moves="R Z0 X-20\nF Z10 X0\nF X100\nF X100\nW 2\nF Z15 X0\nF Z50",
 )
@@ -262,7 +262,7 @@ path(
     centre="X110 Y20 | X99.950 Y5.500 | X49.907 Y5.001 | X49.862 Y5 | X0 Y5 | X0 Y30",
 )
 path(
-    "the tool goes around a step of 4 increments down no further than the slope behind it asks", MILLS,
+    "the tool goes around a step of 4 increments down no further than the slope after it asks", MILLS,
     *_UP, "X50.003 Y-0.002", "X100. Y0.5", "G40 Y30.",
     centre="X-10 Y20 | X0 Y5 | X50.046 Y5 | X50.092 Y4.999 | X99.950 Y5.500 | X100 Y30",
 )
@@ -296,7 +296,7 @@ path(
     " | X24.753 Y-29.001 | X24.753 Y-29.001 | X12.286 Y-26.062 | X0 Y-25.867",
 )
 path(
-    "a step of 4 increments is the last compensated move where the compensation ends behind it", MILLS,
+    "a step of 4 increments is the last compensated move where the compensation ends after it", MILLS,
     *_UP, _LOW, "G40 Y30.", centre="X-10 Y20 | X0 Y5 | X49.862 Y5 | X49.862 Y5 | X50.003 Y30",
 )
 path(
@@ -359,25 +359,25 @@ path(
 
 # A move of one increment has no direction, but it is not a block without a move either.
 path(
-    "the corner behind X50.001 and M8 is looked for while one block stands still",
+    "the corner after X50.001 and M8 is looked for while one block stands still",
     ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *("X50.001", "M8"), "X100. Y10.", "G40 Y30.",
     source="source 003, note a", evidence="inferred",
     centre="X-10 Y20 | X0 Y5 | X49.505 Y5 | X49.506 Y5 | X99.019 Y14.903 | X100 Y30",
 )
 path(
-    "the corner behind M8 and X50.001 is looked for while one block stands still",
+    "the corner after M8 and X50.001 is looked for while one block stands still",
     ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *("M8", "X50.001"), "X100. Y10.", "G40 Y30.",
     source="source 003, note a", evidence="inferred",
     centre="X-10 Y20 | X0 Y5 | X49.505 Y5 | X49.506 Y5 | X99.019 Y14.903 | X100 Y30",
 )
 path(
-    "the corner behind M8 is looked for while one block stands still",
+    "the corner after M8 is looked for while one block stands still",
     ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *("M8",), "X100. Y10.", "G40 Y30.",
     source="source 003, note a", evidence="inferred",
     centre="X-10 Y20 | X0 Y5 | X49.505 Y5 | X99.019 Y14.903 | X100 Y30",
 )
 path(
-    "the corner behind M8 and M9 is looked for while one block stands still",
+    "the corner after M8 and M9 is looked for while one block stands still",
     ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f"], *_UP, *("M8", "M9"), "X100. Y10.", "G40 Y30.",
     source="source 003, note a", evidence="inferred",
     centre="X-10 Y20 | X0 Y5 | X50 Y5 | X49.019 Y4.903 | X99.019 Y14.903 | X100 Y30",

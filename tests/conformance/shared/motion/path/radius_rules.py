@@ -296,7 +296,7 @@ case(
     alarm="arc-at-offset-end", number=numbers(_radius, "034", "P151", None, "0259"), word="G2",
 )
 case(
-    "an offset line that does not reach the offset arc behind it alarms",
+    "an offset line that does not reach the offset arc after it alarms",
     control=_radius, source="ALM 033; M7 p.194; MDib 0261", evidence="secondary",
     setup=MILL | {"radius_offsets": {1: 5}},
     program="""
