@@ -235,5 +235,35 @@ def test_an_option_of_a_run_is_stated_in_three_files() -> None:
     assert set(files) == {*stated_in, "cpp/cncsub/machine/state/limits.cpp"}
 
 
+# ---- what is added ----
+
+
+def _files_naming(word: str) -> set[str]:
+    folders = (ENGINE, ROOT / "cpp" / "controls", ROOT / "python" / "cncsub")
+    files = [file for folder in folders for file in folder.rglob("*") if file.is_file()]
+    named = [f for f in files if f.suffix in (".cpp", ".hpp", ".def", ".py") and _names(f, word)]
+    return {str(file.relative_to(ROOT)) for file in named}
+
+
+def test_a_code_with_motion_is_added_in_the_files_that_the_page_names() -> None:
+    page = (ROOT / "docs" / "adding-a-code.md").read_text("utf-8")
+    files = _files_naming("Tapping|63=tapping")
+    assert files - {"cpp/controls/siemens/family.cpp"} == {
+        "cpp/cncsub/control/motion_lists.hpp",
+        "cpp/cncsub/motion/block/block.cpp",
+    }
+    assert all(f"`{file}`" in page for file in files if file.startswith("cpp/cncsub"))
+
+
+def test_a_rule_of_check_is_added_in_the_files_that_the_page_names() -> None:
+    page = (ROOT / "docs" / "adding-a-rule-of-check.md").read_text("utf-8")
+    files = _files_naming("InputAhead|check_read_ahead")
+    assert files == {
+        f"cpp/cncsub/analysis/{name}"
+        for name in ("checks.def", "read_ahead.cpp", "checker.hpp", "check.cpp")
+    }
+    assert all(f"`{name}`" in page for name in ("checker.hpp", "check.cpp"))
+
+
 def _names(file: Path, words: str) -> bool:
     return re.search(rf"\b(?:{words})\b", file.read_text("utf-8")) is not None

@@ -10,8 +10,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr int kLimit = 1030;  // G103 P1: no block is read ahead
-
 bool is_input(VariableKind kind) {
   return kind == VariableKind::Input || kind == VariableKind::InputWord;
 }
@@ -19,9 +17,11 @@ bool is_output(VariableKind kind) {
   return kind == VariableKind::Output || kind == VariableKind::OutputWord;
 }
 
+/// Return whether a block has the code that limits reading ahead.
 bool names_limit(const Checker& c, const Block& block) {
   bool named = false;
-  each_g(c.code, block, [&](int g) { named = named || g == kLimit; });
+  each_g(c.code, block,
+         [&](int g) { named = named || c.g_codes.find(g).meaning == Meaning::LookAheadLimit; });
   return named;
 }
 
@@ -52,7 +52,7 @@ std::vector<bool> unlimited(const Checker& c, const ProgramFlow& flow, bool free
   std::vector<bool> found(flow.size(), false);
   std::vector<Address> waiting;
   if (free) waiting.push_back(flow.first());
-  for (Address at = flow.first(); at < flow.last(); ++at)  // G103 alone removes the limit
+  for (Address at = flow.first(); at < flow.last(); ++at)  // the code without P removes the limit
     if (names_limit(c, c.code.blocks[at]) && (c.code.blocks[at].mask & bit('P')) == 0)
       waiting.push_back(at);
   while (!waiting.empty() && !c.over()) {
@@ -107,8 +107,9 @@ std::vector<std::vector<bool>> all_unlimited(const Checker& c) {
 }  // namespace
 
 void check_read_ahead(Checker& c) {
-  const GCode limit = c.g_codes.find(kLimit);
-  if (limit.meaning != Meaning::Neutral || !c.code.g_codes.test(kLimit)) return;
+  // A program that never limits it is not meant to be read so closely.
+  const int limit = c.g_codes.of(Meaning::LookAheadLimit).code;
+  if (limit < 0 || !c.code.g_codes.test(static_cast<std::size_t>(limit))) return;
   const std::vector<std::vector<bool>> free = all_unlimited(c);
   for (const ProgramFlow& flow : c.flows) {
     const std::vector<bool>& own = free[static_cast<std::size_t>(flow.program())];

@@ -14,7 +14,8 @@ namespace cncsub {
 
 /// Return whether no path depends on a code. G11 ends data, which alarms where none were begun.
 inline bool is_neutral(Meaning meaning) {
-  return meaning == Meaning::Neutral || meaning == Meaning::DataEnd;
+  return meaning == Meaning::Neutral || meaning == Meaning::DataEnd ||
+         meaning == Meaning::LookAheadLimit;
 }
 
 /// Return "G54.1" for 541.

@@ -58,7 +58,7 @@ constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
   M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed) M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
   M(Work6) M(WorkExtra) M(PathExact) M(PathCorner) M(PathTap) M(PathCut) M(RotationOn) \
   M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff) \
-  M(CentreAbsolute) M(CentreFromStart) M(DiameterOn) M(DiameterOff) M(Spline) M(DriveLineThread)
+  M(CentreAbsolute) M(CentreFromStart) M(DiameterOn) M(DiameterOff) M(Spline) M(DriveLineThread) M(Tapping) M(LookAheadLimit)
 // clang-format on
 
 enum class Meaning : std::uint8_t {
@@ -116,6 +116,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"spline", Group::Motion, Meaning::Spline},
     {"spline-by-one-point", Group::Motion, Meaning::Spline, 1},
     {"drive-line-thread", Group::Motion, Meaning::DriveLineThread},
+    {"tapping", Group::OneShot, Meaning::Tapping},
     {"bore-stop-after-dwell", Group::Cycle, Meaning::BoreManual},
     {"centre-absolute", Group::Centre, Meaning::CentreAbsolute},
     {"centre-from-start", Group::Centre, Meaning::CentreFromStart},
@@ -125,6 +126,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"per-minute", Group::Feed, Meaning::PerMinute},
     {"per-revolution", Group::Feed, Meaning::PerRevolution},
     {"neutral", Group::OneShot, Meaning::Neutral},
+    {"look-ahead-limit", Group::OneShot, Meaning::LookAheadLimit},
     {"data-end", Group::OneShot, Meaning::DataEnd},
     {"not-computed", Group::OneShot, Meaning::Uncomputed},
     {"three-points", Group::Motion, Meaning::ThreePoints},

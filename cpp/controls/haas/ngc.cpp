@@ -75,7 +75,7 @@ void macros(Control& c) {
 void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, "H96 p", Manual);  // of mills
   c.motion.g_meanings = {
-      "47=not-computed 87=not-computed 88=not-computed 103=neutral "
+      "47=not-computed 87=not-computed 88=not-computed 103=look-ahead-limit "
       "110=extra-system-1 111=extra-system-2 112=extra-system-3 113=extra-system-4 "
       "114=extra-system-5 115=extra-system-6 116=extra-system-7 117=extra-system-8 "
       "118=extra-system-9 119=extra-system-10 120=extra-system-11 121=extra-system-12 "

@@ -27,10 +27,11 @@ void motion(Control& c) {
   c.motion.g_meanings = {
       "5=not-computed 25=not-computed 26=not-computed 33=not-computed 41=not-computed "
       "42=not-computed 53=not-computed 58=not-computed 59=not-computed 60=neutral "
-      "63=not-computed 70=inch 71=metric 74=not-computed 93=not-computed "
+      "63=tapping 70=inch 71=metric 74=not-computed 93=not-computed "
       "96=not-computed 97=not-computed 450=neutral 451=neutral 601=neutral 602=neutral 603=neutral "
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
+  c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
   c.motion.dwell_words = {"F", kKnown, Inferred};
   c.motion.dwell_turn_words = {"S", kKnown, Inferred};
   c.motion.computed_lengths = {ComputedLengths::Rounded,

@@ -51,6 +51,16 @@ case(
     program="N99999999 G0 X1\nN100000000 X2\nN30 M30", runs="N99999999", alarm="illegal-sequence-number", at="MAIN",
 )
 case(
+    "G63 taps in a line at the feed, and the code of motion stays in force", pins="g_meanings:63=tapping", **KNOWN,
+    setup={"work_offsets": {"G54": {"X": 1.125, "Z": -40.25}}},
+    program="N10 G54 G0 X1 Z5\nN20 G63 Z-10 F200 S100\nN30 G63 Z5 S-100\nN40 X7\nN50 M30",
+    moves="R X1 Z5\nF Z-10\nF Z5\nR X7",
+)
+case(
+    "G63 without a feed alarms", **KNOWN,
+    program="N10 G0 Z5\nN20 G63 Z-10\nN30 M30", runs="N10", alarm="no-feed", at="MAIN N20", word="G63",
+)
+case(
     "an end that misses its circle by more than a hundredth is 14040",
     control=ONE, source="HSA 14040; MD 21000 is general knowledge", evidence="inferred", pins="arc_tolerance",
     program="N10 G0 X0 Y0\nN20 G2 X2.0105 Y0 I1 J0 F100\nN30 M30",

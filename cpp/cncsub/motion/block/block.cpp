@@ -50,6 +50,21 @@ Result multiple_cycle(MotionContext& m, BlockWords& block) {
   }
 }
 
+Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
+  if (double angle = 0; angle_word(m, block, angle)) return pending_angle(m, block, meaning, angle);
+  std::uint32_t named = 0;
+  const Axes end = end_point(m, block, named);
+  const bool bare = named == 0;
+  if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
+  if (auto wrong = need_feed(m, block, meaning)) return wrong;
+  if (bare) return std::nullopt;
+  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
+  if (!may_have_corner(m, block)) return move(m, block, kind, end, named);
+  Piece piece = make_piece(m, block, kind, end, named);
+  if (auto wrong = corner_words(m, block, piece)) return wrong;
+  return move(m, block, piece);
+}
+
 Result one_shot(MotionContext& m, BlockWords& block) {
   switch (block.meaning(Group::OneShot)) {
     case Meaning::Dwell:
@@ -69,6 +84,8 @@ Result one_shot(MotionContext& m, BlockWords& block) {
       return measure_tool(m, block);
     case Meaning::OneWay:
       return one_way(m, block);
+    case Meaning::Tapping:  // a line at the feed; the code of motion stays in force
+      return straight(m, block, Meaning::Line);
     case Meaning::Local:
       return set_local(m, block);
     case Meaning::Machine:
@@ -107,21 +124,6 @@ bool has_motion(const BlockWords& block) {
 /// Return whether a block would move while no motion code is in force.
 bool lacks_motion(MotionView m, const BlockWords& block) {
   return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
-}
-
-Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
-  if (double angle = 0; angle_word(m, block, angle)) return pending_angle(m, block, meaning, angle);
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
-  const bool bare = named == 0;
-  if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
-  if (auto wrong = need_feed(m, block, meaning)) return wrong;
-  if (bare) return std::nullopt;
-  const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;
-  if (!may_have_corner(m, block)) return move(m, block, kind, end, named);
-  Piece piece = make_piece(m, block, kind, end, named);
-  if (auto wrong = corner_words(m, block, piece)) return wrong;
-  return move(m, block, piece);
 }
 
 Result make_motion(MotionContext& m, BlockWords& block) {
