@@ -40,50 +40,6 @@ const Parameter kParameters[] = {
     {"6046", 0, "how many M codes call subprograms, 0 = none", kMDipar + "6046", Manual},
 };
 
-/// The causes that its list of alarms refuses and no other control of the family does.
-constexpr std::initializer_list<Cause> kRefused = {Cause::OneShotWithMotion,
-                                                   Cause::LengthWithMotion,
-                                                   Cause::LocalWithLength,
-                                                   Cause::MachineMoveInCycle,
-                                                   Cause::PolarPlane,
-                                                   Cause::PolarWorkSystem,
-                                                   Cause::PolarCentre,
-                                                   Cause::PolarTool,
-                                                   Cause::PolarCorner,
-                                                   Cause::PolarCycle,
-                                                   Cause::TurnedUnits,
-                                                   Cause::TurnedInCompensation,
-                                                   Cause::TurnedWithCodes,
-                                                   Cause::TurnedMirror,
-                                                   Cause::ReferenceInRotation,
-                                                   Cause::RotationPlane,
-                                                   Cause::TurnedPlane,
-                                                   Cause::TurnedCoordinate,
-                                                   Cause::TurnedWorkSystem,
-                                                   Cause::TurnedLength,
-                                                   Cause::TurnedData,
-                                                   Cause::TurnedCycle,
-                                                   Cause::RotatedCycle,
-                                                   Cause::PatternWithoutCycle,
-                                                   Cause::CornerOffset,
-                                                   Cause::CornerHelix,
-                                                   Cause::CornerWithCall,
-                                                   Cause::CycleRepeatsTwice,
-                                                   Cause::TapLead,
-                                                   Cause::TapSpeed,
-                                                   Cause::G10Axis,
-                                                   Cause::ScaleNegative,
-                                                   Cause::NoSpeed,
-                                                   Cause::HelixTravel,
-                                                   Cause::HelixAxis,
-                                                   Cause::MeasuringZone,
-                                                   Cause::RigidMove,
-                                                   Cause::RigidCodeInCycle,
-                                                   Cause::CompensationEndMode,
-                                                   Cause::CompensationNoMove,
-                                                   Cause::CornerCodes,
-                                                   Cause::DataEndFirst};
-
 void calls_by_code(Control& c) {
   CodeCall subprogram =
       code_call(CodeCall::Form::Range, 'M', CodeCallKind::Subprogram, 6044, 6045, 6046);
@@ -112,26 +68,15 @@ void mill_motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, "MDib", Manual);
   c.motion.g_meanings = {"", kKnown, Inferred};
   c.motion.unit_change = {UnitChange::Alone, "MDib 0038", Manual};
-  has(c.common.refuses, {Cause::NotHomed}, "MDib 0166", Manual);
-  has(c.common.refuses, {Cause::ReferenceNotHomed}, "MDib 0069", Manual);
-  has(c.common.refuses, kRefused,
-      "MDib 0013, 0014, 0022, 0029, 0031 to 0033, 0039, 0042, 0046, 0140, 0149 to 0165, 0176 to "
-      "0188, "
-      "0204, 0216, 0218, 0230 to 0235, 0243, 0247, 0264, 0278",
-      Manual);
   c.motion.codes_not_turned = {
       "110 111 112 113 114 115 116 117 126 127 132 133 134 135 136 137 138 139 140 141 142 143 144",
       "MDib 0162", Manual};
   c.motion.pattern_codes = {"140 141 142 143 144", "MDib 0216", Manual};
   c.motion.max_offset_number = {32, "MDib 0016", Manual};
-  has(c.common.refuses, {Cause::JumpInCompensation}, "MDib 0100", Manual);
-  has(c.common.refuses, {Cause::ReturnInCompensation}, "MDib 0099", Manual);
   c.motion.max_rotation = {360, "MDib 0156", Manual};
-  has(c.common.refuses, {Cause::CompensationIdle}, "MDib 0263", Manual);
   c.motion.idle_blocks = {10, kKnown, Inferred};
   c.motion.cycle_repeats = {"LK", "MDib 0203, 0204", Manual};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, "MDib 0203", Manual};
-  has(c.common.refuses, {Cause::NoRadius}, "MDib 0021", Manual);
   c.motion.no_radius = {NoRadius::Alarm, "MDib 0021", Manual};
   c.motion.small_radius = {SmallRadius::Alarm, kTDi + "4, note 3", Secondary};
   c.motion.chamfer_words = {",C L", "MDib 0039", Manual};
@@ -166,6 +111,8 @@ Control gsk_980mdi() {
   mill_motion(c);
   measuring(c);
   take_list(c, alarms_980mdi_b());
+  // Other rules say which axes an arc takes; no feed alarms where axes move, as on its relatives.
+  refuse_listed(c, alarms_980mdi_b(), {Cause::ArcAxis, Cause::NoFeed});
   add_parameters(c, kParameters);
   return c;
 }

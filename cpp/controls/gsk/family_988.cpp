@@ -93,7 +93,6 @@ void statements_988(Control& c) {
   c.macros.max_condition_length = {0, kPolicy, Inferred};
   c.macros.if_form = {IfForm::GotoThen, kTA + "27, example; THEN from general knowledge", Manual};
   c.macros.loop_form = {LoopForm::DoEnd, kTalm + "209, 211", Manual};
-  has(c.common.refuses, {Cause::JumpInMdi}, kTalm + "208", Manual);
   c.calls.jump_search = {JumpSearch::ForwardThenHead, kGeneral, Inferred};
   c.calls.max_jump_number = {99999, kTalm + "213", Manual};
   c.macros.max_loop_number = {3, kTalm + "211", Manual};
@@ -111,7 +110,6 @@ void statements_988(Control& c) {
                         kGeneral + "; Talm 206, TApar 6004", Inferred};
   c.macros.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
   c.macros.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
-  has(c.common.refuses, {Cause::LogicOfNegative}, kTalm + "217", Manual);
   c.macros.logic_order = {LogicOrder::LikeArithmetic, kGeneral, Inferred};
 }
 
@@ -284,6 +282,12 @@ Control family_988() {
   statements_988(c);
   macros_988(c);
   take_list(c, alarms_988t());
+  // Of these the list has an alarm for another block than the rule means, or the 988TA runs them.
+  refuse_listed(
+      c, alarms_988t(),
+      {Cause::IllegalRepeatCount, Cause::NoFeed, Cause::ToolWithSetting,
+       Cause::IllegalWordWithReturn, Cause::ArcAxis, Cause::NoRadius, Cause::ThreadRunOutAcross,
+       Cause::GrooveAxis, Cause::GrooveEscape, Cause::IllegalVariableValue});
   c.alarms[Cause::IllegalMacroNumber] = {"291", "P[#] has more than 4 digits", "TA27", Manual};
   variables_988(c);
   add_parameters(c, kParameters);

@@ -191,8 +191,6 @@ const Parameter kParameters[] = {
 
 void add_988_motion(Control& c) {
   add_lathe_motion(c);
-  has(c.common.refuses, {Cause::NotHomed}, "Talm 043", Manual);
-  has(c.common.refuses, {Cause::ReferenceNotHomed}, "Talm 047", Manual);
   c.motion.measuring = {Measuring::Of6241, "TApar 6241 to 6255; TDi 17: the moves", Secondary};
   measuring_parameters(c, "TApar 6210, 6241 to 6255", Manual);
   c.motion.skip_signals = {SkipSignals::Numbered, "inferred from TApar 6200: SKIP, SKIP2 to SKIP4",
@@ -200,16 +198,8 @@ void add_988_motion(Control& c) {
   c.motion.g_meanings = {"92.1=not-computed", "TA 19: a thread cycle, in both G code systems",
                          Manual};
   c.motion.unit_change = {UnitChange::Alone, "Talm 042", Manual};
-  has(c.common.refuses,
-      {Cause::TurnedWithCodes,   Cause::RotationCode,      Cause::CornerOffset,
-       Cause::ThreadPasses,      Cause::CyclePlane,        Cause::CycleAxis,
-       Cause::TurningPlane,      Cause::TurningAxis,       Cause::PqSame,
-       Cause::ProfileStart,      Cause::PatternX,          Cause::PatternZ,
-       Cause::GrooveStep,        Cause::StrokeArea,        Cause::MeasuringZone,
-       Cause::SkipPerRevolution, Cause::ThreadRunOutSign,  Cause::DataEndFirst,
-       Cause::RigidSpeed,        Cause::RigidMove,         Cause::RigidWordTwice,
-       Cause::TapSpeed,          Cause::TapInSurfaceSpeed, Cause::CycleAxisChanged},
-      "TA 5 notes 2 and 3; Talm 037, 054, 058, 063, 068, 107, 121 to 192, 271", Manual);
+  has(c.common.refuses, {Cause::TurnedWithCodes, Cause::RotationCode}, "TA 5 notes 2 and 3",
+      Manual);
   c.turning.thread_starts = {true, "TA 18: L", Manual};
   c.turning.thread_words_not_computed = {"LDE", "TA 21: L, D, E of G76", Manual};
   c.motion.angle_words = {",A", "TApar 3405#4", Manual};
@@ -217,7 +207,6 @@ void add_988_motion(Control& c) {
   c.turning.max_pockets = {30, "TA 8", Manual};
   c.turning.cycle_point = {true, "TA 12, 13, 21: P3.000", Manual};
   c.turning.run_out_words = {RunOutWords::Across, "TA 14, TA 18", Manual};
-  has(c.common.refuses, {Cause::SpindleStands}, "Talm 102", Manual);
   c.motion.helix = {Helix::Refused, "Talm 033", Manual};
   c.turning.after_contour = {AfterContour::NextBlock, "TA 8", Manual};
   c.motion.cycle_repeats = {"K", "TA 24: K 1 to 99", Manual};
