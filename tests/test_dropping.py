@@ -83,3 +83,21 @@ def test_a_code_that_is_computed_may_be_one_that_starts_something(word: str) -> 
 def test_a_blank_in_a_code_hides_no_warning() -> None:
     run = cncsub.loads("O1\nN10 M 03 M08\nM30\n", control="fanuc-0i-f").run()
     assert run.dropped[0].warning == f"it would start the spindle: {ALLOWS}"
+
+
+@pytest.mark.parametrize(
+    ("control", "text", "dropped"),
+    [
+        ("haas-ngc", "O1\nG4 X1.5\nM30\n", ["X1.5"]),
+        ("haas-ngc", "O1\nG4 A1.\nM30\n", ["A1"]),
+        ("fanuc-0i-f", "O1\nG4 P100 Z3.\nM30\n", ["Z3"]),
+        ("siemens-one", "G4 F1 X20\nM30\n", ["X20"]),
+        ("fanuc-0i-f", "O1\nG4 X1.\nM30\n", []),
+        ("linuxcnc", "G0\nG4 P1 X5\nM2\n", []),  # X moves after the dwell
+    ],
+)
+def test_an_axis_word_that_a_dwell_does_not_take_is_told(
+    control: str, text: str, dropped: list[str]
+) -> None:
+    run = cncsub.loads(text, control=control).run()
+    assert [word.text for word in run.dropped] == dropped

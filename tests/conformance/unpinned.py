@@ -206,6 +206,7 @@ _TABLE = _joined(
     _all("data_forms:without-L", GSK_LATHES, A_LATHE),
     _all("max_extra_systems", (*GSK_LATHES, HNC), "the control has no G54.1"),
     _all("length_type missing_radius_offset radius_offset_diameter", GSK_LATHES, A_LATHE),
+    _all("refuses:peck-negative", GSK_LATHES, "pecks of a lathe are told by other words"),
     _all("refuses:no-peck", GSK_LATHES, "a drilling cycle of a lathe without Q is a plain hole"),
     _all("peck_clearance peck_above", GSK_LATHES, "a drilling cycle draws back a little, not to R"),
     _all("max_rotation", (TDI, TE), NO_ROTATION),
@@ -266,7 +267,7 @@ _TABLE = _joined(
         "refuses roles power_on reset_clears data_forms",
         "power_on:G91 power_on:G18 power_on:G19 power_on:G20 power_on:G99 reset_clears:locals"
         " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code refuses:no-feed"
-        " refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane refuses:radius-and-centre"
+        " refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane refuses:radius-and-centre refuses:peck-negative"
         " data_forms:in-force data_forms:here data_forms:tools"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
         NO_SUCH_ENTRY,

@@ -16,23 +16,6 @@ constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | b
 constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
 
-/// Return whether a code roughs, finishes, pecks or threads along a profile or in many passes: a
-/// lathe's G70 to G76. Its allowances and depths are written as increments on purpose.
-bool counts_in_passes(Meaning meaning) {
-  switch (meaning) {
-    case Meaning::Finish:
-    case Meaning::RoughTurn:
-    case Meaning::RoughFace:
-    case Meaning::RoughPattern:
-    case Meaning::PeckFace:
-    case Meaning::PeckTurn:
-    case Meaning::MultipleThread:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// Return the words of a block that are lengths: in an arc also its centre and radius, in a
 /// drilling cycle its R. Another word shows where these letters are something else, such as a
 /// count.
@@ -41,7 +24,7 @@ std::uint32_t lengths_of(const Checker& c, const Block& block) {
   bool passes = false;
   each_g(c.code, block, [&](int g) {
     const GCode code = c.g_codes.find(g);
-    passes = passes || counts_in_passes(code.meaning);
+    passes = passes || is_multiple_cycle(code.meaning);
     if (code.meaning == Meaning::Cw || code.meaning == Meaning::Ccw) lengths |= kCentre;
     if (code.group == Group::Cycle && c.machine == MachineType::Mill) lengths |= bit('R');
   });

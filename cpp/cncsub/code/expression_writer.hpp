@@ -5,11 +5,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/code/expression_form.hpp"
 
 namespace cncsub {
+
+/// A value as it is written: a number, or an expression that computes it.
+struct ValueRead {
+  bool computed = false;
+  double number = 0;
+  std::uint32_t expression = 0;
+  std::uint32_t at = 0, width = 1;
+};
 
 /// The instructions of the expression that is being written. They stand where they stay, after the
 /// expressions of the code. The cell before the first is free for the head.
@@ -97,6 +106,17 @@ class ExpressionWriter {
   std::uint32_t end(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
   /// Write an expression of one instruction; return its number.
   std::uint32_t one(const Instruction& only, std::uint32_t at, std::uint32_t width);
+  /// End an expression as a value: a number where it is this constant and nothing else.
+  ValueRead end_value(std::optional<double> constant, std::uint32_t at, std::uint32_t width) {
+    ValueRead value{!constant, constant.value_or(0), 0, at, width};
+    if (value.computed) value.expression = end(at, width);
+    return value;
+  }
+  /// Return the expression of a value, which is made where the value is a number.
+  std::uint32_t expression_of(const ValueRead& value) {
+    if (value.computed) return value.expression;
+    return one({Ins::Constant, 0, value.at, value.number}, value.at, value.width);
+  }
 
   /// The number of cells written. What is written from there on can be rolled back.
   struct Place {

@@ -34,10 +34,14 @@ struct Spelling {
   std::string_view radius = "R";  // the address of an arc's radius
   std::string_view polar{};       // the signs of a point's radius and angle, each an address
   Codes own_m_codes{};            // the M codes that a machine gives a meaning
-  bool small_letters = true;      // small letters are as good as capitals
-  bool ignores_words = false;     // words may be ignored; else one that is dropped is obeyed, and
-                                  // a run goes on without it
-  bool open_comments = false;     // a comment that is not closed may be read
+  // The addresses whose computed value may not be negative: faults of their own tell the others.
+  // `signs_by_rule`: only those that take no minus sign on the control.
+  std::string_view unsigned_words{};
+  bool signs_by_rule = false;
+  bool small_letters = true;   // small letters are as good as capitals
+  bool ignores_words = false;  // words may be ignored; else one that is dropped is obeyed, and
+                               // a run goes on without it
+  bool open_comments = false;  // a comment that is not closed may be read
 };
 
 }  // namespace cncsub

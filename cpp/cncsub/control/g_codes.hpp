@@ -18,6 +18,23 @@ inline bool is_neutral(Meaning meaning) {
          meaning == Meaning::LookAheadLimit;
 }
 
+/// Return whether a code roughs, finishes, pecks or threads along a profile or in many passes: a
+/// lathe's G70 to G76.
+inline bool is_multiple_cycle(Meaning meaning) {
+  switch (meaning) {
+    case Meaning::Finish:
+    case Meaning::RoughTurn:
+    case Meaning::RoughFace:
+    case Meaning::RoughPattern:
+    case Meaning::PeckFace:
+    case Meaning::PeckTurn:
+    case Meaning::MultipleThread:
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// Return "G54.1" for 541.
 std::string code_name(int code);
 

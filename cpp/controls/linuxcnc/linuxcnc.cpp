@@ -75,7 +75,7 @@ void motion(Control& c) {
   has(c.common.refuses,
       {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
        CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution,
-       CompensationWrongPlane, ArcAxis, NoFeed, RadiusAndCentre},
+       CompensationWrongPlane, ArcAxis, NoFeed, RadiusAndCentre, PeckNegative},
       kRun, SourceDocument);
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};
@@ -194,6 +194,7 @@ constexpr std::pair<Cause, const char*> kTexts[] = {
     {RadiusAndCentre, "Mixed radius ijk format for arc"},
     {NoRadius, "R i j k words all missing for arc"},
     {Overflow, "Calculation resulted in 'infinity'"},
+    {PeckNegative, "Negative or zero q value used"},
     {PowerOfNegative, "Attempt to raise negative to non integer power"},
     {ProgramNotFound, "EOF in file:{file} seeking o-word: o<{name}> from line: {line}"},
     {RadiusTolerance, "Radius to end of arc differs from radius to start: {name}"},

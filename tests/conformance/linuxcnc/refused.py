@@ -29,6 +29,15 @@ for _line, _word in (("M19 P3", "P3"), ("M19 P0.5", "P0.5"), ("M19 R361", "R361"
     case(f"{_line} is beyond its range", **RUN, program=f"N10 {_line}\nN20 M2", runs="", alarm="value-out-of-range", word=_word)
 for _word in ("H1.5", "L1.5", "T1.5"):
     case(f"{_word} is no whole number", **RUN, program=f"N10 {_word}\nN20 M2", runs="", alarm="whole-number-expected", word=_word)
+for _line in ("S[0-3]", "T[0-3]", "S-#1"):
+    case(f"{_line} is below zero", **RUN, program=f"N5 #1=2\nN10 {_line}\nN20 M2", runs="N5", alarm="value-out-of-range")
+for _word in ("Q-2", "Q[0-2]"):
+    case(f"a pecking cycle refuses {_word}", pins="refuses:peck-negative", **RUN,
+         program=f"N10 G0 Z10 F100\nN20 G83 X1 Z-5 R2 {_word}\nN30 M2", runs="N10", alarm="peck-negative", word=_word)
+case("G43.2 without axes and H lacks them", **RUN,
+     program="N10 G43.2\nN20 M2", runs="", alarm="motion-word-missing", word="G43.2")
+case("P of G10 that misses its system by rounding alone is that system", **RUN,
+     program="N10 G10 L2 P[0.3/0.1] X1\nN20 G56 G0 X5\nN30 M2", final_machine="X6")
 case("a thread has no feed of its own", **RUN,
      program="N10 M3 S1\nN20 G33 Z-1 K1 F1\nN30 M2", runs="N10", alarm="address-not-usable", word="F1")
 case("a dwell does not share its P with an arc", **RUN,

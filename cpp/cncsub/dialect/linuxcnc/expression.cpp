@@ -69,17 +69,8 @@ std::optional<double> ExpressionReader::whole_number(double value, std::size_t p
 }
 
 bool ExpressionReader::finish(Value& value, std::uint32_t at) {
-  value.at = at;
-  value.width = line_.width_from(at);
-  value.computed = !constant_;
-  value.number = constant_.value_or(0);
-  if (value.computed) value.expression = to_.expressions().end(at, value.width);
+  value = to_.expressions().end_value(constant_, at, line_.width_from(at));
   return true;
-}
-
-std::uint32_t ExpressionReader::expression_of(const Value& value) {
-  if (value.computed) return value.expression;
-  return to_.expressions().one({Ins::Constant, 0, value.at, value.number}, value.at, value.width);
 }
 
 bool ExpressionReader::value(Value& value) {

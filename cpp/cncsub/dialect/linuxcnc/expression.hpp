@@ -19,12 +19,7 @@ inline constexpr std::int64_t kLastVariable = 5601;
 /// The operators. An operator whose spelling begins another's stands after that one.
 extern const std::span<const OperatorRow> kOperators;
 
-struct Value {
-  bool computed = false;
-  double number = 0;
-  std::uint32_t expression = 0;
-  std::uint32_t at = 0, width = 1;
-};
+using Value = ValueRead;
 
 /// A variable that is assigned to.
 struct Place {
@@ -53,8 +48,6 @@ class ExpressionReader {
   bool place(Place& place);
   /// Read the variable of a DEBUG comment: `#5` or `#<name>`. Its value is vacant if it is not set.
   bool shown(Value& value);
-  /// Return the expression of a value, even of a number.
-  std::uint32_t expression_of(const Value& value);
 
   std::optional<Fault> fault;
 

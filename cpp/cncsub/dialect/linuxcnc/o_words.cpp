@@ -285,7 +285,7 @@ bool BlockReader::condition(Block& block, OWord& own, std::string_view word) {
                   "Left bracket missing after '" + std::string(word) + "'", own.at);
   Value value;
   if (!expression_.bracketed(value)) return refuse(block);
-  own.value = expression_.expression_of(value);
+  own.value = to_.expressions().expression_of(value);
   return true;
 }
 

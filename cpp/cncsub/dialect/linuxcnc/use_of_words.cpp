@@ -135,6 +135,8 @@ std::optional<WrongWord> against_orientation(const LineWords& line) {
 std::optional<WrongWord> against_m(const LineWords& line) {
   if (line.has_g({960}) && !line.has('s'))
     return wrong('g', Cause::MotionWordMissing, "S word missing with G96");
+  if (line.has_g({432}) && !line.has('h') && !has_axes(line))
+    return wrong('g', Cause::MotionWordMissing, "G43.2: No axes specified and H word missing");
   for (const int m : {62, 63, 64, 65})
     if (line.has_m({m}) && !line.has('p'))
       return wrong('m', Cause::MotionWordMissing, "No valid P word with M" + std::to_string(m));

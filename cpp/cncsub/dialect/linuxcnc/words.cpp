@@ -49,7 +49,8 @@ const Spelling linuxcnc_spelling{.comment = {";", ""},
                                  .operators = [](LogicOrder) { return linuxcnc::kOperators; },
                                  .long_numbers = true,
                                  .polar = kPolar,
-                                 .own_m_codes = {100, 199}};
+                                 .own_m_codes = {100, 199},
+                                 .unsigned_words = "LST"};
 
 std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& from) {
   Scanner s{block.data() + from, block.data() + block.size(), block.data()};

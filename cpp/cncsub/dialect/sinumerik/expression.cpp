@@ -74,17 +74,8 @@ void ExpressionReader::emit(Ins op, double value) {
 }
 
 bool ExpressionReader::finish(Value& value, std::uint32_t at) {
-  value.at = at;
-  value.width = line_.width_from(at);
-  value.computed = !constant_;
-  value.number = constant_.value_or(0);
-  if (value.computed) value.expression = to_.expressions().end(at, value.width);
+  value = to_.expressions().end_value(constant_, at, line_.width_from(at));
   return true;
-}
-
-std::uint32_t ExpressionReader::expression_of(const Value& value) {
-  if (value.computed) return value.expression;
-  return to_.expressions().one({Ins::Constant, 0, value.at, value.number}, value.at, value.width);
 }
 
 bool ExpressionReader::number(Value& value) {
@@ -320,7 +311,7 @@ bool ExpressionReader::assignment(Statement& statement) {
     return wrong(Cause::MissingEquals, "R1 stands alone: write R1=5, or X=R1", at);
   Value assigned;
   if (!value(assigned)) return false;
-  statement.expression = expression_of(assigned);
+  statement.expression = to_.expressions().expression_of(assigned);
   statement.at = assigned.at;
   statement.width = assigned.width;
   if (number >= 0)

@@ -15,12 +15,7 @@ namespace cncsub::sinumerik {
 /// The operators. An operator whose spelling begins another's stands after that one.
 extern const std::span<const OperatorRow> kOperators;
 
-struct Value {
-  bool computed = false;
-  double number = 0;
-  std::uint32_t expression = 0;
-  std::uint32_t at = 0, width = 1;
-};
+using Value = ValueRead;
 
 class ExpressionReader {
  public:
@@ -36,8 +31,6 @@ class ExpressionReader {
   bool condition(std::uint32_t& expression, bool otherwise = false);
   /// Read R1=5 or R[R2]=R1+1.
   bool assignment(Statement& statement);
-  /// Return the expression of a value, even of a number.
-  std::uint32_t expression_of(const Value& value);
 
   std::optional<Fault> fault;  // why the last reading failed
 

@@ -33,6 +33,9 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   state.external_reads.clock_ms = options.inputs.clock_ms;
   largest_word = kPowersOfTen[most_digits(control())];
   for (const char address : control().reading.computed_whole.value) computed_whole |= bit(address);
+  for (const char address : code->spelling->unsigned_words)
+    if (!code->spelling->signs_by_rule || !control().reading.minus_addresses.value.has(address))
+      unsigned_words |= bit(address);
   jumps_refused = options.mdi && refuses(Cause::JumpInMdi);
 }
 

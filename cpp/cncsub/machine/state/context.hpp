@@ -106,6 +106,7 @@ struct Run {
   std::shared_ptr<const Code> code;
   Options options;
   double largest_word = 0;           // no computed word of a block reaches it
+  std::uint32_t unsigned_words = 0;  // the addresses whose computed values may not be negative
   std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
   bool jumps_refused = false;        // in the main program, which was typed in MDI
   State state;

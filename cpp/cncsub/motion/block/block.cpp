@@ -19,16 +19,9 @@ bool makes_cycle(Meaning meaning) {
     case Meaning::ThreadCycle:
     case Meaning::FaceCycle:
     case Meaning::TapCycle:
-    case Meaning::Finish:
-    case Meaning::RoughTurn:
-    case Meaning::RoughFace:
-    case Meaning::RoughPattern:
-    case Meaning::PeckFace:
-    case Meaning::PeckTurn:
-    case Meaning::MultipleThread:
       return true;
     default:
-      return false;
+      return is_multiple_cycle(meaning);
   }
 }
 

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "cncsub/motion/block/block.hpp"
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
@@ -65,6 +67,8 @@ double dwell_seconds(MotionView m, const NcWords& words) { return dwell_of(m, wo
 
 Result dwell(MotionContext& m, BlockWords& block) {
   const auto [letter, seconds] = dwell_of(m, block.words);
+  const std::uint32_t used = letter == 0 ? 0 : bit(letter);
+  if (!leaves_axes(m.facts, block)) m.outcome.drop(kAxisWords & ~used);
   if (letter == 0) return std::nullopt;
   const MotionRules& rules = m.facts.control->motion;
   for (const Letters* letters : {&rules.dwell_words.value, &rules.dwell_turn_words.value})

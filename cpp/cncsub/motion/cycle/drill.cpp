@@ -89,6 +89,8 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   if (pecks && !m.facts.lathe() && cycle.q == 0 && m.facts.refuses(Cause::NoPeck))
     return fault(Cause::NoPeck, block);
+  if (pecks && w.has('Q') && w['Q'] < 0 && m.facts.refuses(Cause::PeckNegative))
+    return fault(Cause::PeckNegative, block);
   return std::nullopt;
 }
 

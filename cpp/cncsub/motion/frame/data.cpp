@@ -115,7 +115,9 @@ Result set_data(MotionContext& m, BlockWords& block) {
   if (others) return std::nullopt;
   if (!systems && !offsets) return fault(Cause::G10L, block);
   if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
-  const double p = w.has('P') ? w['P'] : m.state.work_system;
+  // A computed P that misses a whole number by rounding alone is that number.
+  const double written = w.has('P') ? w['P'] : m.state.work_system;
+  const double p = (w.computed & bit('P')) != 0 ? nearly_whole(written).value_or(written) : written;
   if (m.facts.control->motion.data_forms.value.has(DataForm::Tools) && l != 2 && l != 20)
     return set_tool_entry(m, block, l, p);
   if (l == 20 && m.facts.control->motion.data_forms.value.has(DataForm::Here))

@@ -155,6 +155,17 @@ Result set_turned(MotionContext& m, BlockWords& block) {
   return block.has(Group::Rotation) ? set_rotation(m, block) : std::nullopt;
 }
 
+/// Return whether G51.1 mirrors one axis of a plane and not the other.
+static bool mirrored_once(const Transform& t, const PlaneAxes& plane) {
+  return t.mirror && (((t.mirrored >> plane.a) ^ (t.mirrored >> plane.b)) & 1) != 0;
+}
+
+/// Return the angle by which points turn. A mirror in one axis of the plane interchanges the two
+/// directions of rotation, as it does those of arcs and the sides of radius compensation.
+static double rotation_angle(const Transform& t) {
+  return mirrored_once(t, plane_axes(t.plane)) ? -t.angle : t.angle;
+}
+
 void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
   const Transform& t = state.transform;
   for (int i = 0; i < 3; ++i) {
@@ -165,7 +176,7 @@ void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
   const PlaneAxes plane = plane_axes(t.plane);
   double a = point[plane.a], b = point[plane.b];
   if (!t.frame) a -= t.centre[plane.a], b -= t.centre[plane.b];
-  rotate(a, b, t.angle);
+  rotate(a, b, rotation_angle(t));
   point[plane.a] = a + t.centre[plane.a];
   point[plane.b] = b + t.centre[plane.b];
   if ((named & (axis_bit(plane.a) | axis_bit(plane.b))) != 0)
@@ -177,7 +188,7 @@ Axes turned_back(const MotionState& state, Axes point) {
   if (t.rotation) {
     const PlaneAxes plane = plane_axes(t.plane);
     double a = point[plane.a] - t.centre[plane.a], b = point[plane.b] - t.centre[plane.b];
-    rotate(a, b, -t.angle);
+    rotate(a, b, -rotation_angle(t));
     point[plane.a] = a + (t.frame ? 0 : t.centre[plane.a]);
     point[plane.b] = b + (t.frame ? 0 : t.centre[plane.b]);
   }
@@ -193,14 +204,13 @@ void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes
   if (t.mirror && (t.mirrored >> plane.a & 1) != 0) a = -a;
   if (t.mirror && (t.mirrored >> plane.b & 1) != 0) b = -b;
   if (t.scaling) a *= t.scale[plane.a], b *= t.scale[plane.b];
-  if (t.rotation && t.plane == state.plane) rotate(a, b, t.angle);
+  if (t.rotation && t.plane == state.plane) rotate(a, b, rotation_angle(t));
 }
 
 bool mirrored_plane(const MotionState& state) {
   const PlaneAxes plane = plane_axes(state.plane);
-  bool odd = false;
+  bool odd = mirrored_once(state.transform, plane);
   for (const int i : {plane.a, plane.b}) {
-    if (state.transform.mirror && (state.transform.mirrored >> i & 1) != 0) odd = !odd;
     if (state.transform.scaling && state.transform.scale[static_cast<std::size_t>(i)] < 0)
       odd = !odd;
   }

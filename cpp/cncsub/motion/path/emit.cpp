@@ -122,7 +122,7 @@ Piece uncompensated(MotionView m, const BlockWords& block, MoveKind kind, const 
 Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axes& work_end,
                  std::uint32_t named) {
   Piece piece = uncompensated(m, block, kind, work_end, named);
-  piece.side = side_of(m.state);
+  piece.side = mirrored_plane(m.state) ? -side_of(m.state) : side_of(m.state);
   piece.radius = piece.side != 0 ? radius_value(m) : 0;
   if (piece.side != 0) piece.tip = tip_vector(m);
   return piece;

@@ -33,6 +33,20 @@ case(
     final_machine="X10 Z20",
 )
 case(
+    "mirrored in one axis the tool stays on the same side of the mirrored contour: G41 compensates as G42",
+    control=["fanuc-30i", "mitsubishi-m700"], source="general knowledge", evidence="inferred",
+    setup={**MILL, "radius_offsets": {1: 1}, "work_offsets": {"G54": {"X": 1.125, "Y": -40.25}}},
+    program="""
+        O1
+        N10 G17 G90 G51.1 X0
+        N20 G1 X10. Y0 F100
+        N30 G41 D1 X20. Y0
+        N40 X20. Y20.
+        N50 M30
+    """,
+    final_machine="X-17.875 Y-20.25",
+)
+case(
     "mirrored in one axis an arc turns the other way round its mirrored centre",
     control=["fanuc-30i", "mitsubishi-m700"], source="general knowledge", evidence="inferred",
     replace=MM, setup=MILL,
@@ -591,4 +605,10 @@ case(
     control="fanuc-16i", source="ALM 011", evidence="secondary",
     setup=MILL, program="O1\nN10 G0 X1.\nN20 G31 X10.\nN30 M30\n",
     runs="N10", alarm="no-feed", at="O1 N20", word="G31", number="011",
+)
+case(
+    "a computed T below zero alarms, as a written one does",
+    control=["fanuc-0i-f", "mitsubishi-m800", "haas-ngc", "gsk-988ta"], source="general knowledge", evidence="inferred",
+    program="O1\nN10 #1=-5\nN20 T#1\nN30 M30", runs="N10", alarm="value-out-of-range",
+    number={"fanuc-0i-f": "PS1305", "mitsubishi-m800": "P35", "haas-ngc": None, "gsk-988ta": "003"}, at="O1 N20",
 )

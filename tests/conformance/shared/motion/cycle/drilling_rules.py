@@ -142,6 +142,14 @@ case(
 _peck = [MDI, *MITSUBISHI, *FANUC, HNC]
 
 case(
+    "a pecking cycle with Q below zero pecks as without the sign",
+    pins="refuses:peck-negative",
+    control=[*_peck, "haas-ngc", "syntec-22ma"], source="general knowledge", evidence="inferred",
+    setup={**MILL, "work_offsets": {"G54": {"Z": -40.25}}},
+    program="O1\nN10 G0 Z1.\nN20 G90 G83 X5. Z-10. R0 Q-4. F100.\nN30 M30",
+    runs="N10 N20 N30",
+)
+case(
     "a pecking cycle without Q alarms",
     pins="refuses:no-peck",
     control=[*_peck, "haas-ngc"], source="ALM 045; general knowledge", evidence="inferred", setup=MILL,

@@ -393,9 +393,14 @@ moves(
     moves="F X30 Y10\nF X20 Y10",
 )
 moves(
-    "a point is mirrored first, then scaled, then turned", FANUC,
+    "a point is mirrored first, then scaled, then turned, the other way where one axis is mirrored", FANUC,
     "G90 G51.1 X0", "G51 X0 Y0 P2000", "G68 X0 Y0 R90.", "G1 X10. Y0 F100.", setup=MILL,
-    moves="F X0 Y-20",
+    moves="F X0 Y20",
+)
+moves(
+    "a mirror in both axes of the plane leaves the direction of rotation", FANUC,
+    "G90 G51.1 X0 Y0", "G68 X0 Y0 R90.", "G1 X10. Y0 F100.", setup=MILL,
+    moves="F X0 Y-10",
 )
 moves(
     "G50.1 ends the mirror of the axis it names", [*FANUC, *MITSUBISHI, MDI],
