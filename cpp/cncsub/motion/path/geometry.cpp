@@ -155,18 +155,42 @@ bool cut_chamfer(const Curve& a, const Curve& b, double size, bool chamfer_line,
   return !cut.second_short;
 }
 
+/// Return the curvature of a curve, plus to the left.
+double curvature(const Curve& curve) {
+  return curve.straight() ? 0 : (curve.turn > 0 ? 1 : -1) / curve.radius();
+}
+
+/// Return how far the path turns to the left at a corner, as a sign. At a cusp, where the path goes
+/// back the way it came, the curves decide which of them lies to the left.
+double turn_at_corner(const Curve& a, const Curve& b, bool cusp) {
+  return cusp ? -(curvature(a) + curvature(b)) : cross(a.end_direction(), b.start_direction());
+}
+
+/// Place a round of this centre; return whether it touches both curves.
+bool touches(const Curve& a, const Curve& b, Point centre, Cut& cut) {
+  cut.centre = centre;
+  if (!foot_on(a, centre, cut.first)) return false;
+  cut.second_short = !foot_on(b, centre, cut.second);
+  return !cut.second_short;
+}
+
 bool cut_round(const Curve& a, const Curve& b, double radius, Cut& cut) {
   const Point u = a.end_direction(), v = b.start_direction();
-  const double side = cross(u, v);
-  if (std::fabs(side) < 1e-9 && dot(u, v) > 0) return cut.none = true;
+  const bool in_line = std::fabs(cross(u, v)) < 1e-9, cusp = in_line && dot(u, v) < 0;
+  if (in_line && !cusp) return cut.none = true;
+  const double side = turn_at_corner(a, b, cusp);
+  if (std::fabs(side) < 1e-9) return false;  // a line back along itself
   cut.left_turn = side > 0;
   const double offset = cut.left_turn ? radius : -radius;
-  const auto centre = meeting(a, b, offset, 0);
-  if (!centre) return false;
-  cut.centre = *centre;
-  if (!foot_on(a, cut.centre, cut.first)) return false;
-  cut.second_short = !foot_on(b, cut.centre, cut.second);
-  return !cut.second_short;
+  if (!cusp) {
+    const auto centre = meeting(a, b, offset, 0);
+    return centre && touches(a, b, *centre, cut);
+  }
+  // The two centres are equally far from the corner: the one beside both curves counts.
+  const Meetings found = meetings(a, b, offset, 0);
+  for (int i = 0; i < found.count; ++i)
+    if (touches(a, b, found.points[i], cut)) return true;
+  return false;
 }
 
 /// Return the angle an arc still runs through when its ends have been cut.

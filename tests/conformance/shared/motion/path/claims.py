@@ -392,6 +392,19 @@ moves(
     "G90 G51 X10. Y0 P2000", "G1 X20. Y5. F100.", "G50", "X20.", setup=MILL,
     moves="F X30 Y10\nF X20 Y10",
 )
+for _x, _y in ((0, 0), (140.756, 0.125), (500.5, -77.003)):
+    moves(
+        f"a round between an arc and the line back along its tangent is cut wherever it lies, X{_x} Y{_y} too",
+        [*FANUC, *MITSUBISHI], f"G90 G17 G0 X{_x:.3f} Y{_y:.3f}", f"G3 X{_x - 5.393:.3f} Y{_y + 5.393:.3f} I-5.393 J0. ,R0.881 F200",
+        f"G1 X{_x + 5.62:.3f}", setup=MILL,
+        moves=f"R X{_x} Y{_y}\nCCW X{_x - 1.645695:.6f} Y{_y + 3.878421:.6f} C X{_x - 5.393:.3f} Y{_y}"
+        f"\nCW X{_x - 1.033535:.6f} Y{_y + 5.393:.3f} C X{_x - 1.033535:.6f} Y{_y + 4.512:.3f}\nF X{_x + 5.62:.3f} Y{_y + 5.393:.3f}",
+    )
+moves(
+    "a round between a line and the arc back along it is cut where the arc turns away", [*FANUC, *MITSUBISHI],
+    "G90 G17 G0 X0 Y0", "G1 X10. ,R.557 F200", "G3 X5.299 Y-4.701 I0 J-4.701", setup=MILL,
+    moves="R X0 Y0\nF X6.763671 Y0\nCW X7.106507 Y-.995990 C X6.763671 Y-.557\nCCW X5.299 Y-4.701 C X10 Y-4.701",
+)
 moves(
     "a point is mirrored first, then scaled, then turned, the other way where one axis is mirrored", FANUC,
     "G90 G51.1 X0", "G51 X0 Y0 P2000", "G68 X0 Y0 R90.", "G1 X10. Y0 F100.", setup=MILL,
