@@ -395,3 +395,28 @@ def test_a_message_stays_one_beside_the_comment_of_its_block() -> None:
     again = cncsub.loads(flat.text, control="linuxcnc").run()
     assert list(again.messages) == [" hello", " 2.000000 there"]
     assert "LINE 3" in flat.text
+
+
+def test_logs_and_prints_of_linuxcnc_stay_what_they_are() -> None:
+    text = "#2=50\n(LOGOPEN,a.txt)\n(LOG,x is #2)\n(LOGCLOSE)\n(PRINT, x#2)\n(MSG, hi)\nM2\n"
+    library = cncsub.loads(text, control="linuxcnc")
+    flat = library.flatten()
+    assert flat.text.splitlines() == [
+        "(LOGOPEN,a.txt)",
+        "(LOG,x is 50.000000)",
+        "(LOGCLOSE)",
+        "(PRINT, x50.000000)",
+        "(MSG, hi)",
+        "M2",
+    ]
+    assert list(cncsub.loads(flat.text, control="linuxcnc").run().messages) == list(
+        library.run().messages
+    )
+    with pytest.raises(cncsub.FlattenError, match="a log is written"):
+        library.flatten(control="fanuc-0i-f")
+
+
+def test_comments_of_flatten_is_true_or_false() -> None:
+    library = cncsub.loads("O1\nM30\n", control="fanuc-0i-f")
+    with pytest.raises(TypeError, match="comments is true or false, not 'x'"):
+        library.flatten(comments="x")  # type: ignore[arg-type]

@@ -166,6 +166,7 @@ def test_what_stays_in_its_process_says_so() -> None:
     staying = [
         run, library.machine(), stream, next(stream), run.steps, run.calls, run.moves,
         run.variables, library.main, library["O1"].blocks, library["O1"].blocks[0],
+        library.flatten(), run.coverage(),
     ]  # fmt: skip
     for value in staying:
         with pytest.raises(TypeError, match="stay in their process; send"):

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/code/expression.hpp"
@@ -48,7 +49,9 @@ struct PrintField {
 
 struct Print {
   bool binary = false;
-  bool alarms = false;  // the text is that of an alarm
+  bool alarms = false;         // the text is that of an alarm
+  std::string_view command{};  // the word of the comment that says it, where that is no message
+  bool logs() const { return command.starts_with("LOG"); }
   std::vector<PrintField> fields;
   std::int32_t shown_if = 0;  // the variable that must be above 0, or nothing is said; 0: none
   std::uint32_t at = 0;

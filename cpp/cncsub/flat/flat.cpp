@@ -362,6 +362,10 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
     end_line(text, origins);
   }
   if (observer_.print == nullptr) return true;
+  const std::string_view command = observer_.print->command;
+  const bool same = !command.empty() && machine_.code().spelling == for_->spelling;
+  if (observer_.print->logs() && !same)
+    return refuse("a log is written, and the other control has none");
   std::string statement = observer_.print->binary ? "BPRNT[" : "DPRNT[";
   if (message.before.empty()) {
     if (!print_fields(text, origins, statement)) return false;
@@ -374,7 +378,11 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   if (const std::string comment = last ? origin() : ""; !comment.empty())
     text += comment.substr(1) + " ";
   const auto& messages = machine_.trace().messages;
-  text += message.before;
+  // The text of a log begins with its command.
+  if (!same)
+    text += message.before;
+  else
+    text += "(" + std::string(observer_.print->logs() ? "" : command);
   text += messages[messages.size() - 1];
   text += message.behind;
   end_line(text, origins, last);

@@ -164,11 +164,13 @@ double scaled(MotionView m, char address, double value) {
   return value / (1 / (m.facts.increment * (g20(m.state) ? 0.1 : 1)));
 }
 
-double increment(MotionView m, char address) {
+double increment(MotionView m, char address, const BlockCodes* of_block) {
+  const bool changes = of_block != nullptr && of_block->has(Group::Units);
+  const bool inches = changes ? of_block->meaning(Group::Units) == Meaning::Inch : g20(m.state);
   if (address == 'H') return m.facts.machine == MachineType::LatheA ? m.facts.increment : 0;
   constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
   if (kLengths.find(address) == std::string_view::npos) return 0;
-  return m.facts.increment * (g20(m.state) && address > 'C' ? 0.1 : 1);
+  return m.facts.increment * (inches && address > 'C' ? 0.1 : 1);
 }
 
 std::vector<std::pair<std::string, double>> position(MotionView m) {

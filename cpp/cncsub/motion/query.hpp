@@ -33,7 +33,7 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m);
 /// Return a number without a point at this address, as an argument of a macro.
 double scaled(MotionView m, char address, double value);
 /// Return the least input increment of an address, 0 where it has none.
-double increment(MotionView m, char address);
+double increment(MotionView m, char address, const BlockCodes* of_block = nullptr);
 /// Return a workpiece in machine coordinates and true lengths, its zero point where it is now.
 Workpiece placed(MotionView m, Workpiece workpiece);
 

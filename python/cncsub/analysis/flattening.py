@@ -13,6 +13,7 @@ from cncsub.analysis.block_errors import BlockError
 from cncsub.analysis.pairs import OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.controls import control_of
 from cncsub.interrupts import uninterrupted
+from cncsub.pickling import NotPicklable
 from cncsub.run_options import FlattenOptions, check_names, idle_machine, takes
 from cncsub.tables.rows import Origin
 from cncsub.tables.table import Table
@@ -101,7 +102,7 @@ class _FlatPair(Pair):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
 
-class Flat:
+class Flat(NotPicklable):
     """A flat program: its `text`, and `origins` with a row (an `Origin`) for each block.
 
     >>> import cncsub
@@ -113,6 +114,8 @@ class Flat:
     A text of more than 16 MB is not kept: each use of `text`, `origins`, `pieces()` or `write()`
     runs the program again.
     """
+
+    _instead = "send its text"
 
     def __init__(
         self,
@@ -239,6 +242,8 @@ def flatten(
     M30
     """
     check_names("flatten", options, FlattenOptions)
+    if not isinstance(comments, bool):
+        raise TypeError(f"comments is true or false, not {comments!r}")
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
     target = library.control if control is None else control_of(control)

@@ -17,6 +17,7 @@ from typing import Any, Generic, TypeVar, overload
 from cncsub import _core
 from cncsub.collectors import told
 from cncsub.coverage.block_counts import LETTER_OF, Counted, Raw, percent_text, programs_of, raw_of
+from cncsub.pickling import NotPicklable
 from cncsub.writing import write_whole
 
 Row = TypeVar("Row")
@@ -165,7 +166,7 @@ class Table(tuple[Row, ...], Generic[Row]):
         return f"<Table: {self.covered} of {len(self)} covered>"
 
 
-class Coverage:
+class Coverage(NotPicklable):
     """The blocks, branches, calls and arguments that runs went through; `run.coverage()` makes it,
     and `+` and `sum` add several up.
 
@@ -191,6 +192,8 @@ class Coverage:
     >>> both.percent, [row.count for row in both.branches]
     (100.0, [1, 1])
     """
+
+    _instead = "send its rows, blocks.to_arrow(), or to_lcov()"
 
     def __init__(self, parts: Iterable[Raw] = ()) -> None:
         self._parts = tuple(parts)

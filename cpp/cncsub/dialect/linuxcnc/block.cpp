@@ -274,6 +274,18 @@ bool BlockReader::assignment(Block& block, Words& words) {
   return true;
 }
 
+namespace {
+
+/// Return the word with which a comment begins that prints or writes to a log; else nothing.
+template <class Begins>
+std::string_view printing(const Begins& begins) {
+  for (const std::string_view command : {"PRINT,", "LOG,", "LOGOPEN,", "LOGAPPEND,", "LOGCLOSE"})
+    if (begins(command)) return command;
+  return {};
+}
+
+}  // namespace
+
 /// Read a comment. Of several comments of a line the last one counts.
 bool BlockReader::comment(Block& block, Words& words) {
   const std::uint32_t at = line_.offset();
@@ -296,8 +308,9 @@ bool BlockReader::comment(Block& block, Words& words) {
   } else if (begins("DEBUG,")) {
     message(said, at, words.print.emplace());
     words.print->shown_if = kMessageSwitch;
-  } else if (begins("PRINT,")) {
+  } else if (const std::string_view command = printing(begins); !command.empty()) {
     message(said, at, words.print.emplace());
+    words.print->command = command;
   } else if (begins("ABORT,")) {
     message(said, at, words.print.emplace());
     words.print->alarms = true;

@@ -105,7 +105,9 @@ struct Run {
 
   std::shared_ptr<const Code> code;
   Options options;
-  double largest_word = 0;           // no computed word of a block reaches it
+  double largest_word = 0;  // no computed word of a block reaches it
+  // The codes of the block whose words are being decoded: its unit counts for its own words.
+  const BlockCodes* codes_decoded = nullptr;
   std::uint32_t unsigned_words = 0;  // the addresses whose computed values may not be negative
   std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
   bool jumps_refused = false;        // in the main program, which was typed in MDI

@@ -119,7 +119,7 @@ bool is_shown(const Run& run, const Print& print) {
 
 bool print(Run& run, const Print& print) {
   if (!is_shown(run, print)) return true;
-  std::string line;
+  std::string line(print.logs() ? print.command : "");  // the text of a log says that it is one
   std::size_t left = kLongText;
   for (const PrintField& field : print.fields) {
     if (--left == 0) {

@@ -98,6 +98,20 @@ bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t
   return true;
 }
 
+/// Decode the words of a block, of which `expressions` marks those that are expressions.
+bool decode_words(Run& run, const Block& block, const Cell* cell, std::uint32_t expressions,
+                  NcWords& words) {
+  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
+    const auto place = static_cast<std::size_t>(std::countr_zero(left));
+    if ((expressions & (1u << place)) == 0)
+      words.value[place] = cell->value;
+    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), words.at, place,
+                              words))
+      return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool decode(Run& run, const Block& block, Address at, NcWords& words) {
@@ -114,14 +128,10 @@ bool decode(Run& run, const Block& block, Address at, NcWords& words) {
   else if (block.has_codes() && !decode_codes(run, block, at, cell, words))
     return false;
   words.mask = block.mask;
-  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
-    const auto place = static_cast<std::size_t>(std::countr_zero(left));
-    if ((expressions & (1u << place)) == 0)
-      words.value[place] = cell->value;
-    else if (!decode_computed(run, static_cast<std::uint32_t>(cell->expression), at, place, words))
-      return false;
-  }
-  return true;
+  if (expressions != 0) run.codes_decoded = words.codes;
+  const bool fine = decode_words(run, block, cell, expressions, words);
+  run.codes_decoded = nullptr;
+  return fine;
 }
 
 }  // namespace cncsub

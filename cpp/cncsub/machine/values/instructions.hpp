@@ -218,12 +218,14 @@ inline double absolute(E, I, double a) { return std::fabs(a); }
 inline double sign(E, I, double a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 inline double rounded(E, I, double a) { return std::round(a); }
 inline double rounded_word(E e, I at, double a) {
-  const double step = increment(e.run.motion.view(), static_cast<char>(at.address()));
+  const double step =
+      increment(e.run.motion.view(), static_cast<char>(at.address()), e.run.codes_decoded);
   return step > 0 ? std::round(a / step) * step : std::round(a);
 }
 inline double cut_word(E e, I at, double a) {
   constexpr double kHair = 1e-6;  // 1.235 is 1234.9999... thousandths
-  const double step = increment(e.run.motion.view(), static_cast<char>(at.address()));
+  const double step =
+      increment(e.run.motion.view(), static_cast<char>(at.address()), e.run.codes_decoded);
   return step > 0 ? std::copysign(std::floor(std::fabs(a) / step + kHair) * step, a) : a;
 }
 inline double cut(E, I, double a) { return std::trunc(a); }

@@ -612,3 +612,9 @@ case(
     program="O1\nN10 #1=-5\nN20 T#1\nN30 M30", runs="N10", alarm="value-out-of-range",
     number={"fanuc-0i-f": "PS1305", "mitsubishi-m800": "P35", "haas-ngc": None, "gsk-988ta": "003"}, at="O1 N20",
 )
+case(
+    "digits finer than the least increment are cut in the unit of their own block",
+    control="fanuc-0i-f", source="general knowledge", evidence="inferred", setup=MILL,
+    program="O1\nN10 G20 G0 X1.23456\nN20 G21 X31.2345\nN30 M30",
+    moves="R X31.3563\nR X31.234",
+)
