@@ -7,7 +7,7 @@ import os
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
 from cncsub.files import refused_entry
@@ -76,9 +76,13 @@ def folders_in(folder: Path) -> list[Path]:
 def missing_programs(library: Library) -> list[str]:
     """Return the programs that calls of the memory name and the memory has not."""
     names: dict[str, None] = {}
-    for _, _, (_, name, found, external, *_) in _core.all_calls(library.code):
+
+    def take(_program: int, _n: int | None, _line: int, call: tuple[Any, ...]) -> None:
+        _, name, found, external, *_ = call
         if name and found is None and not external:
             names[name] = None
+
+    _core.each_call(library.code, take)  # a list of a million calls would take 360 MB
     return list(names)
 
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/analysis/paths.hpp"
 
 namespace cncsub {
 
@@ -24,14 +25,18 @@ bool is_refused_again(const Checker& c, const CallEdge& edge) {
          (rule == SelfCall::Refused || (rule == SelfCall::WithStart && record.target.start_n < 0));
 }
 
+/// Return whether a code calls, and not a word of the block.
+bool is_by_code(const Checker& c, const CallEdge& edge) {
+  const Block& block = c.code.blocks[edge.from];
+  return block.op == Op::Select && c.code.selects[block.aux].address != 0;
+}
+
 /// Report programs that call themselves where the control refuses it.
 void check_self_calls(Checker& c) {
   for (const ProgramFlow& flow : c.flows)
     for (const CallEdge& edge : flow.calls()) {
       if (c.over()) return;
-      const Block& block = c.code.blocks[edge.from];
-      const bool code = block.op == Op::Select && c.code.selects[block.aux].address != 0;
-      if (code || c.inside(flow) || !is_refused_again(c, edge)) continue;
+      if (is_by_code(c, edge) || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
       std::string names = c.code.name_of(edge.called);
       names += " > " + c.code.name_of(edge.called);
@@ -122,6 +127,7 @@ class CallOrder {
         groups_(tree.groups()),
         state_(tree.size(), Walked::New),
         times_open_(c.flows.size(), 0),
+        depth_of_(tree.size(), 0),
         reported_(c.code.blocks.size() + 1, false) {
     for (std::size_t i = 0; i < state_.size(); ++i)
       if (state_[i] == Walked::New) walk(i);
@@ -139,10 +145,14 @@ class CallOrder {
   struct Open {
     std::size_t place;
     std::size_t call = 0;
+    std::vector<bool> passed{};       // the blocks on every path to an end; empty: not known yet
+    std::ptrdiff_t last_avoided = 0;  // see last_avoided(); only where `is_known`
+    bool is_known = false;
   };
 
   bool is_told(Address at);
-  bool is_avoided(const Open& open);
+  bool is_avoided(Open& open);
+  std::ptrdiff_t last_avoided();
   std::string group_of(std::size_t place) const { return std::to_string(groups_.of[place]); }
   void circle_from(std::vector<Open>::const_iterator first, std::string& names,
                    std::vector<Address>& path) const;
@@ -158,33 +168,35 @@ class CallOrder {
   std::vector<Walked> state_;
   std::vector<std::uint32_t> times_open_;  // by program
   std::vector<Open> open_;
+  std::vector<std::size_t> depth_of_;  // by entered program: its place among the open ones
   std::vector<std::size_t> order_;
   std::vector<std::pair<std::size_t, const CallEdge*>> closing_;
   std::vector<bool> reported_;  // by block
-  std::size_t looked_at_ = 0;
 };
 
 /// Return whether some path through an entered program reaches its end without its open call.
-bool CallOrder::is_avoided(const Open& open) {
-  constexpr std::size_t kMostBlocks = 4'000'000;  // beyond that, no path is searched
+bool CallOrder::is_avoided(Open& open) {
   const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
   const Block& block = c_.code.blocks[call];
   if (block.op == Op::IfThen || block.skip != 0) return true;
   const Entered& from = tree_.entered(open.place);
   const ProgramFlow& flow = c_.flow(from.program);
-  std::vector<bool> seen(flow.size(), false);
-  std::vector<Address> waiting{from.start};
-  while (!waiting.empty() && looked_at_ < kMostBlocks && !c_.over()) {
-    const Address at = waiting.back();
-    waiting.pop_back();
-    if (at == call || seen[at - flow.first()]) continue;
-    if (at >= flow.last() || flow.returns(at) || flow.ends(at)) return true;
-    seen[at - flow.first()] = true;
-    ++looked_at_;
-    for (const Exit* exit = flow.begin(at); exit != flow.end(at); ++exit)
-      waiting.push_back(exit->to);
+  if (open.passed.empty()) open.passed = passed_by_all(c_, flow, from.start);
+  return !open.passed[call - flow.first()];
+}
+
+/// Return the innermost open program whose open call a path avoids, or -1. What is known of the
+/// callers holds until they make their next call.
+std::ptrdiff_t CallOrder::last_avoided() {
+  std::size_t next = open_.size();
+  while (next > 0 && !open_[next - 1].is_known) --next;
+  for (; next < open_.size(); ++next) {
+    const std::ptrdiff_t below = next == 0 ? -1 : open_[next - 1].last_avoided;
+    const bool own = is_avoided(open_[next]);
+    open_[next].last_avoided = own ? static_cast<std::ptrdiff_t>(next) : below;
+    open_[next].is_known = true;
   }
-  return false;
+  return open_.back().last_avoided;
 }
 
 /// Return whether a block was reported before, and mark it.
@@ -212,21 +224,18 @@ void CallOrder::circle_from(std::vector<Open>::const_iterator first, std::string
 void CallOrder::circle(const CallTree::Call& call) {
   const CallEdge& edge = *call.edge;
   closing_.emplace_back(open_.back().place, &edge);
-  // A code does not call in the program that it calls.
+  const bool code = is_by_code(c_, edge);  // a code does not call in the program that it calls
   const Block& block = c_.code.blocks[edge.from];
-  const bool code = block.op == Op::Select && c_.code.selects[block.aux].address != 0;
   // The call of the own program lost a word that it drops, such as where it begins.
   const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
   if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
-  auto first = open_.cbegin();
-  while (first->place != call.to) ++first;
-  const auto avoided = [this](const Open& open) { return is_avoided(open); };
-  if (std::any_of(first, open_.cend(), avoided)) return;  // a condition ends the circle
+  const auto depth = static_cast<std::ptrdiff_t>(depth_of_[call.to]);
+  if (last_avoided() >= depth) return;  // a condition ends the circle
   const CallRecord& record = c_.code.calls[edge.record];
   if (c_.known(Check::Recursion, group_of(call.to), edge.from, {record.at, record.width})) return;
   std::string names;
   std::vector<Address> path;
-  circle_from(first, names, path);
+  circle_from(open_.cbegin() + depth, names, path);
   names += name(call.to);
   c_.found(Check::Recursion, edge.from, {record.at, record.width}, names).path = std::move(path);
 }
@@ -269,6 +278,7 @@ std::string CallOrder::name(std::size_t place) const {
 
 void CallOrder::walk(std::size_t from) {
   const auto enter = [this](std::size_t place) {
+    depth_of_[place] = open_.size();
     open_.push_back({place});
     state_[place] = Walked::Open;
     ++times_open_[static_cast<std::size_t>(tree_.entered(place).program)];
@@ -285,6 +295,7 @@ void CallOrder::walk(std::size_t from) {
       continue;
     }
     const CallTree::Call& call = calls[top.call++];
+    top.is_known = false;
     if (is_of_open_caller(*call.edge)) refuse(*call.edge);
     Walked& state = state_[call.to];
     if (state == Walked::Open) circle(call);
