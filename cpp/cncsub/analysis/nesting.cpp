@@ -38,10 +38,9 @@ void check_self_calls(Checker& c) {
       if (c.over()) return;
       if (is_by_code(c, edge) || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
-      std::string names = c.code.name_of(edge.called);
-      names += " > " + c.code.name_of(edge.called);
+      const std::string name = c.code.name_of(edge.called);
       c.refused(Check::CallsOpen, edge.from,
-                {Cause::ProgramCallsItself, record.at, record.width, std::move(names)});
+                {Cause::ProgramCallsItself, record.at, record.width, name + " > " + name});
     }
 }
 
@@ -142,12 +141,12 @@ class CallOrder {
 
  private:
   enum class Walked : std::uint8_t { New, Open, Done };
+  static constexpr std::ptrdiff_t kUnknown = -2;
   struct Open {
     std::size_t place;
     std::size_t call = 0;
-    std::vector<bool> passed{};       // the blocks on every path to an end; empty: not known yet
-    std::ptrdiff_t last_avoided = 0;  // see last_avoided(); only where `is_known`
-    bool is_known = false;
+    std::vector<bool> passed{};  // the blocks on every path to an end; empty: not known yet
+    std::ptrdiff_t last_avoided = kUnknown;  // see the function of this name
   };
 
   bool is_told(Address at);
@@ -179,9 +178,8 @@ bool CallOrder::is_avoided(Open& open) {
   const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
   const Block& block = c_.code.blocks[call];
   if (block.op == Op::IfThen || block.skip != 0) return true;
-  const Entered& from = tree_.entered(open.place);
-  const ProgramFlow& flow = c_.flow(from.program);
-  if (open.passed.empty()) open.passed = passed_by_all(c_, flow, from.start);
+  const ProgramFlow& flow = c_.flow(tree_.entered(open.place).program);
+  if (open.passed.empty()) open.passed = passed_by_all(c_, flow, tree_.entered(open.place).start);
   return !open.passed[call - flow.first()];
 }
 
@@ -189,12 +187,11 @@ bool CallOrder::is_avoided(Open& open) {
 /// callers holds until they make their next call.
 std::ptrdiff_t CallOrder::last_avoided() {
   std::size_t next = open_.size();
-  while (next > 0 && !open_[next - 1].is_known) --next;
+  while (next > 0 && open_[next - 1].last_avoided == kUnknown) --next;
   for (; next < open_.size(); ++next) {
-    const std::ptrdiff_t below = next == 0 ? -1 : open_[next - 1].last_avoided;
-    const bool own = is_avoided(open_[next]);
-    open_[next].last_avoided = own ? static_cast<std::ptrdiff_t>(next) : below;
-    open_[next].is_known = true;
+    Open& open = open_[next];
+    open.last_avoided = next == 0 ? -1 : open_[next - 1].last_avoided;
+    if (is_avoided(open)) open.last_avoided = static_cast<std::ptrdiff_t>(next);
   }
   return open_.back().last_avoided;
 }
@@ -224,11 +221,11 @@ void CallOrder::circle_from(std::vector<Open>::const_iterator first, std::string
 void CallOrder::circle(const CallTree::Call& call) {
   const CallEdge& edge = *call.edge;
   closing_.emplace_back(open_.back().place, &edge);
-  const bool code = is_by_code(c_, edge);  // a code does not call in the program that it calls
-  const Block& block = c_.code.blocks[edge.from];
   // The call of the own program lost a word that it drops, such as where it begins.
-  const bool dropped = edge.called == edge.caller && (block.flags & Block::kDrops) != 0;
-  if (code || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
+  const bool dropped =
+      edge.called == edge.caller && (c_.code.blocks[edge.from].flags & Block::kDrops) != 0;
+  // A code does not call in the program that it calls.
+  if (is_by_code(c_, edge) || dropped || is_refused_again(c_, edge) || is_told(edge.from)) return;
   const auto depth = static_cast<std::ptrdiff_t>(depth_of_[call.to]);
   if (last_avoided() >= depth) return;  // a condition ends the circle
   const CallRecord& record = c_.code.calls[edge.record];
@@ -286,16 +283,15 @@ void CallOrder::walk(std::size_t from) {
   enter(from);
   while (!open_.empty() && !c_.over()) {
     Open& top = open_.back();
-    const std::vector<CallTree::Call>& calls = tree_.calls(top.place);
-    if (top.call == calls.size()) {
+    if (top.call == tree_.calls(top.place).size()) {
       state_[top.place] = Walked::Done;
       order_.push_back(top.place);
       --times_open_[static_cast<std::size_t>(tree_.entered(top.place).program)];
       open_.pop_back();
       continue;
     }
-    const CallTree::Call& call = calls[top.call++];
-    top.is_known = false;
+    top.last_avoided = kUnknown;
+    const CallTree::Call& call = tree_.calls(top.place)[top.call++];
     if (is_of_open_caller(*call.edge)) refuse(*call.edge);
     Walked& state = state_[call.to];
     if (state == Walked::Open) circle(call);
@@ -345,10 +341,10 @@ std::vector<NestingCheck::Limit> NestingCheck::limits(bool macro) const {
   if (macro)
     all.push_back(
         {1, rules.max_macro_nesting.value, Cause::MacroNestingTooDeep, " levels of macro calls"});
-  if (rules.nesting_counts_macros.value)
-    all.push_back({2, rules.max_nesting.value, Cause::NestingTooDeep, " levels of calls"});
-  else if (!macro)
-    all.push_back({0, rules.max_nesting.value, Cause::NestingTooDeep, " levels of calls"});
+  const bool both = rules.nesting_counts_macros.value;
+  if (both || !macro)
+    all.push_back(
+        {both ? 2 : 0, rules.max_nesting.value, Cause::NestingTooDeep, " levels of calls"});
   if (rules.max_total_nesting.value > 0)
     all.push_back({2, rules.max_total_nesting.value, Cause::NestingTooDeep,
                    " levels of calls of both kinds"});
@@ -365,8 +361,8 @@ std::vector<Address> NestingCheck::path(std::size_t to, std::size_t measure) con
 }
 
 void NestingCheck::call(std::size_t from, const CallTree::Call& call) {
-  const CallEdge& edge = *call.edge;
   Depth deeper = deepest_[from];
+  const CallEdge& edge = *call.edge;
   const CallRecord& record = c_.code.calls[edge.record];
   ++deeper[record.macro ? 1 : 0];
   ++deeper[2];
