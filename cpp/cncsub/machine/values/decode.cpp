@@ -83,7 +83,8 @@ bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t
         {Cause::ValueOutOfRange, e.at(), e.width(),
          "the value has more than " + std::to_string(most_digits(run.control())) + " digits", of});
   }
-  if (value < 0 && (run.unsigned_words >> place & 1) != 0) {
+  constexpr double kHair = 1e-9;  // 0.3-0.1-0.2 is no number below zero
+  if (value < -kHair && (run.unsigned_words >> place & 1) != 0) {
     const Expression e = run.code->expression(expression);
     const std::string letter(1, static_cast<char>('A' + place));
     return alarm(run, {Cause::ValueOutOfRange, e.at(), e.width(), letter + " is negative", of});
