@@ -38,9 +38,10 @@ void check_self_calls(Checker& c) {
       if (c.over()) return;
       if (is_by_code(c, edge) || c.inside(flow) || !is_refused_again(c, edge)) continue;
       const CallRecord& record = c.code.calls[edge.record];
-      const std::string name = c.code.name_of(edge.called);
+      std::string names = c.code.name_of(edge.called) + " > ";
+      names += c.code.name_of(edge.called);
       c.refused(Check::CallsOpen, edge.from,
-                {Cause::ProgramCallsItself, record.at, record.width, name + " > " + name});
+                {Cause::ProgramCallsItself, record.at, record.width, std::move(names)});
     }
 }
 
@@ -176,8 +177,7 @@ class CallOrder {
 /// Return whether some path through an entered program reaches its end without its open call.
 bool CallOrder::is_avoided(Open& open) {
   const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
-  const Block& block = c_.code.blocks[call];
-  if (block.op == Op::IfThen || block.skip != 0) return true;
+  if (c_.code.blocks[call].op == Op::IfThen || c_.code.blocks[call].skip != 0) return true;
   const ProgramFlow& flow = c_.flow(tree_.entered(open.place).program);
   if (open.passed.empty()) open.passed = passed_by_all(c_, flow, tree_.entered(open.place).start);
   return !open.passed[call - flow.first()];
@@ -198,9 +198,9 @@ std::ptrdiff_t CallOrder::last_avoided() {
 
 /// Return whether a block was reported before, and mark it.
 bool CallOrder::is_told(Address at) {
-  const bool reported = reported_[at];
+  if (reported_[at]) return true;
   reported_[at] = true;
-  return reported;
+  return false;
 }
 
 /// Add the names of the open programs from `first` on, without those in the middle of a long
