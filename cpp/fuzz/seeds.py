@@ -96,7 +96,9 @@ def write_inputs(out: Writer, inputs: Mapping[str, Any]) -> None:
     skips = inputs.get("skips", ())
     reported = [(0, skip) for skip in skips]  # of any signal
     if isinstance(skips, Mapping):
-        reported = [(skip_signal("skips", of), skip) for of, those in skips.items() for skip in those]
+        reported = [
+            (skip_signal("skips", of), skip) for of, those in skips.items() for skip in those
+        ]
     for signal, skip in out.each(reported, 4):
         out.byte(signal)
         out.byte(round(skip * 255) if isinstance(skip, int | float) and 0 <= skip <= 1 else 255)
