@@ -51,24 +51,19 @@ AlarmEntry entry_of(const AlarmList& list, const ListedAlarm& row) {
   return {};
 }
 
-constexpr Cause kRefusals[] = {
+constexpr Refusals kRefusals = {
 #define REFUSAL(cause, example) Cause::cause,
 #include "cncsub/control/refusals.def"
 #undef REFUSAL
 };
 
-template <class Causes>
-bool is_in(const Causes& causes, Cause cause) {
-  return std::find(std::begin(causes), std::end(causes), cause) != std::end(causes);
-}
-
 }  // namespace
 
-void refuse_listed(Control& control, const AlarmList& list, std::initializer_list<Cause> besides) {
+void refuse_listed(Control& control, const AlarmList& list, const Refusals& besides) {
   for (const ListedAlarm& row : list.rows) {
     if (row.row != Row::Listed && row.row != Row::Directed) continue;
     for (const Cause cause : row.causes)
-      if (is_in(kRefusals, cause) && !is_in(besides, cause))
+      if (kRefusals.has(cause) && !besides.has(cause))
         has(control.common.refuses, {cause}, list.key + " " + bare(row.number), list.evidence);
   }
 }

@@ -49,7 +49,6 @@ void take_list(Control& control, const AlarmList& list,
 
 /// Make a control refuse what its printed list has a number for and others run, each by that
 /// number; `besides` are causes of the list that other rules decide.
-void refuse_listed(Control& control, const AlarmList& list,
-                   std::initializer_list<Cause> besides = {});
+void refuse_listed(Control& control, const AlarmList& list, const Refusals& besides = {});
 
 }  // namespace cncsub

@@ -280,7 +280,7 @@ def _fix(
         after = source[place.column - 1 :]
         name, equals, _ = after.partition("=")
         name = name.strip()
-        if name.startswith("#") and equals:
+        if name.startswith("#") and name[1:].isdecimal() and equals:
             column = place.column + len(after) - len(after.lstrip())
             return (Edit(place.file, place.line, column, name, f"THEN {name}"),)
     return None if alarm is None else _mended_word(place, alarm, source)
@@ -290,16 +290,17 @@ def _mended_word(place: _core.Alarm, alarm: _core.Alarm, source: str) -> tuple[E
     """Mend XO. to X0. and X1,5 to X1.5: the control refuses them, and nothing else can be meant."""
     word = place.word
     text = source[place.column - 1 :]
-    if alarm.cause == "address-without-value" and word[:1] not in "Oo":
+    if alarm.cause == "address-without-value" and text[:1].isupper() and text[0] != "O":
         size = 2 if text[1:2] in ("+", "-") else 1
         value = text[size : size + 1]
-        if value in ("O", "o") and text[size + 1 : size + 2] in (*"0123456789.; \t", ""):
+        if value == "O" and text[size + 1 : size + 2] in (*"0123456789.; \t", ""):
             before = text[:size]
             return (Edit(place.file, place.line, place.column, before + value, f"{before}0"),)
     if alarm.cause == "value-without-address" and text.startswith(word) and word[1:].isdecimal():
-        before = source[: place.column - 1].rstrip("0123456789")
-        whole = before != source[: place.column - 1] and before.rstrip("+-")[-1:].isalpha()
-        if word[0] == "," and whole:
+        before = source[: place.column - 1]
+        signed = before.rstrip("0123456789")
+        letter = (signed[:-1] if signed.endswith(("+", "-")) else signed)[-1:]
+        if word[0] == "," and signed != before and letter.isascii() and letter.isalpha():
             return (Edit(place.file, place.line, place.column, word, f".{word[1:]}"),)
     return None
 

@@ -102,7 +102,11 @@ class Block:
         """The words of the block, as the control reads them: `tokens` without what stands between
         them.
         """
-        return tuple(token.word for token in self.tokens if token.word is not None)
+        # Without the columns, for each of which the line is counted through.
+        rows = self._program.data.tokens(self._index)
+        return tuple(
+            Word(address, value, read) for kind, _, address, value, read in rows if kind == "word"
+        )
 
     @property
     def calls(self) -> tuple[CallTo, ...]:

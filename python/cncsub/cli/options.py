@@ -1,6 +1,4 @@
-"""The common parts of the commands: their options, what is made of them, and how output is
-written.
-"""
+"""The common parts of the commands: options, what is made of them, and how output is written."""
 
 from __future__ import annotations
 

@@ -335,9 +335,8 @@ def _words_of(library: Library, alarm: Alarm, mdi: str | None) -> list[Word]:
     """Return the words of the block that alarmed."""
     program = library.get(alarm.program)
     if program is not None:
-        text = next((b.text for b in program.blocks if b.line == alarm.line), "")
-    else:
-        text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
+        return next((list(b.words) for b in program.blocks if b.line == alarm.line), [])
+    text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
     tokens = tokens_of(_core.tokens(library.control, text), 1)
     return [token.word for token in tokens if token.word is not None]
 
