@@ -197,12 +197,14 @@ def test_a_main_file_alone_finds_its_folder(job: Path) -> None:
     assert [line.split(": ")[1] for line in err.splitlines()] == [
         str(job / "O0002.nc"),
         str(job / "o9010.NC"),
+        "O2",  # lengths without a point
     ]
     _, out, _ = command("run", job / "main.nc", "-c", "fanuc-0i-f", "--format", "json")
     notes = json.loads(out)["notes"]
     assert [(note["kind"], Path(note["file"]).name) for note in notes] == [
         ("beside", "O0002.nc"),
         ("beside", "o9010.NC"),
+        ("increments", "O2"),
     ]
 
 

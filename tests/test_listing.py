@@ -37,7 +37,7 @@ def test_each_block_with_what_it_did(run: cncsub.Run) -> None:
         "     3  | O2:8  N30 M99",
         "     4  | O2:6  pass 2  N10 #100=#100+1  ->  #100 = 6",
         "     5  | O2:7  pass 2  N20 G91 G1 X#100 F600  ->  feed X11 Y0 Z0",
-        "     6  | O2:8  pass 2  N30 M99",
+        "     6  | O2:8  pass 2  N30 M99  ->  back to O1 N20",
         "     7  O1:3  N20 G4 X1.5  ->  dwell 1.5 s",
         "     8  O1:4  N30 M30",
     ]
@@ -52,7 +52,7 @@ def test_codes_and_moves_come_before_the_call() -> None:
         "S900 M3",
         "feed X5 Y0 Z0; calls O2",
         "M8",
-        "",
+        "back to O1 N40",
         "",
     ]
     assert [(code.kind, code.value) for code in listed[0].codes] == [("T", 2), ("M", 6)]

@@ -302,8 +302,11 @@ def test_run_mdi_and_machine_take_the_same_options() -> None:
         (cncsub.Library.machine, set()),
         (cncsub.Library.stream, {"rows"}),
         (cncsub.Library.mdi, {"text", "mode"}),
-        (cncsub.Library.flatten, {"control", "comments", "mode", "trace", "watch"}),
-        (cncsub.flatten, {"library", "control", "comments", "mode", "trace", "watch"}),
+        (cncsub.Library.flatten, {"control", "comments", "mode", "trace", "watch", "conditions"}),
+        (
+            cncsub.flatten,
+            {"library", "control", "comments", "mode", "trace", "watch", "conditions"},
+        ),
         (cncsub.compare, {"first", "second", "controls", "control", "mode"}),
     ):
         own = set(inspect.signature(method).parameters) - {"self", "main"}

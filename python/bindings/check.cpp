@@ -7,8 +7,10 @@
 
 #include "bindings.hpp"
 #include "cncsub/analysis/flow.hpp"
+#include "cncsub/analysis/points.hpp"
 #include "cncsub/control/spelled.hpp"
 #include "gil.hpp"
+#include "live.hpp"
 #include "program_data.hpp"
 
 namespace py = pybind11;
@@ -178,7 +180,46 @@ py::tuple flow(const Flows& flows, const ProgramData& program) {
 
 }  // namespace
 
+namespace {
+
+/// Return the programs that have a step in a record.
+std::vector<bool> programs_of(const Record& record) {
+  const Code& code = record.code();
+  std::vector<bool> ran(code.programs.size(), false);
+  const Program* last = nullptr;
+  const auto& steps = record.trace().steps;
+  steps.for_each_run(0, steps.size(), [&](const Trace::Step* rows, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Address at = rows[i].address;
+      if (last != nullptr && at >= last->first && at < last->last) continue;
+      const auto program = static_cast<std::size_t>(code.program_at(at));
+      ran[program] = true;
+      last = &code.programs[program];
+    }
+  });
+  return ran;
+}
+
+/// Return how many lengths of the programs that ran have no point, and of the first one: its
+/// letter, its value, its program, N and line; None where there are none.
+py::object lengths_without_point(const Record& record, const std::string& machine) {
+  const Record::Reading reading(record);
+  const Code* const code = &record.code();
+  WithoutPoint found;
+  work_away([&](InterruptCheck& interrupt) {
+    found = cncsub::lengths_without_point(*code, programs_of(record), machine, interrupt);
+  });
+  if (found.count == 0) return py::none();
+  const Block& block = code->blocks[found.block];
+  return py::make_tuple(found.count, std::string(1, found.address), found.value,
+                        code->name_of(code->program_at(found.block)), sequence_number(block.n),
+                        block.line);
+}
+
+}  // namespace
+
 void add_check(py::module_& m) {
+  m.def("lengths_without_point", &lengths_without_point, py::arg("record"), py::arg("machine"));
   m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
   m.def("checks", &all_rules);
   m.def("told_for", &told_for, py::arg("control"));

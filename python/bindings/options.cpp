@@ -188,6 +188,7 @@ const std::map<std::string, Take>& takes() {
       {"max_memory",
        [](Options& o, const py::handle& v) { o.max_memory = v.cast<std::uint64_t>(); }},
       {"trace", [](Options& o, const py::handle& v) { o.trace = depth_of(v.cast<std::string>()); }},
+      {"conditions", [](Options& o, const py::handle& v) { o.conditions = v.cast<bool>(); }},
       {"inputs", [](Options& o, const py::handle& v) { o.inputs = inputs_of(v.cast<py::dict>()); }},
       {"setup", [](Options& o, const py::handle& v) { o.setup = setup_of(v.cast<py::dict>()); }},
       {"watch",

@@ -89,6 +89,48 @@ py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
   return texts;
 }
 
+/// How the step after another one came to be that.
+enum class Way : std::int8_t { On, Skips, Jumps, Returns, Other };
+
+/// Return how a step leads to the next one.
+Way way_to(const Code& code, const Trace& trace, const Trace::Step& from, const Trace::Step& to) {
+  if (to.call != from.call)
+    return depth_of_call(trace, to.call) < depth_of_call(trace, from.call) ? Way::Returns
+                                                                           : Way::Other;
+  if (to.repeat != from.repeat) return Way::Other;
+  const std::uint32_t next = from.address + 1;
+  if (to.address == next) return Way::On;
+  if (to.address < next) return Way::Jumps;
+  for (std::uint32_t at = next; at < to.address; ++at)
+    if (code.blocks[at].skip == 0) return Way::Jumps;
+  return Way::Skips;
+}
+
+/// Return how each of some steps leads to the next one, a `Way` each.
+py::object step_ways(const Record& record, std::size_t first, std::size_t last) {
+  const Record::Reading reading(record);
+  const Trace& trace = record.trace();
+  const auto& steps = trace.steps;
+  last = std::min(last, steps.size());
+  first = std::min(first, last);
+  const Array<std::int8_t> array(last - first);
+  for (std::size_t i = first; i < last; ++i)
+    array.data[i - first] = static_cast<std::int8_t>(
+        i + 1 < steps.size() ? way_to(record.code(), trace, steps[i], steps[i + 1]) : Way::Other);
+  return array.object;
+}
+
+/// Return the blocks between a step and the next one as they are written.
+py::list texts_after(const Record& record, std::size_t index) {
+  const Record::Reading reading(record);
+  const auto& steps = record.trace().steps;
+  if (index + 1 >= steps.size()) throw py::index_error("no step follows");
+  py::list texts;
+  for (std::uint32_t at = steps[index].address + 1; at < steps[index + 1].address; ++at)
+    texts.append(py::str(std::string(text_at(record.code(), at))));
+  return texts;
+}
+
 py::object step_row(const Record& record, std::size_t index, const py::type& row) {
   const Record::Reading reading(record);
   if (index >= record.trace().steps.size()) throw py::index_error("no such step");
@@ -148,6 +190,8 @@ void add_steps(py::class_<Record>& trace) {
                              })
       .def("step_row", &step_row, py::arg("index"), py::arg("row"))
       .def("step_column", &step_column, py::arg("name"))
+      .def("step_ways", &step_ways, py::arg("first"), py::arg("last"))
+      .def("texts_after", &texts_after, py::arg("index"))
       .def("step_texts", &step_texts, py::arg("first"), py::arg("last"))
       .def("step_text_column", &step_text_column);
 }

@@ -298,6 +298,7 @@ void add_trace(py::module_& m) {
   };
   py::class_<Record> trace(m, "Trace", py::is_final());
   add_watch(trace);
+  add_conditions(trace);
   add_sent_codes(trace);
   add_paths(trace);
   add_steps(trace);

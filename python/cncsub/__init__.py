@@ -24,7 +24,17 @@ from cncsub.run import AlarmError, Machine, Run, Stop
 from cncsub.run_options import RunOptions
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
-from cncsub.tables.rows import Call, Change, Dropped, MissedSkip, Move, Origin, SentCode, Step
+from cncsub.tables.rows import (
+    Call,
+    Change,
+    Compared,
+    Dropped,
+    MissedSkip,
+    Move,
+    Origin,
+    SentCode,
+    Step,
+)
 from cncsub.workpiece import Box, Cylinder, Plane, Sphere, Workpiece
 
 if TYPE_CHECKING:
@@ -91,6 +101,7 @@ __all__ = [
     "Cause",
     "Change",
     "CheckRule",
+    "Compared",
     "Comparison",
     "Computed",
     "Control",

@@ -265,6 +265,9 @@ _FindingRow = tuple[
     str,
 ]
 
+def lengths_without_point(
+    record: Trace, machine: str
+) -> tuple[int, str, float, str, int | None, int] | None: ...
 def check(code: Code, main: int, machine: str) -> list[_FindingRow]:
     """Return what is wrong with the programs, by their blocks."""
 
@@ -410,6 +413,11 @@ class Trace:
     def steps(self) -> int: ...  # rows of the table of steps
     def step_row(self, index: int, row: type[Step]) -> Step: ...
     def step_column(self, name: str) -> np.ndarray[Any, Any]: ...
+    def step_ways(self, first: int, last: int) -> np.ndarray[Any, Any]:
+        """Return how each of some steps leads to the next: 0 to the next block, 1 past skipped
+        blocks, 2 by a jump, 3 back to a caller, 4 otherwise.
+        """
+    def texts_after(self, index: int) -> list[str]: ...  # the blocks up to the next step's
     def step_texts(self, first: int, last: int) -> list[str]: ...  # the blocks of some rows
     def step_text_column(self) -> tuple[np.ndarray[Any, Any], list[str]]: ...  # of all rows
     @property
@@ -441,6 +449,14 @@ class Trace:
     def change_column(self, name: str) -> np.ndarray[Any, Any]: ...
     @property
     def watched(self) -> dict[int, float | None]: ...  # before the first row
+    @property
+    def compared(self) -> int: ...  # rows of the table of comparisons
+    @property
+    def operator_texts(self) -> list[str]: ...
+    def compared_row(
+        self, index: int
+    ) -> tuple[int, float | None, str, float | None, bool, str, int | None, int]: ...
+    def compared_column(self, name: str) -> np.ndarray[Any, Any]: ...
     @property
     def path_length(self) -> float: ...  # mm
     @property

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import NamedTuple, TypeVar
 
 from cncsub import _core
+from cncsub._core import Alarm
 from cncsub._core import Control as Control
 
 T = TypeVar("T")
@@ -154,3 +155,8 @@ def control_of(control: str | Control) -> Control:
         known = did_you_mean(control, controls, f"; there are {', '.join(controls)}")
         raise ValueError(f"no control is called {control!r}{known}")
     return controls[control]
+
+
+def cure_of(alarm: Alarm, control: Control) -> str:
+    """Return what to change in a program that raised an alarm, in the words of the control."""
+    return _core.told_for(control)[1][alarm.cause][1]

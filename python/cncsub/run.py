@@ -14,7 +14,7 @@ from cncsub.analysis import assertions
 from cncsub.controls import did_you_mean
 from cncsub.pickling import NotPicklable
 from cncsub.program import Block, find_program
-from cncsub.tables.of_runs import Calls, Codes, Moves, Steps, Watch
+from cncsub.tables.of_runs import Calls, Codes, Conditions, Moves, Steps, Watch
 from cncsub.tables.rows import Dropped, MissedSkip, Step
 from cncsub.variables import MachineVariables, Signals, Variables
 
@@ -93,6 +93,11 @@ class Recorded(NotPicklable):
     def watch(self) -> Watch:
         """One row per change of a variable named in `watch` (with any `trace`)."""
         return Watch(self.recorded)
+
+    @functools.cached_property
+    def conditions(self) -> Conditions:
+        """One row per comparison of a condition (with `conditions=True`)."""
+        return Conditions(self.recorded)
 
     @property
     def messages(self) -> list[str]:

@@ -120,7 +120,9 @@ def _variables(values: object) -> dict[int, float | None]:
 
 
 class FlattenOptions(TypedDict, total=False):
-    """The options of `Library.flatten`: those of `Library.run` but `mode`, `trace` and `watch`."""
+    """The options of `Library.flatten`: those of `Library.run` but `mode`, `trace`, `watch` and
+    `conditions`.
+    """
 
     start: Annotated[
         int | None,
@@ -208,6 +210,15 @@ class MdiOptions(FlattenOptions, total=False):
             checked_watch,
             "The numbers of variables, a thousand at most, whose changes are kept in `Run.watch`."
             " Each costs a look after every block and 24 bytes a change.",
+        ),
+    ]
+    conditions: Annotated[
+        bool,
+        Option(
+            False,
+            _yes_or_no("conditions"),
+            "Whether the values that conditions compare are kept in `Run.conditions`, 32 bytes a"
+            " comparison.",
         ),
     ]
 

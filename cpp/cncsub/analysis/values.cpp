@@ -6,54 +6,24 @@
 #include <vector>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/analysis/points.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
 namespace {
 
-constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | bit('V') | bit('W');
-constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
 constexpr double kFewIncrements = 1000;
 
-/// Return the words of a block that are lengths: in an arc also its centre and radius, in a
-/// drilling cycle its R. Another word shows where these letters are something else, such as a
-/// count.
-std::uint32_t lengths_of(const Checker& c, const Block& block) {
-  std::uint32_t lengths = block.op == Op::Arc ? kLengths | kCentre : kLengths;
-  bool passes = false;
-  each_g(c.code, block, [&](int g) {
-    const GCode code = c.g_codes.find(g);
-    passes = passes || is_multiple_cycle(code.meaning);
-    if (code.meaning == Meaning::Cw || code.meaning == Meaning::Ccw) lengths |= kCentre;
-    if (code.group == Group::Cycle && c.machine == MachineType::Mill) lengths |= bit('R');
-  });
-  return passes ? 0 : block.mask & lengths;
+/// Report a length without a point. One finding of a program has them all, and names the first.
+void tell_no_point(Checker& c, Address at, TextPlace place) {
+  const std::int32_t program = c.code.program_at(at);
+  if (c.known(Check::NoPoint, std::to_string(program), at, place)) return;
+  const std::string_view text = c.code.files[c.program(program).file].text.view();
+  c.found(Check::NoPoint, at, place,
+          std::string(text.substr(place.at, place.width)) +
+              " counts increments of the control, a thousandth of a millimetre or less");
 }
-
-/// The lengths of a block that are written with a point, and the small ones that are not.
-struct Points {
-  std::uint32_t with = 0, without = 0;
-};
-
-Points points_of(const Checker& c, const Block& block) {
-  const Code& code = c.code;
-  const std::uint32_t lengths = lengths_of(c, block);
-  if (lengths == 0) return {};
-  if ((block.flags & Block::kHasExtra) == 0) return {lengths, 0};
-  const auto extra = code.cells[block.data].extra;
-  Points points{lengths & ~extra.whole & ~extra.expressions, 0};
-  const Cell* cell = code.cells.data() + block.data + 1 + block.code_cells();
-  for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
-    const std::uint32_t address = left & ~(left - 1);
-    if ((address & lengths & extra.whole & ~extra.expressions) == 0) continue;
-    if (cell->value != 0 && std::fabs(cell->value) < kFewIncrements) points.without |= address;
-  }
-  return points;
-}
-
-constexpr const char* kIncrements =
-    "it counts increments of the control, a thousandth of a millimetre or less";
 
 /// Return whether an argument of a macro is a small whole number that the control takes as
 /// increments.
@@ -72,20 +42,20 @@ void check_arguments(Checker& c, Address at) {
     for (std::uint32_t i = 0; i < record.arguments; ++i) {
       const Argument& argument = c.code.arguments[record.first_argument + i];
       if (counts_increments(argument))
-        c.found(Check::NoPoint, at, {argument.operand.at, argument.operand.width}, kIncrements);
+        tell_no_point(c, at, {argument.operand.at, argument.operand.width});
     }
   });
 }
 
-bool counts_increments(const Checker& c) {
-  return c.code.control->reading.whole_numbers.value == WholeNumbers::Increments;
+Points points_of(const Checker& c, const Block& block) {
+  return points_of(c.code, block, c.g_codes, c.machine);
 }
 
 /// Return the programs that write points, and those that call one or are called by one, directly or
 /// not: programs that belong together are written alike.
 std::vector<bool> writing_points(const Checker& c) {
   std::vector<bool> found(c.flows.size(), false);
-  if (!counts_increments(c)) return found;
+  if (!counts_increments(c.code)) return found;
   std::vector<std::int32_t> waiting;
   for (const ProgramFlow& flow : c.flows)
     for (Address at = flow.first(); at < flow.last() && !c.over(); ++at)
@@ -116,10 +86,9 @@ void check_points(Checker& c, const ProgramFlow& flow) {
       const bool meant = word.address.size() == 1 && word.address[0] >= 'A' &&
                          word.address[0] <= 'Z' && (addresses & bit(word.address[0])) != 0;
       if (meant)
-        c.found(Check::NoPoint, at,
-                {static_cast<std::uint32_t>(block.text + word.at),
-                 static_cast<std::uint32_t>(word.width)},
-                kIncrements);
+        tell_no_point(c, at,
+                      {static_cast<std::uint32_t>(block.text + word.at),
+                       static_cast<std::uint32_t>(word.width)});
     }
   }
   for (Address at = flow.first(); at < flow.last(); ++at)

@@ -39,7 +39,8 @@ const Trace::Step* Trace::find_step(std::int64_t number) const {
 
 std::size_t Trace::bytes() const {
   return steps.bytes() + calls.bytes() + arguments.bytes() + moves.bytes() + codes.bytes() +
-         messages.bytes() + dropped.bytes() + text + missed_skips.bytes() + changes.bytes();
+         messages.bytes() + dropped.bytes() + text + missed_skips.bytes() + changes.bytes() +
+         compared.bytes();
 }
 
 void Trace::say(std::string message) {

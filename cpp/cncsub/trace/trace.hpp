@@ -77,6 +77,15 @@ struct Trace {
     Address address;
   };
 
+  /// A comparison of a condition, or a condition that compares nothing: a value alone.
+  struct Compared {
+    std::int64_t step;
+    double left, right;  // of a value alone: `right` is vacant
+    Address address;
+    Ins op;  // End: a value alone
+    bool holds;
+  };
+
   Depth depth = Depth::Moves;
   Column<Step> steps;
   Column<CallRow> calls;
@@ -88,6 +97,7 @@ struct Trace {
   Column<Dropped> dropped;
   std::vector<Watched> watched;
   Column<Change> changes;
+  Column<Compared> compared;
   std::size_t text = 0;  // characters of the messages
 
   // Steps, calls and moves are numbered through the run; a part begins anywhere.

@@ -26,7 +26,8 @@ class Note:
     read; `"no-head"`, the first program has no head and runs because its file comes first;
     `"beside"`, a file that the command read too, because a call names its program; `"defaulted"`,
     the control is the one of a project; `"outside"`, a file or folder that a project names outside
-    its own folder; `"no-effect"`, what was given and changes nothing.
+    its own folder; `"no-effect"`, what was given and changes nothing; `"increments"`, lengths
+    without a decimal point, which the control counts in increments.
     `file`, `line`: the place, `None` for a file as a whole; of `"no-effect"` what was given.
     """
 

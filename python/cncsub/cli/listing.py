@@ -62,7 +62,10 @@ def write_listing(blocks: Iterator[cncsub.Listed], output: Path | None, *, as_js
 
 def _lines(blocks: Iterator[cncsub.Listed], *, as_json: bool) -> Iterator[str]:
     for block in blocks:
-        yield json.dumps(_facts(block), allow_nan=False) if as_json else shown(str(block))
+        if as_json:
+            yield json.dumps(_facts(block), allow_nan=False)
+        else:
+            yield from map(shown, str(block).split("\n"))
 
 
 def _facts(block: cncsub.Listed) -> dict[str, Any]:

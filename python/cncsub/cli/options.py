@@ -237,6 +237,8 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     }
     if watched := watched_numbers(options.get("watch") or ()):
         asked["watch"] = watched
+    if options.get("conditions"):
+        asked["conditions"] = True
     project = project_for(options.get("paths"))
     if (setup := setup_for(options, project)) is not None:
         asked["setup"] = setup
@@ -456,6 +458,15 @@ def told_idle(
     return idle
 
 
+def told_lengths(run: cncsub.Run, asked: Mapping[str, Any]) -> list[Note]:
+    """Report and return what is told of lengths without a decimal point."""
+    from cncsub.reports.hints import lengths_without_point
+
+    notes = list(lengths_without_point(run, asked))
+    tell_all(notes)
+    return notes
+
+
 def typed_in(run: cncsub.Run) -> cncsub.Program:
     """Return what was typed in MDI, as a program: the last one of the memory."""
     code = run.core.code
@@ -513,7 +524,10 @@ def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
 def tell_hints(hints: Iterable[str]) -> None:
     """Report on the error stream what leads on from an alarm."""
     for hint in hints:
-        typer.echo(f"hint: {shown(hint)}", err=True)
+        first, *more = hint.split("\n")
+        typer.echo(f"hint: {shown(first)}", err=True)
+        for line in more:  # of a file that is suggested
+            typer.echo(f"      {shown(line)}", err=True)
 
 
 def control_named(name: str | None, project: Project | None = None) -> cncsub.Control:

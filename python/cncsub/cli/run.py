@@ -31,6 +31,7 @@ from cncsub.cli.options import (
     tell_dropped,
     tell_hints,
     told_idle,
+    told_lengths,
     typed_in,
     whole_run,
     write_json,
@@ -75,7 +76,8 @@ def run(
         asked = filters(where or ())
         if asked and not listing:
             raise ValueError("--where chooses blocks of the listing: give --listing too")
-    made, title, notes, hints = _run(_watching({**locals(), **shared}, asked), trace="moves")
+    options = {**_watching({**locals(), **shared}, asked), "conditions": listing or bool(watch)}
+    made, title, notes, hints = _run(options, trace="moves")
     if listing:
         with wrong_use():
             blocks = made.listing(**asked)
@@ -142,11 +144,13 @@ def _run(
         if (mdi := options["mdi"]) is not None:
             made = whole_run(library.mdi(mdi, **asked))
             notes += map(asdict, told_idle(library, asked, typed_in(made)))
+            notes += map(asdict, told_lengths(made, asked))
             return made, f"MDI {where}", notes, hints_of(library, made, asked, mdi=mdi)
         program = library.main if options["main"] is None else library[options["main"]]
         name = "nothing" if program is None else program.name
         made = whole_run(library.run(options["main"], **asked))
         notes += map(asdict, told_idle(library, asked))
+        notes += map(asdict, told_lengths(made, asked))
         return made, f"{name} {where}", notes, hints_of(library, made, asked, options["main"])
 
 

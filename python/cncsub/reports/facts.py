@@ -8,7 +8,8 @@ from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, Parameter
-from cncsub.controls import causes, did_you_mean, sources_of
+from cncsub.analysis.conditions import conditions_on
+from cncsub.controls import causes, cure_of, did_you_mean, sources_of
 from cncsub.loading import loads
 from cncsub.tables.call_tree import CallTree
 from cncsub.tables.table import records
@@ -35,7 +36,7 @@ def run_facts(run: Run, title: str) -> dict[str, Any]:
         "stop": run.stop.value,
         "waiting_for": run.waiting_for or None,
         "endless": None if run.endless is None else endless_facts(run.endless),
-        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm, run.core.code.control),
         "steps": len(run.steps),
         "calls": [dict(record) for record in records(run.calls)],
         "length": run.moves.total_length,
@@ -61,6 +62,7 @@ def watch_facts(run: Run) -> dict[str, Any] | None:
     return {
         "beginning": {str(number): value for number, value in run.watch.beginning.items()},
         "changes": [asdict(run.watch[row]) for row in range(len(run.watch))],
+        "conditions": [asdict(row) for row in conditions_on(run, run.watch.beginning)],
     }
 
 
@@ -68,10 +70,11 @@ def endless_facts(endless: Endless) -> dict[str, Any]:
     return {**asdict(endless), "message": str(endless)}
 
 
-def alarm_facts(alarm: Alarm) -> dict[str, Any]:
+def alarm_facts(alarm: Alarm, control: Control) -> dict[str, Any]:
     names = "cause number text program n line column word file detail".split()  # noqa: SIM905
     return {
         **{name: getattr(alarm, name) for name in names},
+        "cure": cure_of(alarm, control),
         "frames": [_frame_facts(frame) for frame in alarm.frames],
         "message": str(alarm),
     }
@@ -113,7 +116,7 @@ def tree_facts(run: Run, title: str) -> dict[str, Any]:
     return {
         "title": title,
         "stop": run.stop.value,
-        "alarm": None if run.alarm is None else alarm_facts(run.alarm),
+        "alarm": None if run.alarm is None else alarm_facts(run.alarm, run.core.code.control),
         "dropped": [asdict(word) for word in run.dropped],
         "calls": [_call_facts(run, call) for call in run.calls.tree()],
     }

@@ -19,6 +19,7 @@ from cncsub.controls import controls
 from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.lines import lines_of
+from cncsub.number_text import length_text, number_text
 from cncsub.program import Program, Word, tokens_of
 from cncsub.references import Computed
 from cncsub.run import Run, Stop
@@ -102,7 +103,7 @@ def hints_of(
         return list(_answers(run, asked, again))
     if alarm is None:
         foreign = None if mdi is not None else foreign_language(library)
-        return [foreign] if foreign is not None else []
+        return [foreign] if foreign is not None else list(_unanswered_skips(run, asked, again))
     hints = list(_missing_program(library, alarm))
     if (other := _language(library, run, alarm, mdi, again)) is not None:
         hints.append(other)
@@ -420,6 +421,59 @@ def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> I
             if tried.waiting_for != run.waiting_for:
                 yield f"--inputs FILE answers, such as one with the line {words}"
                 return
+
+
+def _unanswered_skips(
+    run: Run, asked: Mapping[str, Any], again: Callable[..., Run]
+) -> Iterator[str]:
+    """Yield a file of inputs with which a probe touches something, where none said what it meets.
+    It is tried.
+    """
+    if not run.missed_skips or asked.get("inputs") is not None or run.blocks > MOST_BLOCKS:
+        return
+    missed = run.missed_skips[0]
+    move = next((m for m in run.moves if m.step == missed.step and m.skip == "missed"), None)
+    if move is None or move.sx is None:
+        return
+    ways = {
+        a: getattr(move, a) - getattr(move, f"s{a}") for a in "xyz" if getattr(move, a) is not None
+    }
+    axis = max(ways, key=lambda a: abs(ways[a]))
+    at, faces = getattr(move, axis) - ways[axis] / 2, "-" if ways[axis] > 0 else "+"
+    solid = {"plane": {axis.upper(): at}, "faces": f"{faces}{axis.upper()}"}
+    tried = again(inputs={"workpiece": {"stylus": 0, "solids": [solid]}})
+    if len(tried.missed_skips) < len(run.missed_skips):
+        plane = f"{{ {axis.upper()} = {length_text(at)} }}"
+        yield (
+            "--inputs FILE says what the probe meets, such as a face halfway:\n"
+            "[workpiece]\n"
+            "stylus = 3 # the radius of its ball\n"
+            f'solids = [{{ plane = {plane}, faces = "{solid["faces"]}" }}]'
+        )
+
+
+# ---- lengths without a point ----
+
+
+def lengths_without_point(run: Run, asked: Mapping[str, Any]) -> Iterator[Note]:
+    """Yield a note on lengths without a point in the programs that ran, where the control counts
+    them in increments.
+    """
+    setup = asked.get("setup") or Setup()
+    found = _core.lengths_without_point(run.recorded, setup.machine or "")
+    if found is None:
+        return
+    count, address, value, program, n, line = found
+    inches = run.modal.get("units") == "G20"
+    increment = (setup.increment or 0.001) * (0.1 if inches else 1)
+    length = f"{value * increment:.{4 if inches else 3}f} {'inch' if inches else 'mm'}"
+    lengths = "1 length has" if count == 1 else f"{count:,} lengths have"
+    place = f"{program} line {line}" if n is None else f"{program} N{n}"
+    yield Note(
+        "increments",
+        f"{lengths} no decimal point: {address}{number_text(value)} at {place} is {length}",
+        program,
+    )
 
 
 # ---- options without effect ----

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import heapq
 import itertools
 import os
 import textwrap
@@ -9,10 +10,14 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
+from cncsub.analysis.conditions import conditions_on
 from cncsub.analysis.static_tree import letters
+from cncsub.controls import cure_of
 from cncsub.escapes import shown
+from cncsub.number_text import number_text
 from cncsub.run import Stop
 from cncsub.tables.call_tree import CallTree
+from cncsub.tables.rows import Compared
 
 if TYPE_CHECKING:
     from cncsub.run import Run
@@ -116,20 +121,21 @@ def print_watch(console: Console, run: Run) -> None:
     its block.
     """
     now = dict(run.watch.beginning)
-    changes = len(run.watch)
     for first, last, value in _beginnings(now):
         verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
-        console.print(f"watch: #{first}{span} {verb} {_variable(value)}")
-    for row in range(min(changes, MOST_CHANGES)):
-        change = run.watch[row]
-        place = change.program if change.n is None else f"{change.program} N{change.n}"
-        step = f"{shown(str(place))}, line {change.line}, step {change.step}"
-        was, now[change.variable] = now[change.variable], change.value
-        values = f"{_variable(was)} -> {_variable(change.value)}"
-        console.print(f"watch: #{change.variable} {values} at {step}")
-    if changes > MOST_CHANGES:
-        left = changes - MOST_CHANGES
-        console.print(f"... {left:,} more changes; --format json and run.watch have them all")
+        console.print(f"watch: #{first}{span} {verb} {number_text(value)}")
+    rows = heapq.merge(run.watch, conditions_on(run, set(now)), key=lambda row: row.step or 0)
+    for row in itertools.islice(rows, MOST_CHANGES):
+        place = row.program if row.n is None else f"{row.program} N{row.n}"
+        step = f"{shown(str(place))}, line {row.line}, step {row.step}"
+        if isinstance(row, Compared):
+            console.print(f"watch: {row} at {step}")
+            continue
+        was, now[row.variable] = now[row.variable], row.value
+        values = f"{number_text(was)} -> {number_text(row.value)}"
+        console.print(f"watch: #{row.variable} {values} at {step}")
+    if left := sum(1 for _ in rows):
+        console.print(f"... {left:,} more; --format json and run.watch have them all")
 
 
 def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
@@ -147,10 +153,6 @@ def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, 
         first, last, value = number, number, now
     if first >= 0:
         yield first, last, value
-
-
-def _variable(value: float | None) -> str:
-    return "vacant" if value is None else f"{value:.10g}"
 
 
 def print_tree(console: Console, run: Run, title: str, *, callers: bool = False) -> None:
@@ -199,7 +201,10 @@ def print_stop(console: Console, run: Run | Stream) -> None:
     if run.endless is not None and run.stop is not Stop.WAITING:
         console.print(f"why: {shown(str(run.endless))}")
     if run.alarm is not None:
-        console.print(Text("\n".join(map(shown, str(run.alarm).split("\n")))))
+        for line in map(shown, str(run.alarm).split("\n")):
+            mark = line.strip(" |")
+            console.print(Text(line, style=_COLOURS["alarm"] if mark.strip("^") == "" else ""))
+        console.print(f"cure: {cure_of(run.alarm, run.core.code.control)}")
 
 
 def stop_text(run: Run | Stream) -> str:

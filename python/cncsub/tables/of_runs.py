@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
 from cncsub.tables.call_tree import CallTree, trees, write_lines
-from cncsub.tables.rows import Call, Change, Move, SentCode, Step
+from cncsub.tables.rows import Call, Change, Compared, Move, SentCode, Step
 from cncsub.tables.table import Table, known_or_none, number_or_none
 
 if TYPE_CHECKING:
@@ -16,10 +16,12 @@ if TYPE_CHECKING:
     from cncsub.tables.table import Column
 
 _DRAWN = 2000  # calls in a printed tree
-_FIELDS = {row: [f.name for f in fields(row)] for row in (Step, Call, Move, Change, SentCode)}
+_FIELDS = {
+    row: [f.name for f in fields(row)] for row in (Step, Call, Move, Change, SentCode, Compared)
+}
 
 
-def _field_names(row: type[Step | Call | Move | Change | SentCode]) -> list[str]:
+def _field_names(row: type[Step | Call | Move | Change | SentCode | Compared]) -> list[str]:
     return list(_FIELDS[row])
 
 
@@ -204,6 +206,52 @@ class Watch(Table[Change]):
     def size_words(self) -> str:
         watched = ", ".join(f"#{number}" for number in self.beginning)
         return f"{super().size_words()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
+
+
+class Conditions(Table[Compared]):
+    """One row per comparison that a condition made, in order: `step, left, operator, right, holds,
+    program, n, line`. They are kept where `run(conditions=True)` asks for them.
+
+    A condition of several comparisons, `[#1 LT 5] AND [#2 GT 0]`, has a row for each. One that
+    compares nothing has a row with its value as `left` and an empty `operator`.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 #1=#1+1\\nN20 IF[#1LT3]GOTO10\\nM30\\n"
+    >>> run = cncsub.loads(text, control="fanuc-0i-f").run(conditions=True)
+    >>> [str(compared) for compared in run.conditions]
+    ['1 LT 3: true', '2 LT 3: true', '3 LT 3: false']
+    >>> run.conditions.left.tolist(), run.conditions.holds.tolist()
+    ([1.0, 2.0, 3.0], [1, 1, 0])
+    """
+
+    _title = "comparisons"
+    _nulls = frozenset(("left", "right", "n"))
+
+    @property
+    def columns(self) -> list[str]:
+        return _field_names(Compared)
+
+    @property
+    def programs(self) -> list[str]:
+        """The names that the codes of the column `program` stand for."""
+        return self.core.program_names
+
+    @property
+    def operators(self) -> list[str]:
+        """The texts that the codes of the column `operator` stand for."""
+        return self.core.operator_texts
+
+    def _rows(self) -> int:
+        return self.core.compared
+
+    def _row(self, index: int) -> Compared:
+        return Compared(*self.core.compared_row(index))
+
+    def _fetch(self, names: list[str]) -> dict[str, Column]:
+        return {name: self.core.compared_column(name) for name in names}
+
+    def texts_of(self, name: str) -> list[str] | None:
+        return {"program": self.programs, "operator": self.operators}.get(name)
 
 
 class Codes(Table[SentCode]):

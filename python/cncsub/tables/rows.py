@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from cncsub.number_text import number_text
+
 if TYPE_CHECKING:
     from cncsub import _core
     from cncsub.program import Block
@@ -207,6 +209,32 @@ class Change:
     program: str | None
     n: int | None
     line: int | None
+
+
+@dataclass(frozen=True, slots=True)
+class Compared:
+    """A comparison that the condition of a step made: `left operator right`, and whether it
+    `holds`. A value is `None` where it is vacant. Of a condition that compares nothing, such as
+    `IF[#1]`, `left` is the value and `operator` is empty.
+
+    >>> print(Compared(7, 5.0, "LT", 5.0, False, "O1", None, 4))
+    5 LT 5: false
+    """
+
+    step: int
+    left: float | None
+    operator: str
+    right: float | None
+    holds: bool
+    program: str
+    n: int | None
+    line: int
+
+    def __str__(self) -> str:
+        compared = number_text(self.left)
+        if self.operator:
+            compared += f" {self.operator} {number_text(self.right)}"
+        return f"{compared}: {'true' if self.holds else 'false'}"
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.pickling import NotPicklable
-from cncsub.tables.rows import Call, Change, Move, Origin, SentCode, Step
+from cncsub.tables.rows import Call, Change, Compared, Move, Origin, SentCode, Step
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     Column = np.ndarray[Any, Any]
 
-Row = TypeVar("Row", bound=Step | Call | Move | Change | Origin | SentCode)
+Row = TypeVar("Row", bound=Step | Call | Move | Change | Origin | SentCode | Compared)
 
 _NARROW = 80  # letters of a line, where a terminal has no more
 _SHOWN = 5  # rows at the head and at the end of a printed table

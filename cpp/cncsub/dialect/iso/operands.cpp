@@ -2,6 +2,7 @@
 #include <string>
 
 #include "cncsub/dialect/iso/values.hpp"
+#include "cncsub/text/look_alikes.hpp"
 
 namespace cncsub {
 
@@ -140,7 +141,10 @@ Value ValueReader::other_word() {
   if (word == "NOT" && rules_.bare) return negation(at);
   const FunctionName* const found = rules_.function(word);
   if (found == nullptr)
-    return out_.refuse(Cause::ExpressionFormat, at, word + " is no function of this control");
+    return out_.refuse(
+        Cause::ExpressionFormat, at,
+        word + " is no function of this control" +
+            letter_for_zero({s_.file, static_cast<std::size_t>(s_.end - s_.file)}, at));
   return found->one == Ins::Programmed ? programmed(at) : arguments(*found, at);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "cncsub/text/look_alikes.hpp"
+
 namespace cncsub {
 
 namespace {
@@ -175,7 +177,8 @@ bool WordScanner::stray(const char* from) {
     return refuse(
         {Cause::CommentNotClosed, at, width,
          wide ? "a full-width parenthesis begins no comment" : "this parenthesis ends no comment"});
-  return refuse({Cause::IllegalCharacter, at, width, "the control does not know this character"});
+  return refuse({Cause::IllegalCharacter, at, width,
+                 "the control does not know this character" + full_width_of(character)});
 }
 
 // ---- values ----
@@ -211,9 +214,7 @@ bool WordScanner::check(Token& token, const Number& number) {
   if (two_signs(number, s_))
     return refuse(
         fault_of(token, Cause::TwoSigns, std::string(1, token.letter) + " has more than one sign"));
-  if (!number.any)
-    return refuse(fault_of(token, Cause::AddressWithoutValue,
-                           std::string(1, token.letter) + " stands without a value"));
+  if (!number.any) return refuse(fault_of(token, Cause::AddressWithoutValue, no_value_text(token)));
   if (number.points > 1)
     return refuse(fault_of(token, Cause::IllegalDecimalPoint, "two points in one number"));
   const std::uint32_t digits = number.points == 1 ? number.whole_digits + 3 : number.digits;
@@ -275,6 +276,11 @@ bool WordScanner::arithmetic(Token& token, const char* from) {
   return true;
 }
 
+std::string WordScanner::no_value_text(const Token& token) const {
+  const std::string_view text(s_.file, static_cast<std::size_t>(s_.end - s_.file));
+  return std::string(1, token.letter) + " has no value" + letter_for_zero(text, token.operand.at);
+}
+
 bool WordScanner::no_value(Token& token, const char* letter) {
   if (token.letter == 'G' && control_.reading.bare_g.value) {
     token.operand.kind = Operand::Kind::Constant;
@@ -286,8 +292,7 @@ bool WordScanner::no_value(Token& token, const char* letter) {
       fault->at = token.operand.at;
       return refuse(*fault);
     }
-  return refuse({Cause::AddressWithoutValue, token.operand.at, 1,
-                 std::string(1, token.letter) + " stands without a value"});
+  return refuse({Cause::AddressWithoutValue, token.operand.at, 1, no_value_text(token)});
 }
 
 /// Return the fault of a macro statement that stands in the place of a word.

@@ -73,6 +73,7 @@ class WordScanner {
   bool check(Token& token, const Number& number);
   bool computed(Token& token);
   bool arithmetic(Token& token, const char* from);
+  std::string no_value_text(const Token& token) const;
   bool no_value(Token& token, const char* letter);
   std::optional<Fault> statement_at(const char* letter) const;
   bool name(Token& token, char close);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cncsub/dialect/sinumerik/keywords.hpp"
+#include "cncsub/text/look_alikes.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -113,12 +114,14 @@ bool BlockReader::item(Block& block, Words& words) {
   if (name.size() > 1 && !is_digit(name[1])) return named(block, words);
   if (!name.empty() && is_letter(name[0])) return address(block, words);
   const bool system = line_.peek() == '$';
-  line_.pass(first_character(line_.rest()).size());
+  const std::string_view character = first_character(line_.rest());
+  line_.pass(character.size());
   if (system) {
     line_.pass(line_.name().size());
     return not_computed(block, "a system variable", at);
   }
-  return refuse(block, Cause::IllegalCharacter, "no word begins with this character", at);
+  return refuse(block, Cause::IllegalCharacter,
+                "no word begins with this character" + full_width_of(character), at);
 }
 
 /// Read X10, X=R1, G1, M30, L100 or R1=5.

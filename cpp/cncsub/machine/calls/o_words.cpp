@@ -86,6 +86,13 @@ bool own_value(Run& run, const OWord& own, double& value) {
   return own.value == OWord::kNone || evaluate(run, own.value, value);
 }
 
+/// Read the condition of a branch or a loop.
+bool own_condition(Run& run, const OWord& own, double& value) {
+  value = 0;
+  return own.value == OWord::kNone ||
+         evaluate_condition(run, run.code->expression(own.value), places(run), value);
+}
+
 /// Find what the label was met with before; alarm where it was not met.
 bool met_before(Run& run, const OWord& own, Labels::Met*& met) {
   const auto found = run.state.labels.met.find(key(run.frame().label, own.label));
@@ -255,7 +262,7 @@ bool labelled_call(Run& run, const OWord& own) {
 
 bool branch_of_if(Run& run, const OWord& own) {
   double value = 0;
-  if (!own_value(run, own, value)) return false;
+  if (!own_condition(run, own, value)) return false;
   const bool skipping = std::exchange(run.state.labels.skipping, false);
   Labels::Met* met = nullptr;
   if (own.kind == OWordKind::If) {
@@ -285,7 +292,7 @@ bool branch_of_if(Run& run, const OWord& own) {
 
 bool loop_head(Run& run, const OWord& own) {
   double value = 0;
-  if (!own_value(run, own, value)) return false;
+  if (!own_condition(run, own, value)) return false;
   run.state.labels.skipping = false;
   Labels::Met* met = nullptr;
   if (own.kind == OWordKind::Do) {

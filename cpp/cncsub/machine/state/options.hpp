@@ -46,6 +46,7 @@ struct Options {
   std::uint64_t max_memory = std::uint64_t{4} << 30;  // bytes of what is recorded
   Trace::Depth trace = Trace::Depth::Moves;
   std::vector<std::int32_t> watch;  // variables that can be read, whose changes are kept
+  bool conditions = false;          // what conditions compare is kept
   Inputs inputs;
   Setup setup;
 };

@@ -174,6 +174,10 @@ std::optional<Cause> calculate(Run& run, int code, double q, double r, std::int6
   }
 }
 
+/// What H81 to H86 compare Q and R by.
+constexpr Ins kComparisons[] = {Ins::Equal, Ins::NotEqual,     Ins::Greater,
+                                Ins::Less,  Ins::GreaterEqual, Ins::LessEqual};
+
 /// Execute H80 to H86: jumps, always or where Q and R compare so.
 bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
   const int code = h.number;
@@ -182,6 +186,9 @@ bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
     return wrong(run, h, Cause::HCodeOperand, h.q, "the comparison takes Q and R");
   const bool compared[] = {true, q == r, q != r, q > r, q < r, q >= r, q <= r};
   holds = compared[code - 80];
+  if (code > 80 && run.options.conditions)
+    run.trace.compared.push(
+        {run.state.executed, q, r, run.state.pc, kComparisons[code - 81], holds});
   if (!holds) return true;
   double value = 0;
   if (!value_of(run, h.p, value) || !may_jump(run, h)) return false;

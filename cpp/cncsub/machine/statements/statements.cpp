@@ -186,7 +186,10 @@ bool name_variables(Run& run, const Statement& statement) {
 inline bool condition(Run& run, std::uint32_t expression, const Places& places, bool& holds) {
   double value = 0;
   run.state.last_condition = expression;
-  if (!evaluate(run, run.code->expression(expression), places, value)) return false;
+  const Expression of = run.code->expression(expression);
+  const bool known = run.options.conditions ? evaluate_condition(run, of, places, value)
+                                            : evaluate(run, of, places, value);
+  if (!known) return false;
   holds = value != 0;
   return true;
 }

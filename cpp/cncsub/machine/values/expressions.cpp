@@ -45,9 +45,49 @@ inline bool take(const Fallible& from, double& value) {
   return true;
 }
 
+constexpr bool compares(Ins op) {
+  return (op >= Ins::Equal && op <= Ins::LessEqual) || op == Ins::Compare ||
+         op == Ins::NearlyEqual || op == Ins::NearlyNotEqual;
+}
+
+/// Keeps nothing of what comparisons compare.
+struct KeepsNothing {
+  static constexpr bool kKeeps = false;
+};
+
+/// Keeps what comparisons compare as rows of the running step.
+class KeepsCompared {
+ public:
+  static constexpr bool kKeeps = true;
+
+  explicit KeepsCompared(Run& run) : run_(run), before_(run.trace.compared.size()) {}
+
+  void keep(Ins op, double left, double right, double result) {
+    auto& rows = run_.trace.compared;
+    const bool joined = std::exchange(waits_, op == Ins::Compare);
+    if (!joined)
+      rows.push({run_.state.executed, left, right, run_.state.pc, op, result != 0});
+    else  // a comparison of what Compare has made with 0
+      rows.at(rows.size() - 1).op = op, rows.at(rows.size() - 1).holds = result != 0;
+  }
+  /// Keep a condition that compared nothing.
+  void keep_value(double value) {
+    if (run_.trace.compared.size() == before_)
+      run_.trace.compared.push(
+          {run_.state.executed, value, kVacant, run_.state.pc, Ins::End, value != 0});
+  }
+
+ private:
+  Run& run_;
+  std::size_t before_;
+  bool waits_ = false;
+};
+
 /// Compute an expression; return false where it has no value, for which the trap says why. The last
 /// value lies in `a`, a register; those before it on the stack, `below` the place of the next.
-bool compute(const ExpressionCell* at, const Evaluation& e, double* below, double& result) {
+template <class Keeps>
+bool compute(const ExpressionCell* at, const Evaluation& e, double* below, double& result,
+             Keeps& kept) {
   double a = 0;
   for (;;) {
     double made = 0;
@@ -64,11 +104,14 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double* below, doubl
     if (!take(instruction::function(e, InstructionView{at}, a), a)) return false; \
     at += cells_of(Ins::name);                                                    \
     break;
-#define INS_Join(name, function)                                                            \
-  case Ins::name:                                                                           \
-    if (!take(instruction::function(e, InstructionView{at}, *--below, a), a)) return false; \
-    at += cells_of(Ins::name);                                                              \
-    break;
+#define INS_Join(name, function)                                                              \
+  case Ins::name: {                                                                           \
+    const double left = *--below, right = a;                                                  \
+    if (!take(instruction::function(e, InstructionView{at}, left, right), a)) return false;   \
+    if constexpr (Keeps::kKeeps && compares(Ins::name)) kept.keep(Ins::name, left, right, a); \
+    at += cells_of(Ins::name);                                                                \
+    break;                                                                                    \
+  }
 #define INS_Take(name, function) \
   case Ins::name:                \
     return take(instruction::finite_or_vacant(e, InstructionView{at}, a), result);
@@ -97,20 +140,21 @@ class Ended {
 
 /// Compute an expression with a stack that is large enough: each value that waits is written
 /// somewhere, one character at least.
-bool compute(Expression of, const Evaluation& e, double& result) {
+template <class Keeps>
+bool compute(Expression of, const Evaluation& e, double& result, Keeps& kept) {
   constexpr std::size_t kOrdinary = 250, kSpare = 10;
   std::array<double, kOrdinary + kSpare> stack;  // NOLINT: written before it is read
   if (of.form() != Expression::Form::Long)
-    return compute(Ended(of).cells(), e, stack.data(), result);
+    return compute(Ended(of).cells(), e, stack.data(), result, kept);
   if (of.width() <= kOrdinary) [[likely]]
-    return compute(of.cells(), e, stack.data(), result);
+    return compute(of.cells(), e, stack.data(), result, kept);
   std::vector<double> large(of.width() + kSpare);
-  return compute(of.cells(), e, large.data(), result);
+  return compute(of.cells(), e, large.data(), result, kept);
 }
 
-}  // namespace
-
-bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
+template <class Keeps>
+bool evaluate_keeping(Run& run, Expression e, const Places& places, double& value, Address of,
+                      Keeps& kept) {
   if (e.width() > kLongText) look_soon(run);
   Trap trap;
   const Control& control = run.control();
@@ -120,7 +164,7 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value, 
                               control.macros.angle_unit.value == AngleUnit::Degrees,
                               of != kNowhere ? of : run.state.pc,
                               trap};
-  if (compute(e, evaluation, value)) [[likely]]
+  if (compute(e, evaluation, value, kept)) [[likely]]
     return true;
   const std::uint32_t first = e.at();
   const bool inside = trap.at >= first && trap.at <= first + e.width();
@@ -138,6 +182,23 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value, 
     fault.detail = "#<" + fault.name + "> has no value";
   }
   return alarm(run, fault);
+}
+
+}  // namespace
+
+bool evaluate_long(Run& run, Expression e, const Places& places, double& value, Address of) {
+  KeepsNothing kept;
+  return evaluate_keeping(run, e, places, value, of, kept);
+}
+
+bool evaluate_condition(Run& run, Expression e, const Places& places, double& value) {
+  if (!run.options.conditions) return evaluate(run, e, places, value);
+  KeepsCompared kept(run);
+  const bool known = e.form() == Expression::Form::Constant
+                         ? evaluate(run, e, places, value)
+                         : evaluate_keeping(run, e, places, value, kNowhere, kept);
+  if (known) kept.keep_value(value);
+  return known;
 }
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value) {

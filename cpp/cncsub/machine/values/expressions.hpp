@@ -117,6 +117,9 @@ inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address 
   return evaluate(run, run.code->expression(expression), places(run), value, of);
 }
 
+/// Evaluate a condition, and keep what it compares where the run is asked to.
+bool evaluate_condition(Run& run, Expression condition, const Places& places, double& value);
+
 bool evaluate_operand(Run& run, const Operand& operand, double& value);
 /// Read the value of a word of a call, a return or a jump; vacant where it is absent.
 inline bool value_of(Run& run, const Operand& operand, double& value) {
