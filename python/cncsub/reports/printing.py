@@ -7,7 +7,7 @@ import itertools
 import os
 import textwrap
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
 from cncsub.analysis.conditions import conditions_on
@@ -17,7 +17,7 @@ from cncsub.escapes import shown
 from cncsub.number_text import number_text
 from cncsub.run import Stop
 from cncsub.tables.call_tree import CallTree
-from cncsub.tables.rows import Compared
+from cncsub.tables.rows import Change, Compared
 
 if TYPE_CHECKING:
     from cncsub.run import Run
@@ -124,7 +124,8 @@ def print_watch(console: Console, run: Run) -> None:
     for first, last, value in _beginnings(now):
         verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
         console.print(f"watch: #{first}{span} {verb} {number_text(value)}")
-    rows = heapq.merge(run.watch, conditions_on(run, set(now)), key=lambda row: row.step or 0)
+    told: list[Iterable[Change | Compared]] = [run.watch, conditions_on(run, set(now))]
+    rows = heapq.merge(*told, key=lambda row: row.step or 0)
     for row in itertools.islice(rows, MOST_CHANGES):
         place = row.program if row.n is None else f"{row.program} N{row.n}"
         step = f"{shown(str(place))}, line {row.line}, step {row.step}"
