@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import sys
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
@@ -75,7 +76,11 @@ class Console:
 
 
 def console_on(file: IO[str]) -> Console:
-    """Return a console that has colour on a terminal only."""
+    """Return a console that has colour on a terminal only. What was printed before it stands before
+    it in a log that holds both streams too.
+    """
+    if file is sys.stderr:
+        sys.stdout.flush()
     return Console(file)
 
 
