@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import doctest
 import importlib
 import os
@@ -10,6 +11,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,6 +22,7 @@ from typer.testing import CliRunner
 import cncsub
 import pictures
 from cncsub.cli import COMMANDS, app
+from cncsub.workpiece import SHAPES
 from generator import GENERATED
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -125,6 +128,7 @@ def test_a_page_shows_what_happens(
             assert_shows(block)
         elif block.language == "python" and ">>>" in block.text:
             test = doctest.DocTestParser().get_doctest(block.text, names, page.name, None, None)
+            assert "..." not in {example.want.strip() for example in test.examples}
             runner.run(test, clear_globs=False)
             names.update(test.globs)
         elif block.language == "python":
@@ -231,6 +235,22 @@ def test_a_command_that_fails_shows_its_status(text: str, fault: str | None) -> 
         return
     with pytest.raises(AssertionError, match=fault):
         assert_shows(block)
+
+
+def test_the_page_of_inputs_shows_every_key() -> None:
+    (told,) = (b for b in blocks_of(DOCS / "guides/inputs.md") if b.title == "inputs.toml")
+    shapes = (cncsub.Inputs, cncsub.Workpiece, *SHAPES.values())
+    keys = {field.name for shape in shapes for field in dataclasses.fields(shape)}
+    keys -= {next(iter(dataclasses.fields(shape))).name for shape in SHAPES.values()}
+    keys |= set(SHAPES)  # the name of a shape stands for its first field
+    assert keys - keys_of(tomllib.loads(told.text)) == set()
+
+
+def keys_of(value: object) -> set[str]:
+    """Return the keys of tables in tables and lists."""
+    if isinstance(value, dict):
+        return set(value).union(*map(keys_of, value.values()))
+    return set().union(*map(keys_of, value)) if isinstance(value, list) else set()
 
 
 def test_the_readme_is_short() -> None:
