@@ -265,14 +265,14 @@ def test_the_readme_names_every_control_and_no_other() -> None:
 
 
 def written_commands() -> list[tuple[str, str]]:
-    """Return the calls of cncsub in the text and in the `sh` blocks of pages."""
+    """Return the calls of cncsub in the text and in the `sh` and `yaml` blocks of pages."""
     found = []
     for page in PAGES:
         text = re.sub(
-            r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S
+            r"^```(?!sh|yaml).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S
         )
         calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(
-            r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M
+            r"^[- ]*(?:run: |entry: )?(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M
         )
         found += [(str(page.relative_to(ROOT)), " ".join(call.split())) for call in calls]
     return sorted(set(found))
