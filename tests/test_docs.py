@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import doctest
 import importlib
 import os
@@ -10,6 +11,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
@@ -20,6 +22,7 @@ from typer.testing import CliRunner
 import cncsub
 import pictures
 from cncsub.cli import COMMANDS, app
+from cncsub.workpiece import SHAPES
 from generator import GENERATED
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -122,10 +125,10 @@ def test_a_page_shows_what_happens(
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(block.text, encoding="utf-8")
         elif block.language == "console":
-            for command, output in shown_commands(block):
-                assert_prints(command, output)
+            assert_shows(block)
         elif block.language == "python" and ">>>" in block.text:
             test = doctest.DocTestParser().get_doctest(block.text, names, page.name, None, None)
+            assert "..." not in {example.want.strip() for example in test.examples}
             runner.run(test, clear_globs=False)
             names.update(test.globs)
         elif block.language == "python":
@@ -140,22 +143,114 @@ def shown_commands(block: Block) -> list[tuple[str, str]]:
     return [(command, output) for command, _, output in (part.partition("\n") for part in parts)]
 
 
-def assert_prints(command: str, output: str) -> None:
-    """Check that a command prints what is shown, where `...` stands for any text."""
+def assert_shows(block: Block) -> None:
+    """Check that the commands of a block print and return what is shown.
+
+    A command that fails is followed by `$ echo $?` with its status.
+    """
+    status = 0
+    shown = shown_commands(block)
+    for place, (command, output) in enumerate(shown):
+        if command == "echo $?":
+            assert output.strip() == str(status), f"line {block.line}: the status is {status}"
+            continue
+        status, printed = printed_by(command)
+        assert is_shown(printed, output), f"{command}\n{printed}"
+        said = shown[place + 1 : place + 2] and shown[place + 1][0] == "echo $?"
+        assert status == 0 or said, f"line {block.line}: {command} returns {status}: show `echo $?`"
+
+
+def is_shown(printed: str, output: str) -> bool:
+    """Return whether an output is the one shown: a line `...` there stands for one line or more,
+    `...` within a line for any part of the line.
+    """
+    lines = output.strip().splitlines()
+    assert not lines or any(re.search(r"\w", line) for line in lines), (
+        "an output of `...` alone can never be wrong: show a line"
+    )
+    pattern = "".join(
+        r"(?:[^\n]*\n)+?"
+        if line.strip() == "..."
+        else ".*".join(re.escape(part) for part in line.rstrip().split("...")) + r" *\n"
+        for line in lines
+    )
+    return re.fullmatch(pattern or r"\n", printed.strip() + "\n") is not None
+
+
+def printed_by(command: str) -> tuple[int, str]:
+    """Return the exit status of a command and what a terminal shows of it."""
     if re.fullmatch(r"cncsub [^|&;<>$()]*", command):
-        result = CliRunner().invoke(app, shlex.split(command)[1:])
-        if result.exception is not None and not isinstance(result.exception, SystemExit):
-            raise result.exception
-        printed = result.stdout + result.stderr
-    else:
-        here = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
-        env = {**os.environ, "PATH": here, "NO_COLOR": "1", "PYTEST_ADDOPTS": "-p no:cacheprovider"}
-        done = subprocess.run(
-            ["bash", "-c", command], capture_output=True, text=True, env=env, check=False
-        )
-        printed = done.stdout + done.stderr
-    pattern = ".*?".join(re.escape(part) for part in output.strip().split("..."))
-    assert re.fullmatch(pattern, printed.strip(), re.DOTALL), f"{command}\n{printed}"
+        return invoke(shlex.split(command)[1:])
+    here = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    settings = {"NO_COLOR": "1", "PYTHONUNBUFFERED": "1", "PYTEST_ADDOPTS": "-p no:cacheprovider"}
+    done = subprocess.run(
+        ["bash", "-c", command],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        env={**os.environ, "PATH": here, **settings},
+        check=False,
+    )
+    return done.returncode, done.stdout
+
+
+@pytest.mark.parametrize(
+    ("shown", "printed", "same"),
+    [
+        ("", "", True),
+        ("", "a\n", False),
+        ("a\nb", "a\nb\n", True),
+        ("a\nb", "a\nc\n", False),
+        ("a\n...\nd", "a\nb\nc\nd\n", True),
+        ("a\n...", "a\n", False),  # the dots stand for nothing
+        ("1 passed in ...", "1 passed in 0.1s\n", True),
+        ("1 passed in ...", "1 passed in 0.1s\n1 failed\n", False),
+    ],
+)
+def test_dots_stand_for_lines_or_for_a_part_of_one(shown: str, printed: str, same: bool) -> None:
+    assert is_shown(printed, shown) is same
+
+
+@pytest.mark.parametrize("text", ["...", "...\n...\n", " ... "])
+def test_an_output_of_dots_alone_is_refused(text: str) -> None:
+    with pytest.raises(AssertionError, match="never be wrong"):
+        is_shown("a", text)
+
+
+@pytest.mark.parametrize(
+    ("text", "fault"),
+    [
+        ("$ false\n", "returns 1"),
+        ("$ false\n$ echo $?\n0\n", "the status is 1"),
+        ("$ true\n$ echo $?\n1\n", "the status is 0"),
+        ("$ echo a\n", "echo a"),
+        ("$ false; echo a\na\n", None),
+        ("$ false\n$ echo $?\n1\n", None),
+    ],
+)
+def test_a_command_that_fails_shows_its_status(text: str, fault: str | None) -> None:
+    block = Block("console", "", text, 1)
+    if fault is None:
+        assert_shows(block)
+        return
+    with pytest.raises(AssertionError, match=fault):
+        assert_shows(block)
+
+
+def test_the_page_of_inputs_shows_every_key() -> None:
+    (told,) = (b for b in blocks_of(DOCS / "guides/inputs.md") if b.title == "inputs.toml")
+    shapes = (cncsub.Inputs, cncsub.Workpiece, *SHAPES.values())
+    keys = {field.name for shape in shapes for field in dataclasses.fields(shape)}
+    keys -= {next(iter(dataclasses.fields(shape))).name for shape in SHAPES.values()}
+    keys |= set(SHAPES)  # the name of a shape stands for its first field
+    assert keys - keys_of(tomllib.loads(told.text)) == set()
+
+
+def keys_of(value: object) -> set[str]:
+    """Return the keys of tables in tables and lists."""
+    if isinstance(value, dict):
+        return set(value).union(*map(keys_of, value.values()))
+    return set().union(*map(keys_of, value)) if isinstance(value, list) else set()
 
 
 def test_the_readme_is_short() -> None:
@@ -170,14 +265,14 @@ def test_the_readme_names_every_control_and_no_other() -> None:
 
 
 def written_commands() -> list[tuple[str, str]]:
-    """Return the calls of cncsub in the text and in the `sh` blocks of pages."""
+    """Return the calls of cncsub in the text and in the `sh` and `yaml` blocks of pages."""
     found = []
     for page in PAGES:
         text = re.sub(
-            r"^```(?!sh).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S
+            r"^```(?!sh|yaml).*?^```$", "", page.read_text(encoding="utf-8"), flags=re.M | re.S
         )
         calls = re.findall(r"`(cncsub [a-z][^`]*)`", text) + re.findall(
-            r"^ *(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M
+            r"^[- ]*(?:run: |entry: )?(cncsub (?:" + "|".join(COMMANDS) + r") [^#\n]*)", text, re.M
         )
         found += [(str(page.relative_to(ROOT)), " ".join(call.split())) for call in calls]
     return sorted(set(found))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import heapq
 import itertools
 import os
+import sys
 import textwrap
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -80,7 +81,11 @@ class Console:
 
 
 def console_on(file: IO[str]) -> Console:
-    """Return a console that has colour on a terminal only."""
+    """Return a console that has colour on a terminal only. What was printed before it stands before
+    it in a log that holds both streams too.
+    """
+    if file is sys.stderr:
+        sys.stdout.flush()
     return Console(file)
 
 
