@@ -43,6 +43,7 @@ def compared(text: str, control: str = "fanuc-0i-f", **options: object) -> list[
             ["1 1 lt 2: true", "4 2 lt 2: false"],
         ),
         ("linuxcnc", "#1=1\no1 if [#1 eq 1]\n#2=5\no1 endif\nm2\n", ["1 1 eq 1: true"]),
+        ("linuxcnc", "o1 repeat [2]\no1 endrepeat\nm2\n", []),
         ("linuxcnc", "#1=1\no1 if [#1]\n#2=5\no1 endif\nm2\n", ["1 1: true"]),
     ],
 )

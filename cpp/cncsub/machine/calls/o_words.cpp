@@ -86,8 +86,9 @@ bool own_value(Run& run, const OWord& own, double& value) {
   return own.value == OWord::kNone || evaluate(run, own.value, value);
 }
 
-/// Read the condition of a branch or a loop.
+/// Read the condition of a branch or a loop, or how often it repeats.
 bool own_condition(Run& run, const OWord& own, double& value) {
+  if (own.kind == OWordKind::Repeat) return own_value(run, own, value);
   value = 0;
   return own.value == OWord::kNone ||
          evaluate_condition(run, run.code->expression(own.value), places(run), value);
