@@ -285,6 +285,47 @@ def test_the_command_prints_a_table_writes_reports_and_keeps_a_limit(tmp_path: P
     assert "below 80.1 %" in below.output
 
 
+def test_the_command_lists_the_sum_first_and_on_request_only_what_is_missing(tmp_path: Path) -> None:
+    (tmp_path / "job.nc").write_text("O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\nO3\nN40 M99\n")
+    call = ["coverage", str(tmp_path), "-c", "fanuc-0i-f"]
+    lines = CliRunner().invoke(app, call).output.splitlines()
+    assert [line.split()[0] for line in lines] == ["Coverage:", "O1", "O2", "O3"]
+    lines = CliRunner().invoke(app, [*call, "--skip-covered"]).output.splitlines()
+    assert [line.split()[0] for line in lines] == ["Coverage:", "O3", "2"]
+
+
+def test_nothing_measured_is_0_percent_and_fails_a_limit(tmp_path: Path) -> None:
+    assert Coverage().percent == 0
+    assert not Coverage().measured
+    assert repr(Coverage()).startswith("<Coverage: nothing was measured, 0 of 0 blocks")
+    assert "<p>nothing was measured: 0 of 0 blocks" in Coverage().to_html()
+    assert 'line-rate="0.0000" branch-rate="0.0000"' in Coverage().to_cobertura()
+    (tmp_path / "job.nc").write_text("O1\n(NOTHING)\n")
+    call = ["coverage", str(tmp_path), "-c", "fanuc-0i-f"]
+    assert CliRunner().invoke(app, call).exit_code == 0
+    gate = CliRunner().invoke(app, [*call, "--fail-under", "0"])
+    assert gate.exit_code == 1
+    assert "measured nothing (0 of 0 blocks), and has to reach 0 %" in gate.output
+
+
+def test_reports_name_files_from_the_folder_that_holds_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = tmp_path / "a b" / "job.nc"
+    job.parent.mkdir()
+    job.write_text(IF)
+    found = cncsub.load(job, control="fanuc-0i-f").run().coverage()
+    assert f"SF:{job}\n" in found.to_lcov()
+    assert "SF:job.nc\n" in found.to_lcov(root=job.parent)
+    monkeypatch.chdir(tmp_path)
+    assert "SF:a b/job.nc\n" in found.to_lcov()
+    assert 'filename="a b/job.nc"' in found.to_cobertura()
+    assert "(a b/job.nc)" in found.to_html()
+    (tmp_path / "link").symlink_to(job.parent)
+    assert "SF:job.nc\n" in found.to_lcov(root="link")
+    assert "SF:<text>\n" in covered(IF).to_lcov(root=tmp_path / "a b")
+
+
 def test_the_command_tells_lines_that_did_not_run_and_why_a_run_stopped(tmp_path: Path) -> None:
     (tmp_path / "job.nc").write_text("O1\nN10 M98 P9\nN20 G0 X1\nN30 M30\n")
     result = CliRunner().invoke(app, ["coverage", str(tmp_path / "job.nc"), "-c", "fanuc-0i-f"])
@@ -384,5 +425,5 @@ def test_the_percentage_is_that_of_the_rows(lines: list[str], control: str) -> N
     coverage = cncsub.loads(text, control=control).run(max_blocks=500, block_skip=[2]).coverage()
     quick = coverage.percent
     rows = [row.covered for table in (coverage.blocks, coverage.branches) for row in table]
-    assert quick == pytest.approx(100 * sum(rows) / len(rows) if rows else 100)
+    assert quick == pytest.approx(100 * sum(rows) / len(rows) if rows else 0)
     assert coverage.percent == quick  # now with its programs

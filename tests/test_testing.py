@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from decimal import Decimal
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -206,11 +207,33 @@ def test_the_fixture_has_the_control_of_the_option_or_the_marker(project: pytest
     (project.path / "square.nctest.toml").unlink()
     done = project.runpytest_inprocess("-q")
     done.assert_outcomes(passed=4, failed=1)
-    done.stdout.fnmatch_lines(["*which control? Give --control*"])
+    done.stdout.fnmatch_lines(["*which control? Give --control, the setting cncsub_control*"])
     done = project.runpytest_inprocess("-q", "--control", "fanuc-0i-f", "-k", "square or plain")
     done.assert_outcomes(passed=2)
     project.makeini(f"[pytest]\naddopts = {PLUGIN}\ncncsub_control = fanuc-0i-f fanuc-30i\n")
     project.runpytest_inprocess("-q").assert_outcomes(passed=6)
+
+
+def test_without_a_control_there_is_one_usage_error(project: pytest.Pytester) -> None:
+    project.makepyfile("def test_a(cnc): pass\ndef test_b(cnc): pass\ndef test_c(): pass")
+    table = project.path / "square.nctest.toml"
+    table.write_text(NCTEST.replace('control = "fanuc-0i-f"', ""))
+    done = project.runpytest("-q")
+    assert done.ret == pytest.ExitCode.USAGE_ERROR
+    done.assert_outcomes()
+    done.stderr.fnmatch_lines(["ERROR: which control? 4 tests have none, the first *. Give --control*"])
+    done.stdout.no_fnmatch_line("*which control*")
+    assert project.runpytest("-q", "--collect-only").ret == 0
+    project.runpytest("-q", "-k", "test_c").assert_outcomes(passed=1, deselected=4)
+    done = project.runpytest("-q", "-k", "test_a or test_c")  # one alone, and it is all of them
+    assert done.ret == pytest.ExitCode.USAGE_ERROR
+    done.stderr.fnmatch_lines(["ERROR: which control? *::test_a* has none. Give --control*"])
+    project.runpytest("-q", "--control", "fanuc-0i-f").assert_outcomes(passed=5)
+    table.write_text(NCTEST)  # one test alone has none: it fails, and the others run
+    done = project.runpytest("-q", "--deselect", "test_without_a_control_there_is_one_usage_error.py::test_b")
+    done.assert_outcomes(passed=3, failed=1, deselected=1)
+    (project.path / "cncsub.toml").write_text('control = "fanuc-30i"')
+    project.runpytest("-q").assert_outcomes(passed=5)
 
 
 def test_snapshots_are_written_compared_and_missed(project: pytest.Pytester) -> None:
@@ -246,14 +269,128 @@ def test_coverage_is_told_and_may_fail(project: pytest.Pytester) -> None:
     done.stdout.fnmatch_lines(["*below 99 %*"])
 
 
+def lines_of(done: pytest.RunResult) -> list[str]:
+    """Return what the tests reported as coverage."""
+    first = next(i for i, line in enumerate(done.outlines) if "coverage of NC programs" in line)
+    return [line for line in done.outlines[first + 1 :] if not re.search(r" in \d|====", line)]
+
+
+def test_the_sum_comes_first_and_what_was_typed_is_no_program(project: pytest.Pytester) -> None:
+    done = project.runpytest_inprocess("-q", "--cncsub-cov", "--control", "fanuc-0i-f")
+    assert lines_of(done) == [
+        "Coverage: 100.0 %, 5 of 5 blocks, 2 of 2 branches, 1 of 1 calls",
+        "O1  blocks 2/2  branches 0/0  macros/O1.nc",
+        "O2  blocks 3/3  branches 2/2  macros/O2.nc",
+    ]
+
+
+IDLE = "O7\nN10 IF[#1 EQ 1]GOTO30\nN20 #2=1\nN30 M99\n"
+
+
+def test_a_program_that_no_test_loads_counts_in_a_folder(project: pytest.Pytester) -> None:
+    (project.path / "idle").mkdir()
+    (project.path / "idle" / "O7.nc").write_text(IDLE)
+    done = project.runpytest_inprocess("-q", "--cncsub-cov=idle", "--cncsub-cov-fail-under", "1", "--control", "fanuc-0i-f")
+    assert lines_of(done) == [
+        "Coverage: 0.0 %, 0 of 3 blocks, 0 of 2 branches, 0 of 0 calls",
+        "O7  blocks 0/3  branches 0/2  not executed: lines 2-4  idle/O7.nc",
+        "coverage is 0.0 %, below 1 % (--cncsub-cov-fail-under)",
+    ]
+    assert done.ret == 1
+    # Both folders, on the control that the tests ran on; what is covered in full is counted only.
+    done = project.runpytest_inprocess("-q", "--cncsub-cov=idle", "--cncsub-cov=macros", "--cncsub-cov-skip-covered")
+    assert lines_of(done) == [
+        "Coverage: 58.3 %, 5 of 8 blocks, 2 of 4 branches, 1 of 1 calls",
+        "O7  blocks 0/3  branches 0/2  not executed: lines 2-4  idle/O7.nc",
+        "2 programs are covered in full and not listed",
+    ]
+    (project.path / "cncsub.toml").write_text('control = "fanuc-0i-f"\nfolders = ["idle"]')
+    done = project.runpytest_inprocess("-q", "--cncsub-cov")
+    assert lines_of(done)[0] == "Coverage: 0.0 %, 0 of 3 blocks, 0 of 2 branches, 0 of 0 calls"
+
+
+@pytest.mark.parametrize("asked", [["-k", "no_such_test"], ["-k", "test_plain"]])
+def test_nothing_measured_fails_a_limit(project: pytest.Pytester, asked: list[str]) -> None:
+    project.makepyfile("def test_plain(): pass")
+    done = project.runpytest_inprocess("-q", "--cncsub-cov-fail-under", "0", *asked)
+    assert done.ret in (1, pytest.ExitCode.NO_TESTS_COLLECTED)
+    assert (done.ret == 1) == ("test_plain" in asked)
+    assert lines_of(done) == [
+        "Coverage: nothing was measured, 0 of 0 blocks, 0 of 0 branches, 0 of 0 calls",
+        "coverage measured nothing (0 of 0 blocks), and has to reach 0 % (--cncsub-cov-fail-under)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        (["--cncsub-cov=macrs"], "macrs does not exist"),
+        (["--cncsub-cov", "test_it.py"], "test_it.py is a file of Python"),
+        (["--cncsub-cov", "tests"], "there is no program in the folder"),
+        (["--cncsub-cov-fail-under", "101"], "a percentage, 0 to 100, not '101'"),
+        (["--cncsub-cov-fail-under", "nan"], "a percentage, 0 to 100, not 'nan'"),
+    ],
+)
+def test_a_wrong_option_of_coverage_is_a_usage_error(project: pytest.Pytester, asked: list[str], told: str) -> None:
+    project.makepyfile(test_it="def test_plain(): pass")
+    (project.path / "tests").mkdir()
+    done = project.runpytest(*asked)
+    assert done.ret == pytest.ExitCode.USAGE_ERROR
+    done.stderr.fnmatch_lines([f"*{told}*"])
+
+
+def test_a_report_that_cannot_be_written_fails(project: pytest.Pytester) -> None:
+    done = project.runpytest_inprocess("-q", "--cncsub-cov-lcov", "macros")
+    assert done.ret == 1
+    assert lines_of(done)[-1].startswith("--cncsub-cov-lcov macros is not written: ")
+
+
+def test_workers_count_together(project: pytest.Pytester) -> None:
+    pytest.importorskip("xdist")
+    project.makepyfile(
+        """
+        import pytest
+
+        @pytest.mark.parametrize("a", range(4))
+        def test_square(cnc, a):
+            cnc.load("macros").mdi(f"G65 P2 A{a}.").assert_ends()
+            cnc.loads(f"O1\\nN10 #100={a % 2}\\nM30\\n").run().assert_ends()
+        """
+    )
+    asked = ("-q", "--cncsub-cov", "--control", "fanuc-0i-f", "--cncsub-cov-lcov=lcov")
+    alone = lines_of(project.runpytest_subprocess(*asked, "-k", "test_square"))
+    counts = (project.path / "lcov").read_text()
+    assert "DA:4,4\n" in counts
+    together = project.runpytest_subprocess(*asked, "-n", "2", "-k", "test_square")
+    assert lines_of(together) == alone
+    assert (project.path / "lcov").read_text() == counts
+
+
+def test_a_worker_that_ends_early_is_named(project: pytest.Pytester) -> None:
+    pytest.importorskip("xdist")
+    project.makepyfile("import os\n\ndef test_it():\n    os._exit(3)\n")
+    done = project.runpytest_subprocess("-q", "--cncsub-cov", "-n", "1", "-k", "test_it")
+    assert "what worker gw0 ran is not counted: it ended too early" in lines_of(done)
+
+
+def test_workers_without_a_control_end_with_one_usage_error(project: pytest.Pytester) -> None:
+    pytest.importorskip("xdist")
+    project.makepyfile("def test_a(cnc): pass\ndef test_b(cnc): pass")
+    done = project.runpytest_subprocess("-q", "-n", "2", "--cncsub-cov", "-k", "test_a or test_b")
+    assert done.ret == pytest.ExitCode.USAGE_ERROR
+    assert str(done.stdout).count("which control? 2 tests have none, the first") == 1
+    done.stdout.no_fnmatch_line("*coverage of NC*")
+
+
 def test_coverage_is_written_in_each_form(project: pytest.Pytester) -> None:
     asked = [f"--cncsub-cov-{name}=out/{name}" for name in ("html", "lcov", "cobertura")]
     project.runpytest_inprocess("-q", *asked).assert_outcomes(passed=2)
-    macro = str(project.path / "macros" / "O2.nc")
     texts = [(project.path / "out" / name).read_text() for name in ("html", "lcov", "cobertura")]
     starts = ("<!DOCTYPE html>", "TN:", "<?xml")
     assert [text.startswith(start) for text, start in zip(texts, starts)] == [True] * 3
-    assert f"SF:{macro}\n" in texts[1]
+    assert "(macros/O2.nc)" in texts[0]
+    assert "SF:macros/O2.nc\n" in texts[1]
+    assert 'filename="macros/O2.nc"' in texts[2]
 
 
 def test_a_table_and_a_test_in_python_cover_the_same_files(project: pytest.Pytester) -> None:
@@ -265,7 +402,7 @@ def test_a_table_and_a_test_in_python_cover_the_same_files(project: pytest.Pytes
     )
     done = project.runpytest_inprocess("-q", "--cncsub-cov", "--control", "fanuc-0i-f")
     lines = [line for line in done.outlines if line.startswith("O2  ")]
-    assert lines == [f"O2  blocks 3/3  branches 2/2  {project.path / 'macros' / 'O2.nc'}"]
+    assert lines == ["O2  blocks 3/3  branches 2/2  macros/O2.nc"]
 
 
 def test_a_failure_stands_in_the_test(project: pytest.Pytester) -> None:

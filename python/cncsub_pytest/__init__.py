@@ -12,16 +12,12 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from cncsub_pytest import coverage
+from cncsub_pytest.settings import WHERE, control_named, controls_for
+
 if TYPE_CHECKING:
     import cncsub
     from cncsub.testing.cases import Case
-
-
-_REPORTS = {
-    "html": "a page with the source",
-    "lcov": "an lcov tracefile",
-    "cobertura": "XML of Cobertura",
-}
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -35,44 +31,25 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption(
         "--cncsub-update", action="store_true", help="Write the snapshots of cnc.snapshot anew."
     )
-    group.addoption(
-        "--cncsub-cov", action="store_true", help="Tell which NC blocks the tests went through."
-    )
-    group.addoption(
-        "--cncsub-cov-fail-under", type=float, metavar="PERCENT", help="Fail below so many percent."
-    )
-    for name, what in _REPORTS.items():
-        group.addoption(
-            f"--cncsub-cov-{name}", metavar="FILE", help=f"Write the coverage as {what}."
-        )
+    coverage.add_options(group)
     parser.addini("cncsub_control", "The controls of the fixture cnc.", type="args", default=[])
 
 
 def pytest_configure(config: pytest.Config) -> None:
     config.addinivalue_line("markers", "cnc(control): the control, or controls, of the fixture cnc")
-
-
-def _controls(config: pytest.Config, marker: pytest.Mark | None) -> list[str]:
-    """Return the controls of the command line, else of the marker, else of the settings."""
-    asked: Any = config.getoption("--control")
-    if not asked and marker is not None:
-        asked = marker.kwargs.get("control", marker.args[0] if marker.args else ())
-        asked = [asked] if isinstance(asked, str) else list(asked)
-    return list(asked or config.getini("cncsub_control"))
+    if coverage.is_wanted(config):
+        config.pluginmanager.register(coverage.Measuring(config), "cncsub_coverage")
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "cnc" not in metafunc.fixturenames:
         return
-    names = _controls(metafunc.config, metafunc.definition.get_closest_marker("cnc"))
+    marker = metafunc.definition.get_closest_marker("cnc")
+    own: Any = ()
+    if marker is not None:
+        own = marker.kwargs.get("control", marker.args[0] if marker.args else ())
+    names = controls_for(metafunc.config, metafunc.definition.path.parent, own)
     metafunc.parametrize("cnc", names or [None], indirect=True, ids=lambda name: name or "control")
-
-
-def _control_named(name: str, folder: Path) -> cncsub.Control:
-    """Return the control of a name: a built-in one, or one of the project a folder belongs to."""
-    from cncsub.cli.project import find_project
-
-    return find_project(folder).control_named(name)
 
 
 @pytest.fixture
@@ -91,13 +68,9 @@ class Cnc:
 
     def _known(self) -> cncsub.Control:
         if self._control is None:
-            pytest.fail(
-                "which control? Give --control, the setting cncsub_control or"
-                ' @pytest.mark.cnc("fanuc-0i-f")',
-                pytrace=False,
-            )
+            pytest.fail(f"which control? {WHERE}", pytrace=False)
         try:
-            return _control_named(self._control, self._request.path.parent)
+            return control_named(self._control, self._request.path.parent)
         except ValueError as error:
             pytest.fail(str(error), pytrace=False)
 
@@ -168,29 +141,31 @@ class Table(pytest.File):
     """A file `*.nctest.toml`."""
 
     def collect(self) -> Iterator[pytest.Item]:
-        from cncsub.testing.table_files import load_table
+        from cncsub.testing.toml import table_in
 
         try:
-            cases = load_table(self.path)
+            table = table_in(self.path, needs_control=False)
         except ValueError as error:
             raise self.CollectError(str(error)) from None
-        asked = self.config.getoption("--control")
-        for case in cases:
-            for control in asked or case.controls:
-                yield Item.from_parent(self, name=f"{case.claim} [{control}]", case=(case, control))
+        for case in table:
+            for control in controls_for(self.config, self.path.parent, case.controls) or [None]:
+                name = f"{case.claim} [{control or 'control'}]"
+                yield Item.from_parent(self, name=name, case=(case, control))
 
 
 class Item(pytest.Item):
     """A case of a table, on one control."""
 
-    def __init__(self, *, case: tuple[Case, str], **more: Any) -> None:
+    def __init__(self, *, case: tuple[Case, str | None], **more: Any) -> None:
         super().__init__(**more)
-        self._case, self._control = case
+        self.case, self.control = case
 
     def runtest(self) -> None:
         from cncsub.testing.outcome import check_case
 
-        check_case(self._case, _control_named(self._control, self.path.parent))
+        if self.control is None:
+            pytest.fail(f"which control? {WHERE}", pytrace=False)
+        check_case(self.case, control_named(self.control, self.path.parent))
 
     def repr_failure(self, excinfo: Any, style: Any = None) -> Any:
         if isinstance(excinfo.value, AssertionError | ValueError):
@@ -201,62 +176,51 @@ class Item(pytest.Item):
         return self.path, None, self.name
 
 
-# ---- coverage ----
+# ---- tests without a control ----
 
 
-_COLLECTING = pytest.StashKey[Any]()
+_NO_CONTROL = "cncsub_no_control"  # what a worker sends
+_USAGE = pytest.StashKey[str]()
 
 
-def _wants_coverage(config: pytest.Config) -> bool:
-    limit = config.getoption("--cncsub-cov-fail-under")
-    asked = config.getoption("--cncsub-cov") or any(_reports(config).values())
-    return bool(asked) or limit is not None
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Stop with one usage error where tests have no control. A single test that has none, among
+    others that have one, fails by itself.
+    """
+    controls = [(item, _control_of(item)) for item in items if _has_control(item)]
+    left = [item for item, control in controls if control is None]
+    if not left or (len(left) == 1 < len(controls)) or config.option.collectonly:
+        return
+    first = left[0].nodeid
+    tests = f"{first} has" if len(left) == 1 else f"{len(left)} tests have"
+    fault = f"which control? {tests} none{f', the first {first}' if len(left) > 1 else ''}. {WHERE}"
+    if not hasattr(config, "workeroutput"):
+        raise pytest.UsageError(fault)
+    config.workeroutput[_NO_CONTROL] = fault  # the process that started the workers reports it
+    items[:] = []
 
 
-def _reports(config: pytest.Config) -> dict[str, str | None]:
-    """Return the files to write, by their form."""
-    return {name: config.getoption(f"--cncsub-cov-{name}") for name in _REPORTS}
+def _has_control(item: pytest.Item) -> bool:
+    return isinstance(item, Item) or "cnc" in getattr(getattr(item, "callspec", None), "params", ())
 
 
-def pytest_sessionstart(session: pytest.Session) -> None:
-    if _wants_coverage(session.config):
-        from cncsub.coverage import collecting
+def _control_of(item: pytest.Item) -> Any:
+    return item.control if isinstance(item, Item) else item.callspec.params["cnc"]  # type: ignore[attr-defined]
 
-        context = collecting()
-        session.config.stash[_COLLECTING] = (context, context.__enter__())
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_testnodedown(node: Any) -> None:
+    fault = getattr(node, "workeroutput", {}).get(_NO_CONTROL)
+    if fault is not None:
+        node.config.stash[_USAGE] = fault
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    if _COLLECTING not in session.config.stash:
-        return
-    context, collected = session.config.stash[_COLLECTING]
-    context.__exit__(None, None, None)
-    for name, file in _reports(session.config).items():
-        if file is not None:
-            text = getattr(collected.total, f"to_{name}")()
-            Path(file).parent.mkdir(parents=True, exist_ok=True)
-            Path(file).write_text(text, encoding="utf-8", newline="\n")
-    limit = session.config.getoption("--cncsub-cov-fail-under")
-    if limit is not None and collected.total.percent < limit and session.exitstatus == 0:
-        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+    if _USAGE in session.config.stash:
+        session.exitstatus = pytest.ExitCode.USAGE_ERROR
 
 
 def pytest_terminal_summary(terminalreporter: Any, config: pytest.Config) -> None:
-    if _COLLECTING not in config.stash:
-        return
-    _, collected = config.stash[_COLLECTING]
-    terminalreporter.section("coverage of NC programs")
-    from cncsub.coverage.formats import coverage_lines
-
-    for line in coverage_lines(collected.total):
-        terminalreporter.write_line(line)
-    if collected.left_out:
-        terminalreporter.write_line(
-            f"left out: {collected.left_out} runs that kept no blocks, or whose programs have other"
-            " texts under the same names; name= of loads tells them apart"
-        )
-    limit = config.getoption("--cncsub-cov-fail-under")
-    if limit is not None and collected.total.percent < limit:
-        terminalreporter.write_line(
-            f"coverage of NC programs is {collected.total.percent:.2f} %, below {limit:g} %"
-        )
+    if _USAGE in config.stash:
+        terminalreporter.write_line(f"ERROR: {config.stash[_USAGE]}", red=True)

@@ -21,11 +21,10 @@ from cncsub.cli.options import (
     whole_run,
     wrong_use,
 )
-from cncsub.coverage.block_counts import percent_text
-from cncsub.coverage.formats import coverage_lines
+from cncsub.coverage.formats import below_limit, coverage_lines
 from cncsub.coverage.summary import Coverage
 from cncsub.escapes import shown
-from cncsub.reports.printing import Console, console_on
+from cncsub.reports.printing import console_on
 from cncsub.writing import write_whole
 
 _Report = Annotated[Path | None, typer.Option(help="Write this file.", metavar="FILE")]
@@ -42,8 +41,11 @@ def coverage(
     lcov: _Report = None,
     cobertura: _Report = None,
     fail_under: Annotated[
-        float, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
-    ] = 0,
+        float | None, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
+    ] = None,
+    skip_covered: Annotated[
+        bool, typer.Option(help="List no programs that are covered in full.")
+    ] = False,
     **shared: Any,
 ) -> None:
     """Run programs and tell which blocks and branches they went through."""
@@ -62,10 +64,11 @@ def coverage(
         for path, text in ((html, total.to_html), (lcov, total.to_lcov)):
             _write(path, text)
         _write(cobertura, total.to_cobertura)
-    print_coverage(console_on(sys.stdout), total)
-    if total.percent < fail_under:
-        told = percent_text(total.percent)
-        typer.echo(f"cncsub: coverage is {told}, below {fail_under:g} %", err=True)
+    console = console_on(sys.stdout)
+    for line in coverage_lines(total, skip_covered=skip_covered):
+        console.print(shown(line))
+    if fault := below_limit(total, fail_under):
+        typer.echo(f"cncsub: {fault}", err=True)
         raise typer.Exit(1)
 
 
@@ -79,8 +82,3 @@ def _tell_stop(run: cncsub.Run, name: str | None) -> None:
 def _write(path: Path | None, text: Callable[[], str]) -> None:
     if path is not None:
         write_whole(path, text())
-
-
-def print_coverage(console: Console, coverage: Coverage) -> None:
-    for line in coverage_lines(coverage):
-        console.print(shown(line))

@@ -6,7 +6,7 @@ import itertools
 import operator
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple, overload
 
 from cncsub import _core
@@ -15,6 +15,7 @@ from cncsub.references import references_of
 LETTERS = dict(zip("ABCIJKDEFHMQRSTUVWXYZ", (*range(1, 10), 11, 13, *range(17, 27)), strict=True))
 LETTER_OF = {number: letter for letter, number in LETTERS.items()}
 _OUTCOMES = ("none", "once", "many")
+MDI = "MDI"  # the file of what is typed
 _LOOPS = ("while", "repeat")
 
 
@@ -61,9 +62,14 @@ class _Blocks(Sequence[_Block]):
 
 @dataclass
 class Counted:
-    """One program and its counts; blocks are numbered from 0."""
+    """One program and its counts; blocks are numbered from 0. `origin` is the file that it was read
+    from and `nth` its place among the programs of this name there. `file` is the name in reports,
+    which tells texts without a file apart.
+    """
 
     name: str
+    origin: str
+    nth: int
     file: str
     text: str
     blocks: _Blocks
@@ -76,18 +82,39 @@ class Counted:
     reads: set[int]
     given: Counter[int]
 
-    def add(self, other: Counted) -> None:
-        self.held = [a + b for a, b in zip(self.held, other.held, strict=True)]
-        self.failed = [a + b for a, b in zip(self.failed, other.failed, strict=True)]
-        self.skipped = [a + b for a, b in zip(self.skipped, other.skipped, strict=True)]
+    def plus(self, other: Counted) -> Counted:
+        """Return the sum of two counts of one program."""
+        loops = dict(self.loops)
         for block, entries in other.loops.items():
-            old = self.loops.get(block, [0, 0, 0])
-            self.loops[block] = [a + b for a, b in zip(old, entries, strict=True)]
-        self.calls.update(other.calls)
-        self.given.update(other.given)
+            loops[block] = _sums(loops.get(block, [0, 0, 0]), entries)
+        return replace(
+            self,
+            held=_sums(self.held, other.held),
+            failed=_sums(self.failed, other.failed),
+            skipped=_sums(self.skipped, other.skipped),
+            loops=loops,
+            calls=self.calls + other.calls,
+            given=self.given + other.given,
+        )
+
+    @property
+    def key(self) -> tuple[str, str, int]:
+        """What programs of several memories have in common that are one."""
+        return self.origin, self.name, self.nth
+
+    @property
+    def has_no_file(self) -> bool:
+        """Whether it is a text, or what was typed."""
+        return has_no_file(self.origin)
 
     def blocks_covered(self) -> int:
         return sum(map(bool, map(operator.add, self.held, self.failed)))
+
+    def parts(self) -> tuple[int, int]:
+        """Return how many blocks and outcomes of branches are covered, and how many there are."""
+        counts = [count for index in self.blocks.deciding() for _, count in self.outcomes(index)]
+        covered = self.blocks_covered() + sum(count > 0 for count in counts)
+        return covered, len(self.blocks) + len(counts)
 
     def count(self, block: int) -> int:
         return self.held[block] + self.failed[block]
@@ -122,6 +149,15 @@ class Counted:
         made = {block for block, _, _ in self.calls}
         left = [(*site, called, 0) for site, called in self.sites.items() if site[0] not in made]
         yield from sorted([*left, *((*key, count) for key, count in self.calls.items())])
+
+
+def has_no_file(name: str) -> bool:
+    """Return whether a name is that of a text, or of what was typed."""
+    return name == MDI or name.startswith("<")
+
+
+def _sums(some: list[int], others: list[int]) -> list[int]:
+    return [a + b for a, b in zip(some, others, strict=True)]
 
 
 @dataclass
@@ -182,6 +218,7 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
     owner = np.full(len(raw.held), -1)
     own = np.zeros(len(raw.held), dtype=int)
     made: list[Counted] = []
+    seen: Counter[tuple[str, str]] = Counter()
     sites: dict[int, dict[tuple[int, str], str]] = {}
     for caller, index, call in _core.all_calls(code):
         called = call[6] if call[6] is not None else call[2] or ""
@@ -203,6 +240,8 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
             Counted(
                 data.name,
                 data.file,
+                seen[data.file, data.name],
+                data.file,
                 data.text,
                 _Blocks(*columns),  # type: ignore[arg-type]
                 raw.held[at].tolist(),
@@ -219,6 +258,7 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
                 Counter(),
             )
         )
+        seen[data.file, data.name] += 1
     for (address, outcome), count in raw.loops.items():
         index, block_at = owner[address], int(own[address])
         made[index].loops.setdefault(block_at, [0, 0, 0])[outcome] += count
@@ -237,6 +277,15 @@ def _locals_read(data: _core.ProgramData, blocks: Iterable[int]) -> set[int]:
         return set()
     found = {use.variable for block in blocks for use in references_of(data, block).reads}
     return {number for number in found if isinstance(number, int) and number in LETTER_OF}
+
+
+def not_executed(code: _core.Code) -> Raw:
+    """Return the counts of programs that nothing ran."""
+    import numpy as np
+
+    blocks, _ = _core.coverage_deciding(code)
+    held, failed, skipped = np.zeros((3, len(blocks)), dtype=np.int64)
+    return Raw(code, held, failed, skipped, Counter(), Counter(), Counter())
 
 
 def raw_of(trace: _core.Trace, code: _core.Code) -> Raw:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.etree import ElementTree as ET
 
@@ -26,10 +28,24 @@ th:last-child, td:last-child { text-align: left; white-space: pre-wrap; width: 9
 """
 
 
-def _by_file(coverage: Coverage) -> dict[str, list[Counted]]:
+def _file_of(program: Counted, root: str | Path | None) -> str:
+    """Return the name of its file as seen from a folder that holds it, with slashes; a file that
+    lies elsewhere keeps its name. The current folder counts where no other is given.
+    """
+    if program.has_no_file:
+        return program.file
+    folder, file = Path(root or "").absolute(), Path(program.file).absolute()
+    for seen_as in (os.path.normpath, os.path.realpath):
+        near, far = Path(seen_as(folder)), Path(seen_as(file))
+        if far.is_relative_to(near):
+            return far.relative_to(near).as_posix()
+    return program.file
+
+
+def _by_file(coverage: Coverage, root: str | Path | None) -> dict[str, list[Counted]]:
     files: dict[str, list[Counted]] = {}
     for program in coverage.programs:
-        files.setdefault(program.file, []).append(program)
+        files.setdefault(_file_of(program, root), []).append(program)
     return files
 
 
@@ -44,13 +60,13 @@ def _lines(programs: list[Counted]) -> dict[int, tuple[int, list[tuple[str, int]
     return dict(sorted(found.items()))
 
 
-def lcov(coverage: Coverage) -> str:
+def lcov(coverage: Coverage, root: str | Path | None = None) -> str:
     """Return one record for each file."""
-    return "".join(f"{line}\n" for line in _lcov_lines(coverage))
+    return "".join(f"{line}\n" for line in _lcov_lines(_by_file(coverage, root)))
 
 
-def _lcov_lines(coverage: Coverage) -> Iterator[str]:
-    for file, programs in _by_file(coverage).items():
+def _lcov_lines(by_file: dict[str, list[Counted]]) -> Iterator[str]:
+    for file, programs in by_file.items():
         lines = _lines(programs)
         yield "TN:"
         yield f"SF:{shown(file)}"
@@ -75,15 +91,16 @@ def _rates(lines: dict[int, tuple[int, list[tuple[str, int]]]]) -> dict[str, str
     counts = [count for count, _ in lines.values()]
     outcomes = [count for _, of in lines.values() for _, count in of]
 
-    def rate(values: list[int]) -> str:
-        return f"{sum(value > 0 for value in values) / len(values) if values else 1:.4f}"
+    def rate(values: list[int], of_none: int) -> str:
+        return f"{sum(value > 0 for value in values) / len(values) if values else of_none:.4f}"
 
-    return {"line-rate": rate(counts), "branch-rate": rate(outcomes), "complexity": "0"}
+    lines_done, branches_done = rate(counts, 0), rate(outcomes, int(bool(counts)))
+    return {"line-rate": lines_done, "branch-rate": branches_done, "complexity": "0"}
 
 
-def cobertura(coverage: Coverage) -> str:
+def cobertura(coverage: Coverage, root: str | Path | None = None) -> str:
     """Return a package with a class for each file."""
-    by_file = {file: _lines(programs) for file, programs in _by_file(coverage).items()}
+    by_file = {file: _lines(programs) for file, programs in _by_file(coverage, root).items()}
     everything = dict(enumerate(each for lines in by_file.values() for each in lines.values()))
     counts = [count for count, _ in everything.values()]
     outcomes = [count for _, of in everything.values() for _, count in of]
@@ -117,12 +134,13 @@ def cobertura(coverage: Coverage) -> str:
     return f"{head} {dtd}>\n{referred(ET.tostring(root, encoding='unicode'))}\n"
 
 
-def html(coverage: Coverage) -> str:
+def html(coverage: Coverage, root: str | Path | None = None) -> str:
     """Return the programs, each to be folded in and out; colours are given in words as well."""
-    programs = "".join(_program(program) for program in coverage.programs)
+    programs = "".join(_program(program, root) for program in coverage.programs)
     blocks, branches = coverage.blocks, coverage.branches
+    percent = percent_text(coverage.percent) if coverage.measured else "nothing was measured"
     done = (
-        f"{percent_text(coverage.percent)}: {blocks.covered} of {len(blocks)} blocks,"
+        f"{percent}: {blocks.covered} of {len(blocks)} blocks,"
         f" {branches.covered} of {len(branches)} outcomes of branches,"
         f" {coverage.calls.covered} of {len(coverage.calls)} calls,"
         f" {coverage.arguments.covered} of {len(coverage.arguments)} arguments"
@@ -135,7 +153,7 @@ def html(coverage: Coverage) -> str:
     )
 
 
-def _program(program: Counted) -> str:
+def _program(program: Counted, root: str | Path | None) -> str:
     rows = []
     lines = _lines([program])
     for index, block in enumerate(program.blocks):
@@ -150,7 +168,8 @@ def _program(program: Counted) -> str:
         )
     done = sum(count > 0 for count, _ in lines.values())
     return (
-        f"<details open><summary>{escape(program.name)} ({escape(program.file)}):"
+        f"<details open><summary>{escape(program.name)}"
+        f" ({escape(_file_of(program, root))}):"
         f" {done} of {len(lines)} lines</summary>\n<table><thead><tr><th>line</th><th>count</th>"
         f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
         f"{_not_used(program)}</details>\n"
@@ -174,22 +193,45 @@ def _not_used(program: Counted) -> str:
     return "".join(f"<p>{escape(line)}</p>\n" for line in lines)
 
 
-def coverage_lines(coverage: Coverage) -> Iterator[str]:
-    """Yield a line for each program: covered blocks and outcomes, and the lines that are missing.
-    The sum comes last.
+def coverage_lines(
+    coverage: Coverage, *, root: str | Path | None = None, skip_covered: bool = False
+) -> Iterator[str]:
+    """Yield the sum, then a line for each program: covered blocks and outcomes, and the lines that
+    are missing. `skip_covered` leaves out the programs where nothing is.
     """
-    for program in coverage.programs:
-        counts = [program.count(index) for index in range(len(program.blocks))]
-        outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
-        missing = [
-            block.line for block, count in zip(program.blocks, counts, strict=True) if not count
-        ]
-        told = f"  not executed: lines {_ranges(missing)}" if missing else ""
-        yield (
-            f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}"
-            f"{told}  {program.file}"
-        )
     yield repr(coverage)[1:-1]
+    whole = 0
+    for program in coverage.programs:
+        covered, known = program.parts()
+        if skip_covered and covered == known:
+            whole += 1
+        else:
+            yield _program_line(program, _file_of(program, root))
+    if whole:
+        are = "program is" if whole == 1 else "programs are"
+        yield f"{whole} {are} covered in full and not listed"
+
+
+def below_limit(coverage: Coverage, limit: float | None) -> str | None:
+    """Return what is wrong with a coverage that has to reach so many percent, or `None`. Where
+    there is nothing to measure, no limit is reached.
+    """
+    if limit is None or (coverage.measured and coverage.percent >= limit):
+        return None
+    if not coverage.measured:
+        return f"coverage measured nothing (0 of 0 blocks), and has to reach {limit:g} %"
+    places = next(n for n in range(1, 20) if round(coverage.percent, n) < limit)
+    return f"coverage is {coverage.percent:.{places}f} %, below {limit:g} %"
+
+
+def _program_line(program: Counted, file: str) -> str:
+    counts = [program.count(index) for index in range(len(program.blocks))]
+    outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
+    missing = [block.line for block, count in zip(program.blocks, counts, strict=True) if not count]
+    told = f"  not executed: lines {_ranges(missing)}" if missing else ""
+    return (
+        f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}{told}  {file}"
+    )
 
 
 def _part(counts: list[int]) -> str:

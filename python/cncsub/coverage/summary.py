@@ -10,13 +10,13 @@ import threading
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.collectors import told
-from cncsub.coverage.block_counts import LETTER_OF, Counted, Raw, percent_text, programs_of, raw_of
+from cncsub.coverage.block_counts import LETTER_OF, Counted, Raw, has_no_file, percent_text, programs_of, raw_of
 from cncsub.pickling import NotPicklable
 from cncsub.writing import write_whole
 
@@ -195,8 +195,9 @@ class Coverage(NotPicklable):
 
     _instead = "send its rows, blocks.to_arrow(), or to_lcov()"
 
-    def __init__(self, parts: Iterable[Raw] = ()) -> None:
+    def __init__(self, parts: Iterable[Raw] = (), counted: Iterable[Counted] = ()) -> None:
         self._parts = tuple(parts)
+        self._counted = tuple(counted)
         self._made: tuple[Counted, ...] | None = None
 
     def __add__(self, other: object) -> Coverage:
@@ -207,8 +208,8 @@ class Coverage(NotPicklable):
         for part in other._parts:
             if id(part.code) in parts:
                 parts[id(part.code)] = parts[id(part.code)].plus(part)
-        added = Coverage([*parts.values(), *new])
-        if new and self._parts:
+        added = Coverage([*parts.values(), *new], [*self._counted, *other._counted])
+        if (new and self._parts) or added._counted:
             _ = added.programs  # other texts under the same names are refused here
         return added
 
@@ -219,9 +220,11 @@ class Coverage(NotPicklable):
     def programs(self) -> tuple[Counted, ...]:
         """The programs with their counts, for writers of reports."""
         if self._made is None:
-            merged = _Merged()
+            merged = Merged()
             for part in self._parts:
                 merged.add(programs_of(part))
+            for program in self._counted:
+                merged.add([program])
             self._made = tuple(merged.programs)
         return self._made
 
@@ -263,44 +266,49 @@ class Coverage(NotPicklable):
 
     @functools.cached_property
     def percent(self) -> float:
-        """The percentage of blocks and of outcomes of branches together that are covered; 100 where
+        """The percentage of blocks and of outcomes of branches together that are covered; 0 where
         there are none. Calls and arguments do not count.
         """
-        if self._made is None and len(self._parts) == 1:  # no program is looked at for it
-            covered, known = self._parts[0].outcomes()
-            return 100.0 * covered / known if known else 100.0
-        covered = known = 0
-        for program in self.programs:  # no rows are made for it
-            covered += program.blocks_covered()
-            known += len(program.blocks)
-            for index in program.blocks.deciding():
-                counts = [count for _, count in program.outcomes(index)]
-                covered += sum(count > 0 for count in counts)
-                known += len(counts)
-        return 100.0 * covered / known if known else 100.0
+        covered, known = self._parts_covered
+        return 100.0 * covered / known if known else 0.0
 
-    def to_html(self, path: str | Path | None = None) -> str:
+    @functools.cached_property
+    def _parts_covered(self) -> tuple[int, int]:
+        if self._made is None and len(self._parts) == 1 and not self._counted:
+            return self._parts[0].outcomes()  # no program is looked at for it
+        each = [program.parts() for program in self.programs]  # no rows are made for it
+        return sum(covered for covered, _ in each), sum(known for _, known in each)
+
+    @property
+    def measured(self) -> bool:
+        """Whether there is a block that could be executed at all."""
+        return self._parts_covered[1] > 0
+
+    def to_html(
+        self, path: str | Path | None = None, *, root: str | Path | None = None
+    ) -> str:
         """Return the programs with what was executed, as one page that needs nothing else, and
-        write it to `path` where one is given.
+        write it to `path` where one is given. Files below `root`, the current folder without it,
+        are named from there: in the page, in `to_lcov` and in `to_cobertura`.
         """
         from cncsub.coverage.formats import html
 
-        page = html(self)
+        page = html(self, root)
         if path is not None:
             write_whole(path, page)
         return page
 
-    def to_lcov(self) -> str:
+    def to_lcov(self, *, root: str | Path | None = None) -> str:
         """Return the counts as an lcov tracefile."""
         from cncsub.coverage.formats import lcov
 
-        return lcov(self)
+        return lcov(self, root)
 
-    def to_cobertura(self) -> str:
+    def to_cobertura(self, *, root: str | Path | None = None) -> str:
         """Return the counts as XML of Cobertura (coverage-04.dtd)."""
         from cncsub.coverage.formats import cobertura
 
-        return cobertura(self)
+        return cobertura(self, root)
 
     def _repr_html_(self) -> str:
         from cncsub.notebook_values import coverage_html
@@ -311,58 +319,48 @@ class Coverage(NotPicklable):
         def told(rows: Table[Any] | Blocks, what: str) -> str:
             return f"{rows.covered} of {len(rows)} {what}"
 
+        percent = percent_text(self.percent) if self.measured else "nothing was measured"
         return (
-            f"<Coverage: {percent_text(self.percent)}, {told(self.blocks, 'blocks')},"
+            f"<Coverage: {percent}, {told(self.blocks, 'blocks')},"
             f" {told(self.branches, 'branches')}, {told(self.calls, 'calls')}>"
         )
 
 
-class _Merged:
+class Merged:
     """The programs of several memories: those of one file, name and text are one."""
 
     def __init__(self) -> None:
         self.programs: list[Counted] = []
-        self._known: dict[tuple[str, str, int], list[Counted]] = {}  # by file, name, place of it
+        self._known: dict[tuple[str, str, int], list[int]] = {}  # by key, places in `programs`
 
     def add(self, programs: Iterable[Counted]) -> None:
         """Add programs. Raises `ValueError`, before anything is added, for another text of a file's
         program.
         """
-        placed = [(key, program, self._same(key, program)) for key, program in _keyed(programs)]
-        for key, program, old in placed:
+        placed = [(program, self._same(program)) for program in programs]
+        for program, old in placed:
             if old is not None:
-                old.add(program)
+                self.programs[old] = self.programs[old].plus(program)
                 continue
-            others = self._known.setdefault(key, [])
-            if others:  # another text without a file
-                program.file = f"{program.file} {len(others) + 1}"
-            others.append(program)
-            self.programs.append(program)
+            others = self._known.setdefault(program.key, [])
+            number = f" {len(others) + 1}" if others else ""  # another text without a file
+            others.append(len(self.programs))
+            self.programs.append(replace(program, file=f"{program.origin}{number}"))
 
-    def _same(self, key: tuple[str, str, int], program: Counted) -> Counted | None:
-        known = self._known.get(key, [])
-        for old in known:
+    def _same(self, program: Counted) -> int | None:
+        """Return the place of what is known of the same program."""
+        known = self._known.get(program.key, [])
+        for place in known:
+            old = self.programs[place]
             if old.text == program.text and old.blocks == program.blocks:
-                return old
-        if known and not _has_no_file(program.file):
+                return place
+        if known and not program.has_no_file:
             raise ValueError(
-                f"{program.name} of {program.file} has another text, or is read by another control,"
-                " in the runs that are added: add runs of one version, or name their files"
-                " differently"
+                f"{program.name} of {program.origin} has another text, or is read by another"
+                " control, in the runs that are added: add runs of one version, or name their"
+                " files differently"
             )
         return None
-
-
-def _keyed(programs: Iterable[Counted]) -> Iterator[tuple[tuple[str, str, int], Counted]]:
-    seen: Counter[tuple[str, str]] = Counter()
-    for program in programs:
-        name = program.file, program.name
-        yield (*name, seen[name]), program
-        seen[name] += 1
-
-
-def _has_no_file(file: str) -> bool:
-    return file.startswith("<") or file == "MDI"
 
 
 def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
@@ -401,6 +399,12 @@ class Collected:
                 self._total = Coverage(self._parts.values())
             return self._total
 
+    @property
+    def parts(self) -> tuple[Raw, ...]:
+        """The counts of each memory that ran."""
+        with self._lock:
+            return tuple(self._parts.values())
+
     def take(self, trace: _core.Trace, code: _core.Code) -> None:
         found = raw_of(trace, code) if _core.keeps_blocks(trace) else None
         with self._lock:
@@ -435,18 +439,15 @@ class Collected:
         for index in range(len(found.code)):
             data = found.code.program(index)
             name = data.file, data.name
-            new[*name, seen[name]] = data.text, control
+            if not has_no_file(data.file):
+                new[*name, seen[name]] = data.text, control
             seen[name] += 1
-        other = [
-            key
-            for key, value in new.items()
-            if not _has_no_file(key[0]) and self.texts_of.setdefault(key, value) != value
-        ]
+        other = [key for key, value in new.items() if self.texts_of.setdefault(key, value) != value]
         if any(self.texts_of[key][0] != new[key][0] for key in other):
             return False
         if other:
             try:
-                merged = _Merged()
+                merged = Merged()
                 for part in (*self._parts.values(), found):
                     merged.add(programs_of(part))
             except ValueError:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cncsub.testing.cases import Case, collected
 from cncsub.testing.exchange import cases_of_json
-from cncsub.testing.toml import cases_of_toml
+from cncsub.testing.toml import table_in
 
 
 def load_table(path: str | Path) -> tuple[Case, ...]:
@@ -21,7 +21,7 @@ def load_table(path: str | Path) -> tuple[Case, ...]:
     """
     file = Path(path)
     if file.suffix == ".toml":
-        return cases_of_toml(file)
+        return table_in(file)
     if file.suffix == ".json":
         return cases_of_json(file)
     spec = importlib.util.spec_from_file_location(f"cncsub_table_{file.stem}", file)

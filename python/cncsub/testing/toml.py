@@ -17,7 +17,7 @@ _WORDS = [*list(inspect.signature(read_case).parameters)[1:], "load"]
 _NUMBERED = ("vars", "variables", "arguments", "vars_after_reset")  # with variables for keys
 
 
-def cases_of_toml(file: Path) -> tuple[Case, ...]:
+def table_in(file: Path, *, needs_control: bool = True) -> tuple[Case, ...]:
     """Return the cases of a table; see `load_table`."""
     try:
         told = toml_of(file.read_text(encoding="utf-8"))
