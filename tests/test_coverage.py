@@ -285,7 +285,9 @@ def test_the_command_prints_a_table_writes_reports_and_keeps_a_limit(tmp_path: P
     assert "below 80.1 %" in below.output
 
 
-def test_the_command_lists_the_sum_first_and_on_request_only_what_is_missing(tmp_path: Path) -> None:
+def test_the_command_lists_the_sum_first_and_on_request_only_what_is_missing(
+    tmp_path: Path,
+) -> None:
     (tmp_path / "job.nc").write_text("O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\nO3\nN40 M99\n")
     call = ["coverage", str(tmp_path), "-c", "fanuc-0i-f"]
     lines = CliRunner().invoke(app, call).output.splitlines()

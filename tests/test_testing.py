@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import inspect
+import json
 import re
+import tomllib
 from decimal import Decimal
 from importlib.metadata import entry_points
 from pathlib import Path
@@ -12,8 +15,9 @@ import pytest
 from hypothesis import given
 
 import cncsub
-from cncsub.testing import case, check_case, load_table
+from cncsub.testing import case, cases, check_case, load_table
 from cncsub.testing.strategies import arguments, call_words
+from cncsub.testing.table_keys import KEYS, check_keys, schema
 
 pytest_plugins = ["pytester"]
 
@@ -44,8 +48,8 @@ def test_a_failure_names_the_block_the_calls_and_the_last_write() -> None:
         check_case(square(runs="N10 N30 N20", vars={100: 8}))
     told = str(failed.value)
     assert (
-        "behind: O2 N30, line 5: N30 #100=#1*#1\n      called from O1 N10, line 2 (G65 O2)\n"
-        "ran then: O2 N40, line 6: N40 M99\n"
+        "as expected up to: O2 N30, line 5: N30 #100=#1*#1\n"
+        "      called from O1 N10, line 2 (G65 O2)\nthen ran: O2 N40, line 6: N40 M99\n"
     ) in told
     assert "#100 was written last by O2 N30, line 5: N30 #100=#1*#1" in told
     assert "the last block: O1 N20, line 3: N20 M30" in told
@@ -109,6 +113,9 @@ def test_tables_are_loaded(tmp_path: Path) -> None:
         check_case(found)
 
 
+ON = "[[case]]\nclaim = 'a'\ncontrol = 'fanuc-0i-f'\nmdi = 'M30'\n"
+
+
 @pytest.mark.parametrize(
     ("text", "told"),
     [
@@ -125,6 +132,28 @@ def test_tables_are_loaded(tmp_path: Path) -> None:
         ("control = 'fanuc-0i-f'\nload = 'x'\n[[case]]\nclaim = 'a'", "list of files"),
         ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = 'x'", "not a block"),
         ("= 1", "nctest.toml"),
+        ("runs = 1\n[[case]]\nclaim = 'a'", "above the cases: runs is a text, such as"),
+        ("claim = 'a'\n[[case]]\nruns = ''", "claim stands in a case"),
+        (ON + "m = ['M3']", "case 1, 'a': m is a list of whole numbers, such as [3, 8], not ['M3']"),
+        (ON + "skip = true", "skip is a list of whole numbers, such as [1], not True"),
+        (ON + "max_blocks = true", "max_blocks is a whole number, such as 1000, not True"),
+        (ON + "time = '1'", "time is a number, such as 1.5, not '1'"),
+        (ON + "optional_stop = 1", "optional_stop is true or false, such as true, not 1"),
+        (ON + "params = {3401 = 'a'}", "params is a table of numbers"),
+        (ON + "number = 3", "number is a text or a table of texts"),
+        (ON + "stop = 'ended'", "stop is one of end, alarm, cycles, limit, waiting"),
+        (ON + "vars = {100 = 1, '#100' = 2}", "vars has #100 twice"),
+        (ON + "setup = {work_offset = {}}", "setup: a setup has no 'work_offset'; near are work_offsets"),
+        (ON + "inputs = {signal = {}}", "inputs: inputs has no 'signal'; near are signals"),
+        (ON + "moves = 'Q X1'", "moves: not a kind of move: 'Q X1'"),
+        (ON + "centre = 'X1 |'\nfinal_work = 'a'", "final_work: not a point: 'a'"),
+        (ON + "setup = 'x.toml'", "setup: there is no x.toml beside the table"),
+        (ON + "inputs = '.'", "inputs: . is a folder, not a file"),
+        (ON + "variables = 'wrong.nctest.toml'", "wrong.nctest.toml: variables: a variable number is a whole number"),
+        (ON + 'load = ["a\\u0000"]', "load holds a NUL"),
+        (ON + "load = ['wrong.nctest.toml']\nfiles = {a = 'O1'}", "both load and files"),
+        (ON + "alarm = 'user-alrm'", "there is no cause 'user-alrm'; near are user-alarm"),
+        (ON + "number = 'PS1'\nruns = ''", "not which alarm"),
     ],
 )  # fmt: skip
 def test_a_wrong_table_says_where(tmp_path: Path, text: str, told: str) -> None:
@@ -133,6 +162,152 @@ def test_a_wrong_table_says_where(tmp_path: Path, text: str, told: str) -> None:
     with pytest.raises(ValueError, match="wrong.nctest.toml") as failed:
         load_table(file)
     assert told in str(failed.value)
+
+
+def write_shared(folder: Path, **said: str) -> Path:
+    """Write a table two folders below the files that it names."""
+    (folder / "shared").mkdir(parents=True, exist_ok=True)
+    (folder / "shared" / "O5.nc").write_text(
+        "O5\nN10 #100=#500\nN20 #101=#1000\nN30 G0 X0\nN40 M30\n"
+    )
+    (folder / "shared" / "setup.toml").write_text("work_offsets = {G54 = {X = 100}}")
+    (folder / "shared" / "inputs.toml").write_text("signals = {1000 = 1}")
+    (folder / "shared" / "variables.csv").write_text("500;2,5\n")
+    tables = folder / "tests" / "tables"
+    tables.mkdir(parents=True, exist_ok=True)
+    words = {
+        "setup": "'../../shared/setup.toml'",
+        "inputs": "'../../shared/inputs.toml'",
+        "variables": "'../../shared/variables.csv'",
+        **said,
+    }
+    text = "control = 'fanuc-0i-f'\nload = ['../../shared/O5.nc']\n[[case]]\nclaim = 'files'\n"
+    text += "vars = {100 = 2.5, 101 = 1}\nfinal_machine = 'X100'\n"
+    table = tables / "files.nctest.toml"
+    table.write_text(text + "".join(f"{name} = {value}\n" for name, value in words.items()))
+    return table
+
+
+@pytest.mark.parametrize("mark", ["cncsub.toml", "pyproject.toml", ".git", "pytest.ini"])
+def test_a_table_takes_files_from_all_of_its_project(tmp_path: Path, mark: str) -> None:
+    (tmp_path / mark).write_text("")
+    table = write_shared(tmp_path / "job")
+    (case,) = load_table(table)
+    check_case(case)
+    assert list(case.files or ()) == ["../../shared/O5.nc"]
+    for said in (
+        {"setup": "{work_offsets = {G54 = {X = 100}}}"},
+        {"inputs": "{signals = {1000 = 1}}"},
+        {"variables": "{500 = 2.5}"},
+    ):
+        check_case(*load_table(write_shared(tmp_path / "job", **said)))
+    for said in (
+        {"setup": "{work_offsets = {G54 = {X = 101}}}"},
+        {"inputs": "{signals = {1000 = 0}}"},
+        {"variables": "{500 = 'vacant'}"},
+    ):
+        with pytest.raises(AssertionError):
+            check_case(*load_table(write_shared(tmp_path / "job", **said)))
+
+
+@pytest.mark.parametrize("key", ["load", "setup", "inputs", "variables"])
+def test_a_table_takes_no_file_from_outside_its_project(tmp_path: Path, key: str) -> None:
+    table = write_shared(tmp_path)
+    with pytest.raises(ValueError, match="outside the folder of the table; a cncsub.toml"):
+        load_table(table)
+    (tmp_path / "tests" / "cncsub.toml").write_text("")
+    inside = dict.fromkeys(("setup", "inputs", "variables"), "{}") | {"load": "[]"}
+    outside = "'../../shared/O5.nc'"
+    with pytest.raises(
+        ValueError, match=rf"{key}: ../../shared/O5.nc lies outside the folder of the project"
+    ):
+        load_table(
+            write_shared(tmp_path, **{**inside, key: f"[{outside}]" if key == "load" else outside})
+        )
+    (tmp_path / "tests" / "tables" / "link").symlink_to(tmp_path / "shared")
+    linked = "'link/setup.toml'"
+    with pytest.raises(
+        ValueError, match=rf"{key}: link/setup.toml lies outside the folder of the project"
+    ):
+        load_table(
+            write_shared(tmp_path, **{**inside, key: f"[{linked}]" if key == "load" else linked})
+        )
+
+
+@pytest.mark.parametrize("alarm", ["PS0076", "program-not-found"])
+def test_an_alarm_of_a_table_is_named_by_its_number_or_its_cause(
+    tmp_path: Path, alarm: str
+) -> None:
+    file = tmp_path / "alarm.nctest.toml"
+    file.write_text(ON.replace("M30", "M98 P7") + f"alarm = '{alarm}'")
+    check_case(*load_table(file))
+    file.write_text(ON.replace("M30", "M98 P7") + "alarm = 'PS0078'")
+    with pytest.raises(
+        AssertionError, match="^alarm: expected PS0078, got PS0076 program-not-found\n"
+    ):
+        check_case(*load_table(file))
+    file.write_text(ON.replace("M30", "M98 P7") + "alarm = 'user-alarm'")
+    with pytest.raises(
+        AssertionError, match="^alarm: expected user-alarm, got program-not-found\n"
+    ):
+        check_case(*load_table(file))
+
+
+def test_a_failing_table_shows_the_difference_first_and_the_files_last(tmp_path: Path) -> None:
+    for number in range(2, 30):
+        (tmp_path / f"O{number}.nc").write_text(f"O{number}\n#100=1\nN20 #100=#100+1\nM99\n")
+    file = tmp_path / "failing.nctest.toml"
+    file.write_text(ON.replace("M30", "M98 P2") + "load = ['.']\nvars = {100 = 3}\nruns = 'N20'")
+    (tmp_path / "note.nctest.toml").unlink(missing_ok=True)
+    with pytest.raises(AssertionError) as failed:
+        check_case(*load_table(file))
+    lines = str(failed.value).splitlines()
+    assert lines[:3] == [
+        "vars #100: expected 3, got 2",
+        "of failing.nctest.toml, case 1: a",
+        "control fanuc-0i-f",
+    ]
+    ran = lines.index("executed, 4 blocks:")
+    assert lines[ran + 1 : ran + 5] == [
+        "    MDI:1  M98 P2",
+        "    O2:2  #100=1",
+        "    O2:3  N20 #100=#100+1",
+        "    O2:4  M99",
+    ]
+    assert lines[-3].startswith("loaded: O10.nc, O11.nc, ")
+    assert lines[-3].endswith(" and 17 more")
+    assert lines[-2:] == ["MDI:", "    M98 P2"]
+
+
+def test_a_long_run_and_a_long_program_are_shown_by_their_ends() -> None:
+    text = "O1\n" + "".join(f"#100={i}\n" for i in range(100)) + "M30\n"
+    with pytest.raises(AssertionError) as failed:
+        check_case(case("long", control="fanuc-0i-f", program=text, vars={100: 1}))
+    told = str(failed.value)
+    assert "executed, 101 blocks:\n    O1:2  #100=0\n" in told
+    assert "    O1:13  #100=11\n    ... 77 more ...\n    O1:91  #100=89\n" in told
+    assert told.endswith("    #100=28\n    ... 72 more lines")
+
+
+def test_every_word_of_a_case_is_a_key_of_a_table_and_fits_its_own_example() -> None:
+    words = set(inspect.signature(cases.read_case).parameters) - {"topic", "line"}
+    assert set(KEYS) == words | {"load"}
+    for key in KEYS.values():
+        check_keys(tomllib.loads(f"{key.name} = {key.example}"))
+
+
+def test_the_schema_of_tables_is_up_to_date_and_says_what_the_reader_says() -> None:
+    file = Path(__file__).parents[1] / "docs" / "nctest.schema.json"
+    assert json.loads(file.read_text(encoding="utf-8")) == schema()
+    jsonschema = pytest.importorskip("jsonschema")
+    check = jsonschema.Draft7Validator(schema()).is_valid
+    for key in KEYS.values():
+        said = {"claim": "a", **tomllib.loads(f"{key.name} = {key.example}")}
+        assert check({"case": [said]})
+        assert not check({"case": [{"claim": "a", key.name: [[]]}]})
+    assert not check({"case": [{"claim": "a", "rnus": ""}]})
+    assert not check({"case": [{"runs": ""}]})
+    assert check(tomllib.loads(NCTEST))
 
 
 # ---- the plugin ----
@@ -164,6 +339,13 @@ def test_tables_are_tests(project: pytest.Pytester) -> None:
     done = project.runpytest_inprocess("-q")
     done.assert_outcomes(errors=1)
     done.stdout.fnmatch_lines(["*case 1 has no claim*"])
+
+
+def test_a_control_that_a_table_mistypes_is_told_once(project: pytest.Pytester) -> None:
+    (project.path / "square.nctest.toml").write_text(NCTEST.replace("fanuc-0i-f", "fanuc-0if"))
+    done = project.runpytest_inprocess("-q")
+    done.assert_outcomes(errors=1)
+    done.stdout.fnmatch_lines(["*square.nctest.toml: no control is called 'fanuc-0if'; near are *"])
 
 
 def test_a_start_of_pytest_does_not_import_cncsub(project: pytest.Pytester) -> None:
@@ -215,13 +397,17 @@ def test_the_fixture_has_the_control_of_the_option_or_the_marker(project: pytest
 
 
 def test_without_a_control_there_is_one_usage_error(project: pytest.Pytester) -> None:
-    project.makepyfile("def test_a(cnc): pass\ndef test_b(cnc): pass\ndef test_c(): pass")
+    project.makepyfile(
+        "def test_a(cnc): cnc.control\ndef test_b(cnc): cnc.control\ndef test_c(): pass"
+    )
     table = project.path / "square.nctest.toml"
     table.write_text(NCTEST.replace('control = "fanuc-0i-f"', ""))
     done = project.runpytest("-q")
     assert done.ret == pytest.ExitCode.USAGE_ERROR
     done.assert_outcomes()
-    done.stderr.fnmatch_lines(["ERROR: which control? 4 tests have none, the first *. Give --control*"])
+    done.stderr.fnmatch_lines(
+        ["ERROR: which control? 4 tests have none, the first *. Give --control*"]
+    )
     done.stdout.no_fnmatch_line("*which control*")
     assert project.runpytest("-q", "--collect-only").ret == 0
     project.runpytest("-q", "-k", "test_c").assert_outcomes(passed=1, deselected=4)
@@ -230,7 +416,9 @@ def test_without_a_control_there_is_one_usage_error(project: pytest.Pytester) ->
     done.stderr.fnmatch_lines(["ERROR: which control? *::test_a* has none. Give --control*"])
     project.runpytest("-q", "--control", "fanuc-0i-f").assert_outcomes(passed=5)
     table.write_text(NCTEST)  # one test alone has none: it fails, and the others run
-    done = project.runpytest("-q", "--deselect", "test_without_a_control_there_is_one_usage_error.py::test_b")
+    done = project.runpytest(
+        "-q", "--deselect", "test_without_a_control_there_is_one_usage_error.py::test_b"
+    )
     done.assert_outcomes(passed=3, failed=1, deselected=1)
     (project.path / "cncsub.toml").write_text('control = "fanuc-30i"')
     project.runpytest("-q").assert_outcomes(passed=5)
@@ -290,7 +478,9 @@ IDLE = "O7\nN10 IF[#1 EQ 1]GOTO30\nN20 #2=1\nN30 M99\n"
 def test_a_program_that_no_test_loads_counts_in_a_folder(project: pytest.Pytester) -> None:
     (project.path / "idle").mkdir()
     (project.path / "idle" / "O7.nc").write_text(IDLE)
-    done = project.runpytest_inprocess("-q", "--cncsub-cov=idle", "--cncsub-cov-fail-under", "1", "--control", "fanuc-0i-f")
+    done = project.runpytest_inprocess(
+        "-q", "--cncsub-cov=idle", "--cncsub-cov-fail-under", "1", "--control", "fanuc-0i-f"
+    )
     assert lines_of(done) == [
         "Coverage: 0.0 %, 0 of 3 blocks, 0 of 2 branches, 0 of 0 calls",
         "O7  blocks 0/3  branches 0/2  not executed: lines 2-4  idle/O7.nc",
@@ -298,7 +488,9 @@ def test_a_program_that_no_test_loads_counts_in_a_folder(project: pytest.Pyteste
     ]
     assert done.ret == 1
     # Both folders, on the control that the tests ran on; what is covered in full is counted only.
-    done = project.runpytest_inprocess("-q", "--cncsub-cov=idle", "--cncsub-cov=macros", "--cncsub-cov-skip-covered")
+    done = project.runpytest_inprocess(
+        "-q", "--cncsub-cov=idle", "--cncsub-cov=macros", "--cncsub-cov-skip-covered"
+    )
     assert lines_of(done) == [
         "Coverage: 58.3 %, 5 of 8 blocks, 2 of 4 branches, 1 of 1 calls",
         "O7  blocks 0/3  branches 0/2  not executed: lines 2-4  idle/O7.nc",
@@ -331,7 +523,9 @@ def test_nothing_measured_fails_a_limit(project: pytest.Pytester, asked: list[st
         (["--cncsub-cov-fail-under", "nan"], "a percentage, 0 to 100, not 'nan'"),
     ],
 )
-def test_a_wrong_option_of_coverage_is_a_usage_error(project: pytest.Pytester, asked: list[str], told: str) -> None:
+def test_a_wrong_option_of_coverage_is_a_usage_error(
+    project: pytest.Pytester, asked: list[str], told: str
+) -> None:
     project.makepyfile(test_it="def test_plain(): pass")
     (project.path / "tests").mkdir()
     done = project.runpytest(*asked)

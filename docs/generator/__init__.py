@@ -9,7 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from generator import api, cause_pages, checks, commands, control_pages, house, source_pages
+from generator import (
+    api,
+    cause_pages,
+    checks,
+    commands,
+    control_pages,
+    house,
+    source_pages,
+    table_keys,
+)
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -17,6 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 OPEN: dict[str, Callable[[], str]] = {
     "the table of controls": control_pages.table_of_controls,
     "the drawing of the rooms": house.drawing,
+    "the keys of tables of cases": table_keys.keys,
 }
 
 _PARTS = (control_pages, cause_pages, source_pages, checks, commands, api)

@@ -83,7 +83,7 @@ class Inputs:
         Raises `FileNotFoundError`, and `ValueError` with the file's name for a file that holds no
         inputs.
         """
-        return from_toml(path, _from_table)
+        return from_toml(path, inputs_from_table)
 
     def __post_init__(self) -> None:
         self.to_core()
@@ -129,7 +129,8 @@ def _inputs_from(inputs: Mapping[str, Any]) -> Inputs:
     return Inputs(**inputs)
 
 
-def _from_table(table: dict[str, Any]) -> Inputs:
+def inputs_from_table(table: Mapping[str, Any]) -> Inputs:
+    """Return the inputs of a file; raise `TypeError` and `ValueError` for what they are not."""
     return _inputs_from(values_of_table(table))
 
 

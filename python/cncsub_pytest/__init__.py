@@ -5,8 +5,9 @@ in TOML (`*.nctest.toml`) as tests.
 from __future__ import annotations
 
 import difflib
+import importlib
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -55,6 +56,9 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
 @pytest.fixture
 def cnc(request: pytest.FixtureRequest) -> Cnc:
     """Load and run programs on the control of `--control`."""
+    # Here, and not in the first example of hypothesis, which has to keep a deadline.
+    for module in ("cncsub.cli.project", "cncsub.loading"):
+        importlib.import_module(module)
     return Cnc(request.param, request)
 
 
@@ -145,12 +149,22 @@ class Table(pytest.File):
 
         try:
             table = table_in(self.path, needs_control=False)
+            if not self.config.getoption("--control"):
+                self._check_controls({name: None for case in table for name in case.controls})
         except ValueError as error:
             raise self.CollectError(str(error)) from None
         for case in table:
-            for control in controls_for(self.config, self.path.parent, case.controls) or [None]:
+            names = controls_for(self.config, self.path.parent, case.controls)
+            for control in names or (None,):
                 name = f"{case.claim} [{control or 'control'}]"
                 yield Item.from_parent(self, name=name, case=(case, control))
+
+    def _check_controls(self, names: Iterable[str]) -> None:
+        for name in names:
+            try:
+                control_named(name, self.path.parent)
+            except ValueError as error:
+                raise ValueError(f"{self.path}: {error}") from None
 
 
 class Item(pytest.Item):

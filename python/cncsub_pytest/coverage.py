@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pickle
 from argparse import ArgumentTypeError
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -131,7 +131,7 @@ class Measuring:
             else:
                 yield pickle.loads(sent)
 
-    def _added_up(self, parts: list[tuple[list[Counted], list[str], int]]) -> Coverage:
+    def _added_up(self, parts: Sequence[tuple[Sequence[Counted], list[str], int]]) -> Coverage:
         from cncsub.coverage import Coverage
         from cncsub.coverage.measured import below, without_mdi
         from cncsub.coverage.summary import Merged

@@ -113,9 +113,9 @@ def cobertura(coverage: Coverage, root: str | Path | None = None) -> str:
         "timestamp": "0",
     }
     rates = _rates(everything)
-    root = ET.Element("coverage", {**rates, **totals})
-    ET.SubElement(ET.SubElement(root, "sources"), "source").text = "."
-    package = ET.SubElement(ET.SubElement(root, "packages"), "package", {"name": "", **rates})
+    report = ET.Element("coverage", {**rates, **totals})
+    ET.SubElement(ET.SubElement(report, "sources"), "source").text = "."
+    package = ET.SubElement(ET.SubElement(report, "packages"), "package", {"name": "", **rates})
     classes = ET.SubElement(package, "classes")
     for file, lines in by_file.items():
         name = for_xml(file)
@@ -128,10 +128,10 @@ def cobertura(coverage: Coverage, root: str | Path | None = None) -> str:
                 done = sum(outcome > 0 for _, outcome in of)
                 told["condition-coverage"] = f"{100 * done // len(of)}% ({done}/{len(of)})"
             ET.SubElement(listed, "line", told)
-    ET.indent(root)
+    ET.indent(report)
     head = '<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE coverage SYSTEM'
     dtd = '"http://cobertura.sourceforge.net/xml/coverage-04.dtd"'
-    return f"{head} {dtd}>\n{referred(ET.tostring(root, encoding='unicode'))}\n"
+    return f"{head} {dtd}>\n{referred(ET.tostring(report, encoding='unicode'))}\n"
 
 
 def html(coverage: Coverage, root: str | Path | None = None) -> str:
@@ -229,9 +229,7 @@ def _program_line(program: Counted, file: str) -> str:
     outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
     missing = [block.line for block, count in zip(program.blocks, counts, strict=True) if not count]
     told = f"  not executed: lines {_ranges(missing)}" if missing else ""
-    return (
-        f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}{told}  {file}"
-    )
+    return f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}{told}  {file}"
 
 
 def _part(counts: list[int]) -> str:

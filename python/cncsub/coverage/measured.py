@@ -12,6 +12,7 @@ from cncsub.coverage.block_counts import MDI, Counted, not_executed, programs_of
 from cncsub.coverage.summary import Coverage
 from cncsub.files import Reading
 
+
 def without_mdi(coverage: Coverage) -> Coverage:
     """Return the coverage without what was typed in MDI: it belongs to the tests.
 

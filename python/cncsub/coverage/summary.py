@@ -16,7 +16,15 @@ from typing import Any, Generic, TypeVar, overload
 
 from cncsub import _core
 from cncsub.collectors import told
-from cncsub.coverage.block_counts import LETTER_OF, Counted, Raw, has_no_file, percent_text, programs_of, raw_of
+from cncsub.coverage.block_counts import (
+    LETTER_OF,
+    Counted,
+    Raw,
+    has_no_file,
+    percent_text,
+    programs_of,
+    raw_of,
+)
 from cncsub.pickling import NotPicklable
 from cncsub.writing import write_whole
 
@@ -284,9 +292,7 @@ class Coverage(NotPicklable):
         """Whether there is a block that could be executed at all."""
         return self._parts_covered[1] > 0
 
-    def to_html(
-        self, path: str | Path | None = None, *, root: str | Path | None = None
-    ) -> str:
+    def to_html(self, path: str | Path | None = None, *, root: str | Path | None = None) -> str:
         """Return the programs with what was executed, as one page that needs nothing else, and
         write it to `path` where one is given. Files below `root`, the current folder without it,
         are named from there: in the page, in `to_lcov` and in `to_cobertura`.

@@ -5,11 +5,11 @@ from __future__ import annotations
 import inspect
 import re
 import textwrap
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from cncsub.signatures import spelled_out
 from cncsub.testing.moves import Move, Point, read_moves, read_point
@@ -18,6 +18,7 @@ STOPS = ("end", "alarm", "cycles", "limit", "waiting")
 
 Text = str | bytes
 UNKNOWN = "unknown"
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -201,7 +202,7 @@ def read_case(
         replace=replace or {},
         setup=setup,
         options={name: value for name, value in options.items() if value is not None},
-        runs=None if runs is None else read_runs(runs),
+        runs=_read("runs", read_runs, runs),
         stop=stop or ("alarm" if alarm else "end"),
         alarm=alarm,
         number=number,
@@ -216,20 +217,32 @@ def read_case(
         tree=tree,
         frames=None if frames is None else tuple(f.strip() for f in frames.split("<") if f.strip()),
         arguments=arguments,
-        moves=None if moves is None else read_moves(moves),
+        moves=_read("moves", read_moves, moves),
         moves_x=moves_x,
-        centre=None if centre is None else tuple(map(read_point, centre.split("|"))),
-        final_machine=None if final_machine is None else read_point(final_machine),
-        final_work=None if final_work is None else read_point(final_work),
+        centre=_read("centre", _points, centre),
+        final_machine=_read("final_machine", read_point, final_machine),
+        final_work=_read("final_work", read_point, final_work),
         time=time,
         vars_after_reset=vars_after_reset,
-        work_after_reset=None if work_after_reset is None else read_point(work_after_reset),
+        work_after_reset=_read("work_after_reset", read_point, work_after_reset),
         modal_after_reset=modal_after_reset,
     )
     fault = _fault(row)
     if fault:
         raise ValueError(f"{claim!r} {fault}")
     return row
+
+
+def _read(key: str, read: Callable[[str], T], text: str | None) -> T | None:
+    """Return what a text of a key says; an error names the key."""
+    try:
+        return None if text is None else read(text)
+    except ValueError as error:
+        raise ValueError(f"{key}: {error}") from None
+
+
+def _points(text: str) -> tuple[Point, ...]:
+    return tuple(map(read_point, text.split("|")))
 
 
 def _fault(row: Case) -> str | None:
@@ -239,15 +252,19 @@ def _fault(row: Case) -> str | None:
     if row.program is not None and row.files is not None:
         return "has both a program and files"
     if row.program is None and row.files is None and row.mdi is None:
-        return "has nothing to run"
+        return "has nothing to run: it gives no program, files or mdi"
     if row.stop not in STOPS:
-        return f"cannot stop with {row.stop!r}"
+        return f"cannot stop with {row.stop!r}: a run stops with {', '.join(STOPS)}"
     if (row.stop == "alarm") != (row.alarm is not None):
-        return "stops with an alarm and names none, or the other way round"
+        return (
+            'stops with "alarm" and names no alarm'
+            if row.alarm is None
+            else f"names an alarm, and stops with {row.stop!r}"
+        )
     if row.alarm is None and not row.says_what_happened:
-        return "says how it stops, and nothing of what happened before"
+        return "says how it stops, and nothing of what happened before: add runs or vars"
     if row.alarm is None and (row.number or row.at or row.word or row.frames is not None):
-        return "says where or how it alarms, but not which alarm"
+        return "says where or how it alarms (number, at, word, frames), but not which alarm"
     if not isinstance(row.source, str) and set(row.source) != set(row.controls):
         return "gives sources for other controls than it runs on"
     if isinstance(row.number, Mapping) and set(row.number) != set(row.controls):

@@ -14,12 +14,16 @@ from typing import Any
 
 import cncsub
 from cncsub.analysis.steps_text import step_lines
+from cncsub.setup import setup_from
 from cncsub.testing import moves as motion
 from cncsub.testing.cases import UNKNOWN, Case, Row, Text
 
 # No row needs more; a row (or a changed rule) that never ends stops here.
 MAX_BLOCKS = 100_000
 TOLERANCE = 2e-5
+
+_SHOWN = 12  # blocks at either end of a run, and names of files, that a failure shows
+_LINES = 30  # of a program that it shows
 
 # M codes that end the run; they count as codes to the machine only where a row asks for them.
 END_CODES = (2, 30)
@@ -78,7 +82,7 @@ def _options(case: Case) -> dict[str, Any]:
     trace = "moves" if case.wants_moves else "blocks"
     options = {"max_blocks": MAX_BLOCKS, "trace": trace, **case.options}
     if case.setup is not None:
-        options["setup"] = cncsub.Setup(**case.setup)
+        options["setup"] = setup_from(case.setup)
     return options
 
 
@@ -117,8 +121,9 @@ def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str
         yield f"stop: expected {case.stop}, got {stop}"
     if case.alarm is None or alarm is None:
         return
-    if alarm.cause != case.alarm:
-        yield f"alarm: expected {case.alarm}, got {alarm.cause}"
+    if case.alarm not in (alarm.cause, alarm.number):
+        got = alarm.cause if case.alarm in cncsub.causes else f"{alarm.number} {alarm.cause}"
+        yield f"alarm: expected {case.alarm}, got {got}"
     number = case.number_on(control)
     if number is not UNKNOWN and alarm.number != number:
         yield f"alarm number: expected {number}, got {alarm.number}"
@@ -344,7 +349,7 @@ def _parting(case: Case, run: cncsub.Run) -> Iterator[str]:
         return
     same = sum(1 for _ in itertools.takewhile(lambda pair: pair[0] == pair[1], zip(expected, got)))
     numbered = [step for step, n in enumerate(run.steps.n.tolist()) if n >= 0]
-    for what, place in (("behind", same - 1), ("ran then", same)):
+    for what, place in (("as expected up to", same - 1), ("then ran", same)):
         if 0 <= place < len(numbered):
             lines = "\n    ".join(step_lines(run, numbered[place]))
             yield f"{what}: {lines}"
@@ -357,10 +362,9 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
         for number, expected in case.variables.items()
         if any(_variable_difference("", number, expected, run.variables.get(number)))
     ]
-    if not wrong or case.mdi is not None:
+    if not wrong:
         return
-    watched = library.run(**{**_options(case), "watch": wrong}).watch
-    rows = list(watched)
+    rows = list(execute(case, library, watch=wrong).watch)
     for number in wrong:
         steps = [row.step for row in rows if row.variable == number and row.step is not None]
         if steps and steps[-1] < len(run.steps):
@@ -374,38 +378,68 @@ def report(row: Row, found: list[str], control: cncsub.Control | None = None) ->
     library = load(case, control or cncsub.controls[row.control])
     run = execute(case, library)
     parts = [
-        f"{case.topic}:{case.line}: {case.claim}",
-        case.told_on(row.control),
-        *_programs(case),
         *found,
-        f"executed: {_around(executed(run, with_program=True), 0, 60)}",
+        f"of {_place_of(case)}: {case.claim}",
+        case.told_on(row.control),
         *_parting(case, run),
         *_last_writes(case, library, run),
     ]
-    if len(run.steps) and run.alarm is None:
-        lines = "\n    ".join(step_lines(run, len(run.steps) - 1))
-        parts.append(f"the last block: {lines}")
+    if run.alarm is not None:
+        parts.append(f"the alarm:\n{textwrap.indent(str(run.alarm), '    ')}")
+    parts += _what_ran(run)
     values = run.variables
     told = [f"#{n}={_value(values.get(n))}" for n in itertools.islice(sorted(values), 40)]
     if told:
         parts.append(f"variables at the stop: {' '.join(told)}")
-    if run.alarm is not None:
-        parts.append(f"the alarm:\n{textwrap.indent(str(run.alarm), '    ')}")
-    return "\n".join(parts)
+    return "\n".join([*parts, *_programs(case)])
+
+
+def _place_of(case: Case) -> str:
+    """Return where the case is written: a table that is no Python has no lines."""
+    return f"{case.topic}{', case ' if case.topic.endswith('.toml') else ':'}{case.line}"
+
+
+def _what_ran(run: cncsub.Run) -> Iterator[str]:
+    """Yield the executed blocks: by N where all have one, else with their text."""
+    count = len(run.steps)
+    if all(n >= 0 for n in run.steps.n.tolist()):
+        yield f"executed: {_around(executed(run, with_program=True), 0, 60)}"
+        if count and run.alarm is None:
+            lines = "\n    ".join(step_lines(run, count - 1))
+            yield f"the last block: {lines}"
+        return
+    yield f"executed, {count} blocks:"
+    first = range(min(count, _SHOWN))
+    last = range(max(first.stop, count - _SHOWN), count)
+    for part in (first, last):
+        if part is last and last.start > first.stop:
+            yield f"    ... {last.start - first.stop} more ..."
+        for step in map(run.steps.__getitem__, part):
+            yield f"    {step.program}:{step.line}  {step.text.strip()}"
 
 
 def _programs(case: Case) -> Iterator[str]:
-    yield from _listing("program", case.program)
+    """Yield the programs: files by name, and the first lines of texts."""
+    if case.paths:
+        names = list(case.files or {})
+        more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+        yield f"loaded: {', '.join(names[:_SHOWN])}{more}"
+    else:
+        yield from _listing("program", case.program)
     for what, files in (("file", case.files), ("external file", case.external)):
         for name, text in (files or {}).items():
-            yield from _listing(f"{what} {name}", text)
+            if what != "file" or not case.paths:
+                yield from _listing(f"{what} {name}", text)
     yield from _listing("MDI", case.mdi)
 
 
 def _listing(title: str, text: Text | None) -> Iterator[str]:
     if text is not None:
         shown = text if isinstance(text, str) else text.decode("utf-8", "backslashreplace")
-        yield f"{title}:\n{textwrap.indent(shown.rstrip(), '    ')}"
+        lines = shown.rstrip().split("\n")
+        more = len(lines) - _LINES
+        shown = "\n".join(lines[:_LINES]) + (f"\n... {more} more lines" if more > 0 else "")
+        yield f"{title}:\n{textwrap.indent(shown, '    ')}"
 
 
 def check_case(case: Case, control: str | cncsub.Control | None = None) -> None:

@@ -16,8 +16,9 @@ def load_table(path: str | Path) -> tuple[Case, ...]:
     for all of them; or of JSON, a conformance suite as `tools/export_conformance.py` writes it.
 
     In TOML the numbers of variables are keys: `vars = {100 = 9}`; `load = ["macros/O9010.nc"]`
-    names files and folders beside the table, whose texts are the memory. Raises `ValueError` for a
-    table that says what no case can, `OSError` for a file that cannot be read.
+    names files and folders beside the table or elsewhere in its project, whose texts are the
+    memory. Raises `ValueError` for a table that says what no case can, `OSError` for a file that
+    cannot be read.
     """
     file = Path(path)
     if file.suffix == ".toml":
