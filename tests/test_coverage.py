@@ -199,6 +199,19 @@ def test_texts_without_a_file_count_each_for_itself() -> None:
     assert tracefile.count("SF:") == len(set(re.findall("SF:.*", tracefile))) == 2
 
 
+def test_a_file_is_one_however_its_path_is_written(tmp_path: Path) -> None:
+    (tmp_path / "tests").mkdir()
+    (tmp_path / "job.nc").write_text(IF)
+    with collecting() as collected:
+        for path in (tmp_path / "job.nc", tmp_path / "tests" / ".." / "job.nc"):
+            cncsub.load(path, control="fanuc-0i-f").run()
+        (tmp_path / "job.nc").write_text(WHILE)
+        cncsub.load(tmp_path / "tests" / ".." / "job.nc", control="fanuc-0i-f").run()
+    assert (collected.runs, collected.left_out) == (2, 1)
+    assert [program.file for program in collected.total.programs] == [str(tmp_path / "job.nc")]
+    assert collected.total.blocks[0].count == 2
+
+
 def test_runs_of_what_was_typed_are_added() -> None:
     library = cncsub.loads("O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\n", control="fanuc-0i-f")
     typed = [library.mdi(text) for text in ("M98 P2", "G0 X1.", "M98 P2")]
@@ -264,6 +277,12 @@ def test_cobertura_keeps_the_rules_of_its_dtd() -> None:
     assert branch.get("condition-coverage") == "50% (1/2)"
 
 
+def test_the_page_opens_what_is_missed() -> None:
+    assert "<details open><summary>O1 (&lt;text&gt;)" in covered(IF).to_html()
+    whole = covered("O1\nN10 M30\n").to_html()
+    assert "<details><summary>O1 (&lt;text&gt;)" in whole
+
+
 def test_the_page_is_escaped_and_stands_alone(tmp_path: Path) -> None:
     found = covered("O1\nN10 #1=1 (<script>alert(1)</script>)\nN20 M30\n")
     page = found.to_html(tmp_path / "page.html")
@@ -278,7 +297,7 @@ def test_the_command_prints_a_table_writes_reports_and_keeps_a_limit(tmp_path: P
     call = ["coverage", str(tmp_path / "job.nc"), "-c", "fanuc-0i-f"]
     fine = CliRunner().invoke(app, [*call, "--lcov", str(tmp_path / "lcov"), "--fail-under", "80"])
     assert fine.exit_code == 0
-    assert "O1  blocks 3/3  branches 1/2" in fine.output
+    assert "O1  blocks 3/3  branches 1/2  missed branches: lines 2  " in fine.output
     assert (tmp_path / "lcov").read_text().startswith("TN:\n")
     below = CliRunner().invoke(app, [*call, "--fail-under", "80.1"])
     assert below.exit_code == 1

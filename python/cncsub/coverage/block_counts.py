@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import itertools
 import operator
+import os
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any, NamedTuple, overload
 
 from cncsub import _core
@@ -151,6 +153,11 @@ class Counted:
         yield from sorted([*left, *((*key, count) for key, count in self.calls.items())])
 
 
+def origin_of(name: str) -> str:
+    """Return what the file of a name is known by: `/a/../b.nc` and `/b.nc` are one file."""
+    return os.path.realpath(name) if Path(name).is_absolute() else name
+
+
 def has_no_file(name: str) -> bool:
     """Return whether a name is that of a text, or of what was typed."""
     return name == MDI or name.startswith("<")
@@ -239,7 +246,7 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
         made.append(
             Counted(
                 data.name,
-                data.file,
+                origin_of(data.file),
                 seen[data.file, data.name],
                 data.file,
                 data.text,

@@ -135,7 +135,9 @@ def cobertura(coverage: Coverage, root: str | Path | None = None) -> str:
 
 
 def html(coverage: Coverage, root: str | Path | None = None) -> str:
-    """Return the programs, each to be folded in and out; colours are given in words as well."""
+    """Return the programs, each to be folded in and out, with those open of which something is
+    missed; colours are given in words as well.
+    """
     programs = "".join(_program(program, root) for program in coverage.programs)
     blocks, branches = coverage.blocks, coverage.branches
     percent = percent_text(coverage.percent) if coverage.measured else "nothing was measured"
@@ -167,8 +169,9 @@ def _program(program: Counted, root: str | Path | None) -> str:
             f"<td>{escape(block.text)}</td></tr>\n"
         )
     done = sum(count > 0 for count, _ in lines.values())
+    covered, known = program.parts()
     return (
-        f"<details open><summary>{escape(program.name)}"
+        f"<details{' open' if covered < known else ''}><summary>{escape(program.name)}"
         f" ({escape(_file_of(program, root))}):"
         f" {done} of {len(lines)} lines</summary>\n<table><thead><tr><th>line</th><th>count</th>"
         f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
@@ -196,8 +199,8 @@ def _not_used(program: Counted) -> str:
 def coverage_lines(
     coverage: Coverage, *, root: str | Path | None = None, skip_covered: bool = False
 ) -> Iterator[str]:
-    """Yield the sum, then a line for each program: covered blocks and outcomes, and the lines that
-    are missing. `skip_covered` leaves out the programs where nothing is.
+    """Yield the sum, then a line for each program: covered blocks and outcomes, and the lines where
+    some are missing. `skip_covered` leaves out the programs where nothing is.
     """
     yield repr(coverage)[1:-1]
     whole = 0
@@ -226,10 +229,17 @@ def below_limit(coverage: Coverage, limit: float | None) -> str | None:
 
 def _program_line(program: Counted, file: str) -> str:
     counts = [program.count(index) for index in range(len(program.blocks))]
-    outcomes = [of for index in range(len(counts)) for _, of in program.outcomes(index)]
-    missing = [block.line for block, count in zip(program.blocks, counts, strict=True) if not count]
+    outcomes = [list(program.outcomes(index)) for index in range(len(counts))]
+    missing = [block.line for block, count in zip(program.blocks, counts) if not count]
+    one_sided = [
+        block.line
+        for block, count, of in zip(program.blocks, counts, outcomes)
+        if count and not all(of_one for _, of_one in of)
+    ]
     told = f"  not executed: lines {_ranges(missing)}" if missing else ""
-    return f"{program.name}  blocks {_part(counts)}  branches {_part(outcomes)}{told}  {file}"
+    told += f"  missed branches: lines {_ranges(one_sided)}" if one_sided else ""
+    branches = [count for of in outcomes for _, count in of]
+    return f"{program.name}  blocks {_part(counts)}  branches {_part(branches)}{told}  {file}"
 
 
 def _part(counts: list[int]) -> str:

@@ -21,6 +21,7 @@ from cncsub.coverage.block_counts import (
     Counted,
     Raw,
     has_no_file,
+    origin_of,
     percent_text,
     programs_of,
     raw_of,
@@ -349,9 +350,11 @@ class Merged:
                 self.programs[old] = self.programs[old].plus(program)
                 continue
             others = self._known.setdefault(program.key, [])
-            number = f" {len(others) + 1}" if others else ""  # another text without a file
+            file = program.file
+            if program.has_no_file:  # another text gets a number
+                file = f"{program.origin} {len(others) + 1}" if others else program.origin
             others.append(len(self.programs))
-            self.programs.append(replace(program, file=f"{program.origin}{number}"))
+            self.programs.append(replace(program, file=file))
 
     def _same(self, program: Counted) -> int | None:
         """Return the place of what is known of the same program."""
@@ -446,7 +449,7 @@ class Collected:
             data = found.code.program(index)
             name = data.file, data.name
             if not has_no_file(data.file):
-                new[*name, seen[name]] = data.text, control
+                new[origin_of(data.file), data.name, seen[name]] = data.text, control
             seen[name] += 1
         other = [key for key, value in new.items() if self.texts_of.setdefault(key, value) != value]
         if any(self.texts_of[key][0] != new[key][0] for key in other):
