@@ -258,7 +258,8 @@ def test_a_failing_table_shows_the_difference_first_and_the_files_last(tmp_path:
         (tmp_path / f"O{number}.nc").write_text(f"O{number}\n#100=1\nN20 #100=#100+1\nM99\n")
     file = tmp_path / "failing.nctest.toml"
     file.write_text(ON.replace("M30", "M98 P2") + "load = ['.']\nvars = {100 = 3}\nruns = 'N20'")
-    (tmp_path / "note.nctest.toml").unlink(missing_ok=True)
+    (tmp_path / ".git").mkdir()
+    (tmp_path / ".git" / "O90.nc").write_text("O90\nM99\n")  # hidden
     with pytest.raises(AssertionError) as failed:
         check_case(*load_table(file))
     lines = str(failed.value).splitlines()

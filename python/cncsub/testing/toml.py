@@ -165,11 +165,15 @@ class _Places:
         return path
 
     def texts(self, paths: tuple[Path, ...]) -> dict[str, bytes]:
-        """Return the files of paths by their names, as seen from the table."""
+        """Return the files of paths by their names, as seen from the table, but those that are
+        hidden.
+        """
         found: dict[str, bytes] = {}
         for path in paths:
-            for each in sorted(path.rglob("*")) if path.is_dir() else [path]:
-                if each.is_file() and self._holds(each):
+            for each in sorted(path.rglob("[!.]*")) if path.is_dir() else [path]:
+                below = each.relative_to(path).parts
+                hidden = any(part.startswith(".") for part in below)
+                if not hidden and each.is_file() and self._holds(each):
                     name = Path(os.path.relpath(each, self._folder)).as_posix()
                     found[name] = each.read_bytes()
         return found
