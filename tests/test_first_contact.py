@@ -238,6 +238,15 @@ def test_the_project_beside_the_programs_counts(job: Path, monkeypatch: pytest.M
     assert cncsub.controls["fanuc-16i"].title in command("run", job / "main.nc")[1]
 
 
+def test_what_is_typed_in_mdi_finds_the_programs_of_the_project(
+    job: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (job / "cncsub.toml").write_text('control = "haas-ngc"\nfolders = ["."]\n')
+    monkeypatch.chdir(job)
+    status, printed, said = command("run", "--mdi", "M98 P2")
+    assert (status, "M98 O2" in printed) == (0, True), printed + said
+
+
 def test_a_file_that_an_option_names_is_not_told_as_left_out(job: Path) -> None:
     (job / "setup.toml").write_text('machine = "mill"\n')
     (job / "other.toml").write_text("")

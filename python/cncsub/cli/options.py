@@ -353,7 +353,7 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
         "control": control_for(options, project),
         "external": options["external"] or project.external,
     }
-    paths = options["paths"] or (project.folders if options["mdi"] is None else ())
+    paths = options["paths"] or project.folders
     if options.get("prefer") and (not paths or paths == ["-"]):
         raise ValueError("--prefer chooses between files: name the files or folders to read")
     if "-" in paths and len(paths) > 1:
@@ -368,7 +368,7 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
             wanted = {"encoding": options["encoding"], "prefer": prefer, **places}
             return load_with(named, siblings, **wanted)
 
-        _refuse_words_of_mdi(paths, options["mdi"])
+        _refuse_words_of_mdi(options["paths"] or (), options["mdi"])
         return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
     if options["mdi"] is None:
         raise ValueError("which program? Name a file or a folder, or give --mdi")
@@ -440,7 +440,7 @@ def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
         for name in PLACES
         if name in options and options[name] is None and (place := project.outside(name))
     ]
-    if not options.get("paths") and options.get("mdi") is None:
+    if not options.get("paths"):
         places += [("folders", place) for place in project.programs_outside]
     for name, place in places:
         told = f"the project names it for {name}, outside of its own folder"
