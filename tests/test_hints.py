@@ -126,6 +126,28 @@ def test_options_without_effect_are_told(
     assert error.count("no effect") == len(told)
 
 
+@pytest.mark.parametrize(
+    ("text", "hint"),
+    [
+        (
+            "O9120\nN10 G0 X#1 Y#2\nN20 M99\n",
+            'O9120 reads the arguments A, B, and as the main program it has none: --mdi "G65 P9120'
+            ' A... B..." calls it',
+        ),
+        ("O9120\nN10 IF[#11 NE #0]GOTO30\nN20 #3000=1\nN30 M99\n", 'G65 P9120 H..."'),
+        ("O9120\nN10 #1=1.\nN20 G0 X#1\nN30 M99\n", None),  # it gives the value itself
+        ("O9120\nN10 G0 X#1\nN20 M30\n", None),  # it ends as a main program does
+        ("O9120\nN10 G0 X#101\nN20 M99\n", None),
+    ],
+)
+def test_a_macro_that_runs_as_the_main_program_leads_to_its_call(
+    tmp_path: Path, text: str, hint: str | None
+) -> None:
+    (tmp_path / "O9120.nc").write_text(text)
+    told = CliRunner().invoke(app, ["run", str(tmp_path), "-c", "fanuc-0i-f"]).stderr
+    assert hint in told if hint is not None else "arguments" not in told, told
+
+
 def test_a_main_program_that_ends_in_m99_sounds_like_no_fault(tmp_path: Path) -> None:
     out, _ = run(tmp_path, "O1\nG4 X1.\nM99\n")
     assert "stopped: M99 starts the program over, all cycles asked for ran" in out

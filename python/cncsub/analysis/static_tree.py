@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 MOST = 10_000  # calls of a tree
 _NO_ARGUMENT = frozenset("NGOPLM/")  # addresses
 _GIVE_NOTHING = ("M97", "M98", "M198", "M99")
-_LETTERS = dict(zip((*range(1, 10), 11, 13, *range(17, 27)), "ABCIJKDEFHMQRSTUVWXYZ", strict=True))
+LETTERS = dict(zip((*range(1, 10), 11, 13, *range(17, 27)), "ABCIJKDEFHMQRSTUVWXYZ", strict=True))
 
 
 def letters(arguments: Mapping[int, float | None]) -> str:
     """Return arguments in words: `{1: 30.0, 150: 2.0}` as `A=30 #150=2`."""
     return " ".join(
-        f"{_LETTERS.get(number, f'#{number}')}={'vacant' if value is None else f'{value:.10g}'}"
+        f"{LETTERS.get(number, f'#{number}')}={'vacant' if value is None else f'{value:.10g}'}"
         for number, value in arguments.items()
     )
 

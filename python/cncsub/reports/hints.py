@@ -14,6 +14,7 @@ from typing import Any
 from cncsub import _core
 from cncsub._core import Alarm, Control
 from cncsub.analysis.notes import Note
+from cncsub.analysis.static_tree import LETTERS
 from cncsub.checking import Finding
 from cncsub.controls import controls
 from cncsub.interrupts import uninterrupted
@@ -91,6 +92,7 @@ def hints_of(
     it ran with; `mdi`: what was typed.
     """
     alarm = run.alarm
+    called = None if mdi is not None else library.main if main is None else library[main]
 
     def again(other: Library = library, **options: Any) -> Run:
         if mdi is not None:
@@ -103,8 +105,10 @@ def hints_of(
         return list(_answers(run, asked, again))
     if alarm is None:
         foreign = None if mdi is not None else foreign_language(library)
-        return [foreign] if foreign is not None else list(_unanswered_skips(run, asked, again))
-    hints = list(_missing_program(library, alarm))
+        if foreign is not None:
+            return [foreign]
+        return [*_unanswered_skips(run, asked, again), *_macro_as_main(library, run, asked, called)]
+    hints = [*_missing_program(library, alarm), *_macro_as_main(library, run, asked, called)]
     if (other := _language(library, run, alarm, mdi, again)) is not None:
         hints.append(other)
     elif not hints:
@@ -449,6 +453,31 @@ def _unanswered_skips(
             "[workpiece]\n"
             "stylus = 3 # the radius of its ball\n"
             f'solids = [{{ plane = {plane}, faces = "{solid["faces"]}" }}]'
+        )
+
+
+# ---- a macro that runs as the main program ----
+
+
+def _macro_as_main(
+    library: Library, run: Run, asked: Mapping[str, Any], program: Program | None
+) -> Iterator[str]:
+    """Yield how a main program is called that reads arguments, which only a call gives."""
+    user_alarm = run.alarm is not None and run.alarm.cause == "user-alarm"
+    if program is None or not (user_alarm or run.stop is Stop.CYCLES):
+        return
+    number = re.fullmatch(r"[O%]?0*(\d{1,8})", program.name)
+    (roles,) = (str(rule.value) for rule in library.control.rules if rule.name == "roles")
+    if number is None or "G65=macro-call" not in roles.split():
+        return
+    given = {use.variable for block in program.blocks for use in block.writes}
+    read = (_read_variables([program]) or set()) - given - set(asked.get("variables") or ())
+    letters = [letter for n, letter in sorted(LETTERS.items()) if n in read]
+    if letters:
+        call = f"G65 P{number[1]} {' '.join(f'{letter}...' for letter in letters)}"
+        yield (
+            f"{program.name} reads the arguments {', '.join(letters)}, and as the main program it"
+            f' has none: --mdi "{call}" calls it'
         )
 
 
