@@ -148,6 +148,12 @@ def test_a_macro_that_runs_as_the_main_program_leads_to_its_call(
     assert hint in told if hint is not None else "arguments" not in told, told
 
 
+def test_where_mdi_calls_nothing_no_macro_leads_there(tmp_path: Path) -> None:
+    (tmp_path / "O9120.nc").write_text("O9120\nN10 G0 X#1\nN20 M99\n")
+    told = CliRunner().invoke(app, ["run", str(tmp_path), "-c", "gsk-988t"]).stderr
+    assert told == ""
+
+
 def test_a_main_program_that_ends_in_m99_sounds_like_no_fault(tmp_path: Path) -> None:
     out, _ = run(tmp_path, "O1\nG4 X1.\nM99\n")
     assert "stopped: M99 starts the program over, all cycles asked for ran" in out

@@ -473,7 +473,8 @@ def _macro_as_main(
     given = {use.variable for block in program.blocks for use in block.writes}
     read = (_read_variables([program]) or set()) - given - set(asked.get("variables") or ())
     letters = [letter for n, letter in sorted(LETTERS.items()) if n in read]
-    if letters:
+    tried = uninterrupted(library.mdi(f"G65 P{number[1]}", trace="none", max_blocks=1))
+    if letters and tried.alarm is None:
         call = f"G65 P{number[1]} {' '.join(f'{letter}...' for letter in letters)}"
         yield (
             f"{program.name} reads the arguments {', '.join(letters)}, and as the main program it"
