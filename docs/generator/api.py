@@ -15,7 +15,7 @@ from generator.markdown import code, fenced, table, words
 PAGES: dict[str, tuple[str, str, list[str]]] = {
     "programs": (
         "Programs",
-        "Reading programs, and what stands in them.",
+        "Reading programs, and what is in them.",
         ["load", "loads", "Library", "Program", "Block", "Token", "Word", "Note", "read_variables"],
     ),
     "references": (
@@ -25,7 +25,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     ),
     "runs": (
         "Runs",
-        "What a run tells, one step at a time, in parts.",
+        "What a run did; one step at a time; in parts.",
         [
             "Run",
             "RunOptions",
@@ -133,7 +133,7 @@ def _index() -> str:
     text = (
         "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them"
         " says so where they are missing.\n"
-        "[What is public](../../public.md) is what stands on these pages.\n\n"
+        "The names on these pages are [public](../../public.md).\n\n"
     )
     rows = (
         [f"[{title}]({page}.md)", words(about), ", ".join(code(name) for name in names)]

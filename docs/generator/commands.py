@@ -14,8 +14,8 @@ _PAGE = "reference/commands.md"
 _HEAD = """\
 # The command line
 
-[Running programs](../guides/running.md) says what the commands are for, and what the exit status means.
-`cncsub COMMAND --help` prints the same.
+[Running programs](../guides/running.md) says what the commands are for, and what the exit status
+means. `cncsub COMMAND --help` prints the same.
 
 """
 

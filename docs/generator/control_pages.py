@@ -165,10 +165,10 @@ def _head(control: cncsub.Control) -> str:
         f" {len(control.parameters)} parameters, {numbered} causes with a number on its screen.\n\n"
         f"```console\n$ cncsub run program.nc -c {control.name}\n```\n\n"
         "## How far to trust it\n\n"
-        "So many of its rules, and of their entries, stand on\n\n"
+        "How many of its rules, and of their entries, have which evidence:\n\n"
         + table(("evidence", "count", "share"), rows)
-        + "\n[What each is worth](../reference/sources.md). What is inferred is general"
-        " knowledge or a policy of ours: try it on the machine before you rely on it.\n\n" + absent
+        + "\n[What each is worth](../reference/sources.md). A rule that is inferred is general"
+        " knowledge or our choice: try it on the machine before you rely on it.\n\n" + absent
     )
 
 
@@ -244,8 +244,9 @@ def _options(control: cncsub.Control) -> str:
         for o in control.variable_options.values()
     )
     return (
-        "## Variables by option\n\n[What a shop bought](../guides/parameters.md) is told by"
-        " `control.replace`.\n\n" + table(("option", "variables", "what it is", "", "source"), rows)
+        "## Variables by option\n\nOptions that a shop bought are given by"
+        " `control.replace`: [Parameters and rules](../guides/parameters.md).\n\n"
+        + table(("option", "variables", "what it is", "", "source"), rows)
     )
 
 

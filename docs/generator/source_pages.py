@@ -12,15 +12,15 @@ _HEAD = """\
 # Sources
 
 Every rule, parameter and alarm of a control cites where it is known from, by a key of this page
-(`cncsub.sources` holds them all). A source is worth what stands here on the controls it is about,
-and on any other control it is secondary at best:
+(`cncsub.sources` holds them all). The evidence given here holds on the controls that the source is
+about; on any other control the source is secondary at best:
 
 | evidence | what it is |
 | --- | --- |
 | source document | one of the documents that the project was made from |
 | maker's manual | a manual of the maker, of this very control |
 | secondary | a book, a forum, a clone, a relative of the control |
-| inferred | general knowledge, or a policy of ours where nobody says anything |
+| inferred | general knowledge, or our choice where no source says anything |
 
 """
 
