@@ -133,7 +133,7 @@ def _index() -> str:
     text = (
         "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them"
         " says so where they are missing.\n"
-        "The names on these pages are [public](../../public.md).\n\n"
+        "[What is public](../../public.md) is what stands on these pages.\n\n"
     )
     rows = (
         [f"[{title}]({page}.md)", words(about), ", ".join(code(name) for name in names)]
