@@ -24,6 +24,9 @@ def compared(text: str, control: str = "fanuc-0i-f", **options: object) -> list[
     [
         ("fanuc-0i-f", LOOP, ["1 0 LT 2: true", "4 1 LT 2: true", "7 2 LT 2: false"]),
         ("fanuc-0i-f", "O1\nIF[#1 EQ #0]GOTO9\nN9 M30\n", ["0 vacant EQ vacant: true"]),
+        ("fanuc-0i-f", "O1\n#2=1\nIF[#1 LT #2]GOTO9\nN9 M30\n", ["1 vacant LT 1: true"]),
+        ("fanuc-0i-f", "O1\nIF[#100+1 GE #101]GOTO9\nN9 M30\n", ["0 1 GE vacant: true"]),
+        ("fanuc-0i-f", "O1\nIF[#1 GE [#2+#3]]GOTO9\nN9 M30\n", ["0 0 GE 0: true"]),
         ("fanuc-0i-f", "O1\nIF[2 NE 1+1]THEN #1=1\nM30\n", ["0 2 NE 2: false"]),
         (
             "fanuc-0i-f",

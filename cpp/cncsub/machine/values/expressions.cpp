@@ -62,11 +62,21 @@ class KeepsCompared {
 
   explicit KeepsCompared(Run& run) : run_(run), before_(run.trace.compared.size()) {}
 
+  /// Note whether the value that comes next is a vacant variable, which may count as 0.
+  void push(Ins op, const ExpressionCell& cell, const Places& places) {
+    left_ = right_;
+    right_ = (op == Ins::Local && is_vacant(places.local(cell.index()))) ||
+             (op == Ins::Common && is_vacant(places.common(cell.index())));
+  }
+  void change() { right_ = false; }
+  void join() { left_ = right_ = false; }
+
   void keep(Ins op, double left, double right, double result) {
     auto& rows = run_.trace.compared;
     const bool joined = std::exchange(waits_, op == Ins::Compare);
     if (!joined)
-      rows.push({run_.state.executed, left, right, run_.state.pc, op, result != 0});
+      rows.push({run_.state.executed, left_ ? kVacant : left, right_ ? kVacant : right,
+                 run_.state.pc, op, result != 0});
     else  // a comparison of what Compare has made with 0
       rows.at(rows.size() - 1).op = op, rows.at(rows.size() - 1).holds = result != 0;
   }
@@ -80,7 +90,8 @@ class KeepsCompared {
  private:
   Run& run_;
   std::size_t before_;
-  bool waits_ = false;
+  bool waits_ = false;                 // what Compare has made is compared next
+  bool left_ = false, right_ = false;  // of the last two values: a vacant variable alone
 };
 
 /// Compute an expression; return false where it has no value, for which the trap says why. The last
@@ -95,6 +106,7 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double* below, doubl
 #define INS_Push(name, function)                                                  \
   case Ins::name:                                                                 \
     if (!take(instruction::function(e, InstructionView{at}), made)) return false; \
+    if constexpr (Keeps::kKeeps) kept.push(Ins::name, *at, e.places);             \
     *below++ = a;                                                                 \
     a = made;                                                                     \
     at += cells_of(Ins::name);                                                    \
@@ -102,6 +114,7 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double* below, doubl
 #define INS_Change(name, function)                                                \
   case Ins::name:                                                                 \
     if (!take(instruction::function(e, InstructionView{at}, a), a)) return false; \
+    if constexpr (Keeps::kKeeps) kept.change();                                   \
     at += cells_of(Ins::name);                                                    \
     break;
 #define INS_Join(name, function)                                                              \
@@ -109,6 +122,7 @@ bool compute(const ExpressionCell* at, const Evaluation& e, double* below, doubl
     const double left = *--below, right = a;                                                  \
     if (!take(instruction::function(e, InstructionView{at}, left, right), a)) return false;   \
     if constexpr (Keeps::kKeeps && compares(Ins::name)) kept.keep(Ins::name, left, right, a); \
+    if constexpr (Keeps::kKeeps) kept.join();                                                 \
     at += cells_of(Ins::name);                                                                \
     break;                                                                                    \
   }
