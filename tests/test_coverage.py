@@ -289,7 +289,7 @@ def test_the_page_is_escaped_and_stands_alone(tmp_path: Path) -> None:
     assert (tmp_path / "page.html").read_text(encoding="utf-8") == page
     assert "<script" not in page
     assert "&lt;script" in page
-    assert "http" not in page
+    assert "://" not in page
 
 
 def test_the_command_prints_a_table_writes_reports_and_keeps_a_limit(tmp_path: Path) -> None:

@@ -13,7 +13,9 @@ from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
-from cncsub.reports.path import MOST_POINTS, path_of
+from cncsub.drawing.path import Path as DrawnPath
+from cncsub.drawing.path import path_of
+from cncsub.drawing.svg import MOST_LINKED, MOST_POINTS
 
 CONTROL = "fanuc-0i-f"
 JOB = """O1 (PART <b>)
@@ -136,15 +138,19 @@ def test_of_many_programs_the_short_ones_are_shown_whole_and_the_long_ones_alike
     assert [4_004 - cut[0], 3_001 - cut[1], 3_001 - cut[2]] == [1_666, 1_665, 1_666]
 
 
+def path_drawn(run: cncsub.Run, coordinates: str = "work") -> DrawnPath:
+    return path_of(run.recorded, coordinates, linked=MOST_LINKED, most=MOST_POINTS)
+
+
 def test_arcs_are_round_and_x_of_a_lathe_is_a_radius() -> None:
     turn = "O1\nG0 X0 Z0\nG1 F100 X20.\nG3 X40. Z-10. R10.\nM30\n"
-    path = path_of(cncsub.loads(turn, control="gsk-988ta").run())
+    path = path_drawn(cncsub.loads(turn, control="gsk-988ta").run())
     assert path.diameters
     arc = path.points[path.moves == 2]
     assert len(arc) >= 9
     assert np.allclose(np.hypot(arc[:, 0] - 10, arc[:, 2] + 10), 10)
     mill = "O1\nG0 X0 Y0\nG2 X0 Y0 I10. Z-4. F100\nM30\n"
-    path = path_of(cncsub.loads(mill, control=CONTROL).run())
+    path = path_drawn(cncsub.loads(mill, control=CONTROL).run())
     circle = path.points[path.moves == 1]
     assert not path.diameters
     assert np.allclose(np.hypot(circle[:, 0] - 10, circle[:, 1]), 10)
@@ -246,6 +252,6 @@ def test_the_tool_is_drawn_in_machine_coordinates_where_it_goes_another_way() ->
     drawn = re.findall(r"<svg.*?</svg>", page)
     assert len(drawn) == 2
     assert [svg.count("<polyline") for svg in drawn] == [4, 4]
-    path = path_of(library.run(setup=setup), "machine")
+    path = path_drawn(library.run(setup=setup), "machine")
     assert path.points[:, 0].tolist() == [0, 0, 10, 100, 110]
     assert "in machine coordinates" not in cncsub.report(library, library.run())

@@ -6,6 +6,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/machine/values/variables.hpp"
+#include "cncsub/motion/state/modes.hpp"
 #include "gil.hpp"
 #include "live.hpp"
 #include "options.hpp"
@@ -245,7 +246,8 @@ void add_run(Class& machine) {
       .def_property_readonly(
           "position", [](Live& live) { return dict_of(position(Look(live)->motion().view())); })
       .def_property_readonly(
-          "modal", [](Live& live) { return dict_of(modal(Look(live)->motion().view())); });
+          "modal", [](Live& live) { return dict_of(modal(Look(live)->motion().view())); })
+      .def_property_readonly("inch", [](Live& live) { return g20(Look(live)->motion().state()); });
 }
 
 /// Add its variables and signals.

@@ -562,6 +562,8 @@ class Machine:
     def position(self) -> dict[str, float]: ...
     @property
     def modal(self) -> dict[str, str]: ...
+    @property
+    def inch(self) -> bool: ...  # whether lengths in programs are inches now
 
 @final
 class Flattening:

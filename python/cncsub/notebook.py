@@ -25,14 +25,16 @@ _HEAD, _TAIL = 30, 10  # lines of a program
 _MOST_CHECKED = 20_000  # blocks of a memory
 
 
-def run_html(run: Run) -> str:
-    """Return how a run ended, what it called, and how far it moved."""
+def run_html(run: Run, drawing: str) -> str:
+    """Return how a run ended, its path, what it called, and how far it moved."""
     parts = [line(_title(run), strong=True)]
     alarm = run.alarm
     if alarm is not None:
         parts.append(marked(str(alarm)))
     elif run.endless is not None:
         parts.append(marked(cut(str(run.endless))))
+    if drawing:
+        parts.append(drawing)
     if len(run.calls):
         parts.append(calls_html(run.calls))
     if len(run.moves):

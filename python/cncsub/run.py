@@ -323,6 +323,27 @@ class _Outcome(State, Recorded):
             title=title,
         )
 
+    def svg(self, *, coordinates: str = "work") -> str:
+        """Return the path as a drawing in SVG, an empty text where nothing moved. It needs no other
+        package, and a notebook shows it below a run.
+
+        The view is the one that suits: from above, at right angles to the plane of the path or of
+        its arcs, Z to the right and X upwards for a lathe. It is true to scale, with ticks in mm,
+        or in inches where the program ended in inches, and diameters on a diameter axis. Rapid
+        moves are dashed. Holes are numbered in the order in which they were begun; tool changes and
+        the place where an alarm stopped the run are marked. `coordinates`: `"work"` or
+        `"machine"`, as in `plot`. A long path is thinned to what the drawing can show.
+
+        >>> import cncsub
+        >>> text = "O1\\nG81 X10. Y5. Z-3. R1. F100\\nX20.\\nG80\\nM30\\n"
+        >>> drawing = cncsub.loads(text, control="fanuc-0i-f").run().svg()
+        >>> drawing[:4], "hole 2: X20 Y5 Z-3" in drawing
+        ('<svg', True)
+        """
+        from cncsub.drawing.svg import svg_of
+
+        return svg_of(self, coordinates)
+
     def coverage(self) -> Coverage:
         """Return the blocks, branches, calls and arguments that this run, or this machine so far,
         went through.
@@ -360,7 +381,7 @@ class Run(_Outcome):
     def _repr_html_(self) -> str:
         from cncsub.notebook import run_html
 
-        return run_html(self)
+        return run_html(self, self.svg())
 
     @property
     def stop(self) -> Stop:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub.drawing.path import FAMILIES, families_of
 from cncsub.plot.figure import COLOURS, OTHERS, count
 
 if TYPE_CHECKING:
@@ -17,13 +18,6 @@ if TYPE_CHECKING:
 
 BANDS = 24  # of colours that blend into each other
 MOST_NAMES = 11  # colours beside that of the rest
-FAMILIES = {  # and their colours
-    "rapid": "#d9534f",
-    "feed": "#3d8fd6",
-    "canned cycle": "#2fa36b",
-    "radius compensation": "#b565d8",
-}
-RAPID, FEED, CYCLE, COMPENSATION = range(4)
 _BY_NAME = ("kind", "program", "call", "tool", "depth")
 _COLUMNS = {"call": "frame"}
 WORDS = {"feed": "feed, mm/min or mm/rev", "time": "time, s", "z": "Z, mm"}
@@ -55,18 +49,11 @@ class Moved:
         self.core = run.recorded
         self.coordinates = coordinates
         self.first, self.last = first, last
-        self.families = self._families()
+        self.families = families_of(self.core, first, last)
 
     def column(self, name: str) -> Numbers:
         column: Numbers = self.core.move_columns([name])[name]
         return column[self.first : self.last]
-
-    def _families(self) -> Numbers:
-        """Return the family of each move: rapid, feed, cycle, compensation."""
-        families = np.where(self.column("compensated"), np.int32(COMPENSATION), np.int32(FEED))
-        families[self.column("cycle") != 0] = CYCLE
-        families[self.column("kind") == self.core.move_kinds.index("rapid")] = RAPID
-        return families
 
     def coloured(self, by: str) -> Colouring:
         if by == "kind":

@@ -13,9 +13,7 @@ from cncsub.option_errors import wrong_value
 from cncsub.plot.colours import (
     BANDS,
     COLOURED_BY,
-    COMPENSATION,
     MOST_NAMES,
-    RAPID,
     SCALE,
     WORDS,
     Moved,
@@ -33,7 +31,8 @@ from cncsub.plot.figure import (
     shown_text,
 )
 from cncsub.plot.player import Instants, Line, marker, player
-from cncsub.plot.points import Drawn, drawn_path, line_runs
+from cncsub.drawing.path import COMPENSATION, RAPID
+from cncsub.drawing.points import Drawn, drawn_path, line_runs
 from cncsub.tables.polyline import rows_of
 
 if TYPE_CHECKING:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from cncsub.coverage.block_counts import percent_text
@@ -86,10 +86,15 @@ def _shares(sizes: list[int], most: int) -> list[int]:
 
 
 Marks = dict[tuple[str, int], list[tuple[str, str]]]
+Places = Mapping[tuple[str, int], str]  # by program and line: where its moves lead on the drawing
 
 
 def code_section(
-    coverage: Coverage, findings: list[Finding], alarm: Alarm | None, anchors: Anchors
+    coverage: Coverage,
+    findings: list[Finding],
+    alarm: Alarm | None,
+    anchors: Anchors,
+    places: Places,
 ) -> Iterator[str]:
     """Yield each program, to be folded in and out."""
     marks: Marks = {}
@@ -108,10 +113,12 @@ def code_section(
         ' <span class="pale">The keys n and p lead to the next and the previous finding.</span></p>'
     )
     for program in coverage.programs:
-        yield from _program(program, marks, anchors)
+        yield from _program(program, marks, anchors, places)
 
 
-def _program(program: Counted, marks: Marks, anchors: Anchors) -> Iterator[str]:
+def _program(
+    program: Counted, marks: Marks, anchors: Anchors, places: Places
+) -> Iterator[str]:
     done, count = program.blocks_covered(), len(program.blocks)
     found = sum((program.file, line) in marks for line in program.blocks.line)
     opened = " open" if done or found else ""
@@ -133,7 +140,9 @@ def _program(program: Counted, marks: Marks, anchors: Anchors) -> Iterator[str]:
         if left:
             yield _gap(left)
             left = 0
-        yield _block(program, place, marks.get(at, []), "" if line in seen else anchors.name(*at))
+        name = "" if line in seen else anchors.name(*at)
+        leads = places.get((program.name, line), "")
+        yield _block(program, place, marks.get(at, []), name, leads)
         seen.add(line)
     if left:
         yield _gap(left)
@@ -144,7 +153,9 @@ def _gap(blocks: int) -> str:
     return f'<tr><td></td><td></td><td class="pale">... {blocks:,} blocks</td><td></td></tr>\n'
 
 
-def _block(program: Counted, place: int, marks: list[tuple[str, str]], name: str) -> str:
+def _block(
+    program: Counted, place: int, marks: list[tuple[str, str]], name: str, leads: str
+) -> str:
     block, count = program.blocks[place], program.count(place)
     missed = [outcome for outcome, of in program.outcomes(place) if not of]
     state = "no" if count == 0 else "part" if missed else "yes"
@@ -154,6 +165,7 @@ def _block(program: Counted, place: int, marks: list[tuple[str, str]], name: str
     text = block.text if len(block.text) <= MOST_LETTERS else block.text[:MOST_LETTERS] + " ..."
     marked = f'{state} mark" tabindex="-1' if marks else state
     identity = f' id="{name}"' if name else ""
+    identity += f' data-at="{leads}"' if leads else ""
     ran = f"{count:,}x" if count else "not"
     return (
         f'<tr{identity} class="{marked}"><td class="number">{block.line}</td><td>{ran}</td>'

@@ -1,110 +1,118 @@
-"""The path of a run as drawings: SVG with a link from each motion to its block."""
+"""The path in a report: its drawings, and where each block leads on the main one."""
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from cncsub.drawing.path import further_views
+from cncsub.drawing.svg import MOST_LINKED, MOST_POINTS, Picture
 from cncsub.escapes import escape
-from cncsub.plot.points import drawn_path
 
 if TYPE_CHECKING:
+    from cncsub.drawing.path import Path
+    from cncsub.reports.code import Anchors
     from cncsub.run import Run
 
-MOST_LINKED = 1_000  # moves that are links of their own
-MOST_POINTS = 20_000  # of the drawings
-_SIDE = 1000.0  # of a drawing, in its own units
-_SLANT = np.array([[0.866, 0.0], [-0.866, 0.0], [0.0, 1.0]]) + np.array(
-    [[0.0, 0.5], [0.0, 0.5], [0.0, 0.0]]
-)
+
+class Drawn:
+    """The drawings of the path of a run, with links to its blocks."""
+
+    def __init__(self, run: Run, anchors: Anchors) -> None:
+        self._run = run
+        self._anchors = anchors
+        self._picture = self._of("work") if len(run.moves) else None
+        self._steps, self._kinds = run.moves.step, run.moves.kind
+        self._names = run.moves.kinds
+
+    def _of(self, coordinates: str) -> Picture:
+        run = self._run
+        return Picture(
+            run,
+            coordinates=coordinates,
+            linked=MOST_LINKED,
+            most=MOST_POINTS,
+            inch=run.core.inch,
+            alarm=run.alarm,
+        )
+
+    def _place(self, move: int) -> tuple[str, str]:
+        words, link = self._anchors.block_of_step(int(self._steps[move]))
+        return link, f"{words}: {self._names[self._kinds[move]]}"
+
+    def section(self) -> Iterator[str]:
+        """Yield the drawings, the one that suits first, and what has to be known of them."""
+        picture = self._picture
+        if picture is None:
+            yield "<p>It moved nothing, or the run kept no moves.</p>"
+            return
+        if not any(extent > 0 for extent in picture.path.extents):
+            yield "<p>No move leaves its point.</p>"
+            return
+        yield _figure(picture.words(), picture.svg(place=self._place))
+        yield f'<p class="pale">{_words(picture.path)}. {escape(" ".join(picture.path.told))}</p>'
+        yield from self._further(picture)
+        tool = self._of("machine")
+        if _moved(picture.path, tool.path):
+            words = "The tool in machine coordinates, with all its offsets"
+            yield _folded(words, [_figure(tool.words(), tool.svg(place=self._place))])
+
+    def _further(self, picture: Picture) -> Iterator[str]:
+        drawn = [
+            _figure(picture.words(view), picture.svg(view, self._place))
+            for view in further_views(picture.path)
+        ]
+        if all(picture.path.extents):
+            drawn.append(_figure("from above and the side", picture.slanted(self._place)))
+        if drawn:
+            yield _folded("From other sides", drawn)
+
+    def places(self) -> Mapping[tuple[str, int], str]:
+        """Return by program and line where its moves end on the main drawing: the first of them."""
+        if self._picture is None:
+            return {}
+        picture, steps = self._picture, self._run.steps
+        _, first = np.unique(self._steps, return_index=True)
+        of_block = steps.program[self._steps[first]], steps.line[self._steps[first]]
+        program, line = (np.asarray(column) for column in of_block)
+        _, seen = np.unique(np.column_stack((program, line)), axis=0, return_index=True)
+        rows = first[seen]
+        placed = picture.frame().placed(picture.moved.ends[rows]).tolist()
+        names = steps.programs
+        return {
+            (names[int(program[at])], int(line[at])): f"{x:.1f} {y:.1f}"
+            for at, (x, y) in zip(seen.tolist(), placed)
+        }
 
 
-@dataclass(frozen=True)
-class Path:
-    """The points of a path with their motions. `points`: mm, X Y Z, X as a radius. `begins`:
-    whether no line leads to the point. `told`: notes on what is left out. `breaks`: whether other
-    coordinates came into force in between.
-    """
-
-    points: np.ndarray[Any, np.dtype[np.float64]]
-    moves: np.ndarray[Any, np.dtype[np.int64]]
-    begins: np.ndarray[Any, np.dtype[np.bool_]]
-    rapid: np.ndarray[Any, np.dtype[np.bool_]]  # by motion
-    diameters: bool
-    told: tuple[str, ...]
-    breaks: bool
+def _figure(words: str, svg: str) -> str:
+    return f"<figure>{svg}<figcaption>{escape(words)}</figcaption></figure>"
 
 
-def path_of(run: Run, coordinates: str = "work") -> Path:
-    """Return the programmed path in work coordinates, or the tool's path in machine coordinates."""
-    core, moves = run.recorded, len(run.moves)
-    rapid = np.asarray(run.moves.kind == "rapid")
-    keys = np.arange(moves) if moves <= MOST_LINKED else np.where(rapid, 0, 1)
-    drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), MOST_POINTS)
-    told = drawn.told
-    if drawn.behind is not None:
-        told = [*told, f"Cut: nothing after move {drawn.behind:,} of {moves:,} is drawn."]
-    begins = drawn.keys < 0
-    turned = bool(core.diameters & 1)
-    return Path(drawn.xyz, drawn.points.move, begins, rapid, turned, tuple(told), drawn.breaks > 0)
+def _folded(words: str, figures: list[str]) -> str:
+    inner = "".join(figures)
+    return f'<details><summary>{words}</summary><div class="views">{inner}</div></details>'
 
 
-# ---- drawings ----
-
-Place = Callable[[int], tuple[str, str]]  # of a motion: the link and the words for its block
-
-
-def views(path: Path, place: Place) -> Iterator[str]:
-    """Yield the drawings that show something, each a figure with its caption."""
-    wide = np.ptp(path.points, axis=0) > 1e-9
-    if wide[0] and wide[2] and (path.diameters or not wide[1]):
-        yield _figure("Z and X", path.points[:, [2, 0]], path, place)
-        return
-    for name, (a, b) in {"X and Y": (0, 1), "X and Z": (0, 2), "Y and Z": (1, 2)}.items():
-        if (wide[a] and wide[b]) or (wide.sum() < 2 and (wide[a] or wide[b])):
-            yield _figure(name, path.points[:, [a, b]], path, place)
-            if wide.sum() < 2:
-                return
-    if wide.all():
-        yield _figure("from above and the side", path.points @ _SLANT, path, place)
+def _words(path: Path) -> str:
+    told = ["The programmed path in work coordinates; rapid moves are dashed"]
+    if path.diameters:
+        told.append("X is drawn as a radius, its numbers are diameters")
+    if path.breaks:
+        told.append("other coordinates came into force in between: parts may lie over each other")
+    if len(path.family) > MOST_LINKED:
+        told.append(f"moves are links up to {MOST_LINKED:,} of them")
+    else:
+        told.append("a move leads to its block")
+    told.append("point at a block to see where it moves")
+    return "; ".join(told)
 
 
-def _figure(name: str, flat: Any, path: Path, place: Place) -> str:
-    low, size = flat.min(axis=0), float(np.ptp(flat, axis=0).max()) or 1.0
-    scaled = (flat - low) / size * _SIDE
-    scaled[:, 1] = scaled[:, 1].max() - scaled[:, 1]
-    width, height = (max(float(side), 1.0) for side in scaled.max(axis=0))
-    told = f"{name}, {size:.4g} mm across"
-    lines = "".join(_lines(scaled, path, place))
-    box = f"-20 -20 {width + 40:.1f} {height + 40:.1f}"
-    return (
-        f'<figure><svg viewBox="{box}" role="img" aria-label="path, {escape(told)}">{lines}</svg>'
-        f"<figcaption>{escape(told)}</figcaption></figure>"
-    )
-
-
-def _lines(points: Any, path: Path, place: Place) -> Iterator[str]:
-    """Yield a line for each motion while there are few, else for each stretch of one kind."""
-    linked = len(path.rapid) <= MOST_LINKED
-    moves = path.moves
-    keys = moves.tolist() if linked else path.rapid[moves].tolist()
-    begins = path.begins.tolist()
-    stretch = np.cumsum(path.begins).tolist()
-    for _, group in itertools.groupby(range(len(moves)), lambda row: (stretch[row], keys[row])):
-        rows = list(group)
-        drawn = rows if begins[rows[0]] else [rows[0] - 1, *rows]
-        if len(drawn) < 2:
-            continue
-        move = int(moves[rows[0]])
-        ends = " ".join(f"{x:.1f},{y:.1f}" for x, y in points[drawn])
-        kind = ' class="rapid"' if path.rapid[move] else ""
-        line = f'<polyline{kind} points="{ends}"/>'
-        if linked:
-            link, words = place(move)
-            title = f"<title>{escape(words)}</title>"
-            line = f'<a href="{escape(link)}" tabindex="-1">{title}{line}</a>'
-        yield line
+def _moved(path: Path, tool: Path) -> bool:
+    """Return whether the tool goes another path than the program, and not only a shifted one."""
+    if len(path.points) != len(tool.points):
+        return True
+    shifts = tool.points - path.points
+    return bool(np.ptp(shifts, axis=0).max() > 1e-6) if len(shifts) else False

@@ -9,14 +9,13 @@ from importlib.resources import files
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from cncsub.analysis.static_tree import letters
 from cncsub.analysis.steps_text import place_of
 from cncsub.escapes import escape
+from cncsub.pages import html_page
 from cncsub.reports.code import Anchors, code_section
 from cncsub.reports.facts import explanations
-from cncsub.reports.path import MOST_LINKED, Path, path_of, views
+from cncsub.reports.path import Drawn
 from cncsub.reports.tables import calls_rows, table
 from cncsub.writing import write_whole
 
@@ -60,41 +59,35 @@ def report(
         raise ValueError("the run is of another library: report(library, library.run())")
     main = run.steps[0].program if len(run.steps) else None
     found = library.check(main) if findings is None else list(findings)
-    text = "".join(_page(library, run, title or main or "a run", found))
+    text = _page(library, run, title or main or "a run", found)
     if path is not None:
         write_whole(path, text)
     return text
 
 
-def _page(library: Library, run: Run, head: str, findings: list[Finding]) -> Iterator[str]:
+def _page(library: Library, run: Run, head: str, findings: list[Finding]) -> str:
     coverage = run.coverage()
     anchors = Anchors(run, coverage)
+    drawn = Drawn(run, anchors)
     parts = {
         "Stop": _stop(library, run, anchors),
         "Calls": _calls(run, anchors),
-        "Path": _path(run, anchors),
         "Findings": _findings(findings, anchors),
-        "Code": code_section(coverage, findings, run.alarm, anchors),
+        "Path": drawn.section(),
+        "Code": code_section(coverage, findings, run.alarm, anchors, drawn.places()),
         "Tables": _tables(library, run, anchors),
     }
     page = files("cncsub.reports").joinpath("page")
-    style, script = (page.joinpath(f"report.{n}").read_text("utf-8") for n in _ASSETS)
-    allowed = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
-    yield (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
-        f'<meta http-equiv="Content-Security-Policy" content="{allowed}">'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{escape(head)}</title><style>{style}</style></head>\n<body>"
-        '<a class="skip" href="#stop">to the report</a><nav aria-label="Parts">'
-    )
-    yield "".join(f'<a href="#{name.lower()}">{name}</a>' for name in parts)
-    yield f"</nav><main><h1>{escape(head)} on {escape(library.control.title)}</h1>"
+    style, script = (page.joinpath(f"report.{n}").read_text("utf-8") for n in ("css", "js"))
+    body = []
     for name, inner in parts.items():
-        yield f'<section id="{name.lower()}"><h2>{name}</h2>{"".join(inner)}</section>\n'
-    yield f"</main><script>{script}</script></body></html>\n"
-
-
-_ASSETS = ("css", "js")
+        section = f'<section id="{name.lower()}"><h2>{name}</h2>{"".join(inner)}</section>\n'
+        beside = {"Path": ('<div class="beside">', ""), "Code": ("", "</div>")}
+        before, after = beside.get(name, ("", ""))
+        body.append(f"{before}{section}{after}")
+    title = f"{head} on {library.control.title}"
+    links = [(name.lower(), name) for name in parts]
+    return html_page(title, "report", body, parts=links, style=style, script=script)
 
 
 # ---- how it stopped ----
@@ -183,48 +176,6 @@ def _call(call: CallTree, anchors: Anchors) -> str:
     ended = "" if call.blocks is not None else ", not ended"
     words = f"{escape(call.kind)} {anchors.program(call.program)}{given}{passes}{count}{ended}"
     return f'{words} <span class="pale">from {anchors.of_step(call.caller_step)}</span>'
-
-
-# ---- the path ----
-
-
-def _path(run: Run, anchors: Anchors) -> Iterator[str]:
-    if not len(run.moves):
-        yield "<p>It moved nothing, or the run kept no moves.</p>"
-        return
-    path, tool = path_of(run), path_of(run, "machine")
-    steps, kinds = run.moves.step, run.moves.kinds
-    kind = run.moves.kind
-
-    def place(move: int) -> tuple[str, str]:
-        words, link = anchors.block_of_step(int(steps[move]))
-        return link, f"{words}: {kinds[kind[move]]}"
-
-    drawn = list(views(path, place))
-    yield f'<div class="views">{"".join(drawn)}</div>'
-    if not drawn:
-        yield "<p>No move leaves its point.</p>"
-    told = ["The programmed path in work coordinates; rapid moves are dashed"]
-    if path.diameters:
-        told.append("X is drawn as a radius")
-    if path.breaks:
-        told.append("other coordinates came into force in between: parts may lie over each other")
-    if len(run.moves) > MOST_LINKED:
-        told.append(f"moves are links up to {MOST_LINKED:,} of them")
-    else:
-        told.append("a move leads to its block")
-    yield f'<p class="pale">{"; ".join(told)}. {escape(" ".join(path.told))}</p>'
-    if _moved(path, tool):
-        yield "<details><summary>The tool in machine coordinates, with all its offsets</summary>"
-        yield f'<div class="views">{"".join(views(tool, place))}</div></details>'
-
-
-def _moved(path: Path, tool: Path) -> bool:
-    """Return whether the tool goes another path than the program, and not only a shifted one."""
-    if len(path.points) != len(tool.points):
-        return True
-    shifts = tool.points - path.points
-    return bool(np.ptp(shifts, axis=0).max() > 1e-6) if len(shifts) else False
 
 
 # ---- findings and tables ----

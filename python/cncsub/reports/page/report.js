@@ -27,6 +27,30 @@ const reveal = () => {
 };
 addEventListener("hashchange", reveal);
 reveal();
+// A cursor in the code and in the drawing: pointing at one shows the place in the other.
+const main = document.querySelector("#path > figure svg");
+const cursor = main && main.appendChild(document.createElementNS(main.namespaceURI, "circle"));
+if (cursor) {
+  cursor.setAttribute("class", "cursor");
+  cursor.setAttribute("r", "7");
+  cursor.style.display = "none";
+}
+const point = (row) => {
+  for (const other of document.querySelectorAll(".code tr.here")) other.classList.remove("here");
+  if (row) row.classList.add("here");
+  const [x, y] = row && row.dataset.at ? row.dataset.at.split(" ") : [];
+  if (cursor) {
+    cursor.style.display = x === undefined ? "none" : "";
+    cursor.setAttribute("cx", x ?? 0);
+    cursor.setAttribute("cy", y ?? 0);
+  }
+  for (const link of document.querySelectorAll("svg a"))
+    link.classList.toggle("here", Boolean(row && row.id) && link.getAttribute("href") === `#${row.id}`);
+};
+for (const row of document.querySelectorAll(".code tr[data-at]"))
+  row.addEventListener("pointerenter", () => point(row));
+for (const link of document.querySelectorAll("svg a"))
+  link.addEventListener("pointerenter", () => point(document.getElementById(link.getAttribute("href").slice(1))));
 const marks = [...document.querySelectorAll(".code tr.mark")];
 let place = -1;
 addEventListener("keydown", (event) => {

@@ -1,0 +1,1 @@
+"""What pictures show of a path, and the drawings that need no library: SVG."""
