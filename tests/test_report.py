@@ -233,6 +233,33 @@ def test_heads_sort_links_lead_and_keys_walk(browser: Any, tmp_path: Path) -> No
     page.close()
 
 
+def test_the_code_and_the_drawing_have_one_cursor(browser: Any, tmp_path: Path) -> None:
+    page, told = opened(browser, tmp_path, 1400)
+    code, path = page.locator("#code").bounding_box(), page.locator("#path").bounding_box()
+    assert code["x"] >= path["x"] + path["width"]  # the code stands beside the path
+    cursor = page.locator("#path > figure circle.cursor")
+    assert not cursor.is_visible()
+    row = page.locator("#f0-l6")  # N40 G2 X20. Y0
+    row.hover()
+    assert cursor.is_visible()
+    lines = page.locator('#path > figure svg a[href="#f0-l6"]')
+    assert "here" in lines.first.get_attribute("class")
+    end = page.evaluate(
+        "() => document.querySelector('svg a[href=\"#f0-l6\"] polyline').getAttribute('points')"
+    ).rpartition(" ")[2]
+    assert [cursor.get_attribute(name) for name in ("cx", "cy")] == end.split(",")
+    page.locator('svg a[href="#f0-l5"]').first.dispatch_event("pointerenter")
+    assert page.locator(".code tr.here").get_attribute("id") == "f0-l5"
+    assert told == []
+    page.close()
+
+
+def test_a_block_of_a_long_path_is_found_on_the_drawing() -> None:
+    page = page_of("O1\nG1 F100\n" + "".join(f"X{i}.\n" for i in range(1_500)) + "M30\n")
+    assert "<polyline" not in page  # too many for a link each
+    assert len(re.findall(r'data-at="[\d.]+ [\d.]+"', page)) == 1_500
+
+
 @pytest.mark.parametrize("width", [360, 1200])
 def test_no_width_scrolls_sideways(browser: Any, tmp_path: Path, width: int) -> None:
     page, told = opened(browser, tmp_path, width)

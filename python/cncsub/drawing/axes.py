@@ -1,4 +1,4 @@
-"""The axes of a drawing: where a point of the path lies on it, ticks at round numbers, and the unit.
+"""The axes of a drawing: where a point of the path lies on it, ticks at round numbers, the unit.
 
 A millimetre is as long to the right as upwards.
 """

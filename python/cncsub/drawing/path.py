@@ -75,7 +75,8 @@ class Path:
     @property
     def rapid(self) -> np.ndarray[Any, np.dtype[np.bool_]]:
         """Whether each motion is a rapid one."""
-        return self.family == RAPID
+        rapid: np.ndarray[Any, np.dtype[np.bool_]] = self.family == RAPID
+        return rapid
 
     @property
     def extents(self) -> tuple[float, float, float]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from cncsub.drawing.axes import BOTTOM, INCH, LEFT, RIGHT, TOP, WIDTH, Frame
 from cncsub.drawing.marks import Holes, Moved, ToolChange, holes_of, last_place, tool_changes
-from cncsub.drawing.path import ABOVE, CYCLE, FAMILIES, RAPID, TURNING, View, path_of
+from cncsub.drawing.path import ABOVE, FAMILIES, RAPID, TURNING, View, path_of
 from cncsub.escapes import escape
 from cncsub.option_errors import wrong_value
 
@@ -65,9 +65,7 @@ class Picture:
     def frame(self, view: View | None = None) -> Frame:
         """Return where the points of a view lie on its drawing."""
         path = self.path
-        return Frame(
-            path.points, view or path.view, diameters=path.diameters, inch=self.inch
-        )
+        return Frame(path.points, view or path.view, diameters=path.diameters, inch=self.inch)
 
     def svg(self, view: View | None = None, place: Place | None = None) -> str:
         """Return the drawing. `place`: the link and the words for a motion."""
@@ -132,9 +130,7 @@ class _Labels:
         left = min(max(2.0, x - wide / 2), bottom - wide)
         return self._put((left, y - 20, left + wide, y - 8), left, y - 10, text)
 
-    def _put(
-        self, box: tuple[float, float, float, float], x: float, y: float, text: str
-    ) -> str:
+    def _put(self, box: tuple[float, float, float, float], x: float, y: float, text: str) -> str:
         self._taken.append(box)
         return f'<text x="{x:.1f}" y="{y:.1f}">{escape(text)}</text>'
 
@@ -164,7 +160,7 @@ class _Drawing:
         alarm = self._alarm()  # its words come first, and others keep clear of them
         marks = [self._holes(), self._changes(), self._start(placed), alarm]
         lines = "".join(_lines(placed, picture, self.place))
-        legend, rows = self._legend()
+        legend, rows = self._legend(_seen(placed, picture.path))
         inner = "".join([*self._grid(), lines, *marks, legend])
         return _element(frame.height + rows * _LINE, self._words(), inner)
 
@@ -182,7 +178,9 @@ class _Drawing:
         """Yield the axes with their lines, numbers and names."""
         frame = self.frame
         end, bottom = WIDTH - RIGHT, TOP + frame.inner
-        lines, zeros, texts = [], [], []
+        lines: list[str] = []
+        zeros: list[str] = []
+        texts: list[str] = []
         for tick in frame.ticks(0):
             line = f'<path d="M{tick.at:.1f} {TOP:.1f}V{bottom + 4:.1f}"/>'
             (zeros if tick.text == "0" else lines).append(line)
@@ -284,12 +282,12 @@ class _Drawing:
 
     # ---- the legend ----
 
-    def _legend(self) -> tuple[str, int]:
+    def _legend(self, families: list[int]) -> tuple[str, int]:
         """Return what the lines and marks mean, and how many lines of text that is."""
         x, row = 6.0, 1
         parts = []
         top = self.frame.height - 2
-        for mark, words in self._entries():
+        for mark, words in self._entries(families):
             wide = 26 + _LETTER * len(words) + 14
             if x + wide > WIDTH and x > 6:
                 x, row = 6.0, row + 1
@@ -301,13 +299,11 @@ class _Drawing:
             x += wide
         return _group("legend", "".join(parts), fill=TEXT), row
 
-    def _entries(self) -> Iterator[tuple[str, str]]:
+    def _entries(self, families: list[int]) -> Iterator[tuple[str, str]]:
         """Yield what stands in the legend: a mark, and its words."""
-        picture = self.picture
-        for family in np.unique(picture.path.family).tolist():
+        for family in families:
             name = list(FAMILIES)[family]
-            if family != CYCLE or self.frame.view != ABOVE:  # from above a cycle is its holes
-                yield _group(_class(family), '<path d="M0 0H20"/>', **_stroke(family)), name
+            yield _group(_class(family), '<path d="M0 0H20"/>', **_stroke(family)), name
         if count := len(self.holes):
             words = "hole, numbered in order" if count <= _MOST_NUMBERED else f"{count:,} holes"
             ring = '<circle cx="10" cy="0" r="4.5"/>'
@@ -317,7 +313,7 @@ class _Drawing:
             yield _group("tools", mark, fill="none", stroke=_TOOL, stroke_width=1.6), "tool change"
         mark = '<path d="M7 -3h6v6h-6z"/>'
         yield _group("start", mark, fill="none", stroke=TEXT, stroke_width=1.4), "start"
-        if picture.alarm is not None:
+        if self.picture.alarm is not None:
             mark = '<path d="M5 -5l10 10M5 5l10 -10"/>'
             yield _group("alarm", mark, stroke=_ALARM, stroke_width=2.2), "stopped by the alarm"
 
@@ -354,6 +350,13 @@ def _stroke(family: int) -> dict[str, Any]:
         "stroke_linejoin": "round",
         **dash,
     }
+
+
+def _seen(placed: Numbers, path: Path) -> list[int]:
+    """Return the families with a line that is not only a point on the drawing."""
+    long = np.abs(np.diff(placed, axis=0)).max(axis=1, initial=0) > 0.5
+    found: list[int] = np.unique(path.family[path.moves][1:][long & ~path.begins[1:]]).tolist()
+    return found
 
 
 def _lines(placed: Numbers, picture: Picture, place: Place | None) -> Iterator[str]:

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cncsub import _core
+from cncsub.drawing.path import COMPENSATION, RAPID
+from cncsub.drawing.points import Drawn, drawn_path, line_runs
 from cncsub.option_errors import wrong_value
 from cncsub.plot.colours import (
     BANDS,
@@ -31,8 +33,6 @@ from cncsub.plot.figure import (
     shown_text,
 )
 from cncsub.plot.player import Instants, Line, marker, player
-from cncsub.drawing.path import COMPENSATION, RAPID
-from cncsub.drawing.points import Drawn, drawn_path, line_runs
 from cncsub.tables.polyline import rows_of
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from cncsub.plot.figure import GRID, TEXT, clock
 from cncsub.drawing.points import Drawn, Numbers, Points
+from cncsub.plot.figure import GRID, TEXT, clock
 
 _INSTANTS = 120  # at most, on the slider
 _NONE = "rgba(0,0,0,0)"

@@ -116,9 +116,7 @@ def code_section(
         yield from _program(program, marks, anchors, places)
 
 
-def _program(
-    program: Counted, marks: Marks, anchors: Anchors, places: Places
-) -> Iterator[str]:
+def _program(program: Counted, marks: Marks, anchors: Anchors, places: Places) -> Iterator[str]:
     done, count = program.blocks_covered(), len(program.blocks)
     found = sum((program.file, line) in marks for line in program.blocks.line)
     opened = " open" if done or found else ""
