@@ -1,5 +1,5 @@
-"""The frame of the pages of HTML: reports, coverage and plots have one head, look and header. A page
-needs no network.
+"""The frame of the pages of HTML: reports, coverage and plots have one head, look and header. A
+page needs no network.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ def html_page(
     allowed: str = "",
 ) -> str:
     """Return a whole page. `kind`: what it is, in the header; `parts`: the links of the header,
-    each the id of a part and its words; `style` and `script`: what the page needs besides the common
-    look; `allowed`: what else its policy allows.
+    each the id of a part and its words; `style` and `script`: what the page needs besides the
+    common look; `allowed`: what else its policy allows.
     """
     common = files("cncsub").joinpath("pages.css").read_text("utf-8")
     links = "".join(f'<a href="#{escape(at)}">{escape(words)}</a>' for at, words in parts)

@@ -288,12 +288,14 @@ class _Outcome(State, Recorded):
         moves: slice | range | None = None,
         most: int = 60_000,
         play: bool = True,
+        view: str = "auto",
         title: str | None = None,
     ) -> Figure:
-        """Draw the path in three dimensions, as a figure of plotly (`cncsub[plot]`). Rapid moves,
-        feeds, canned cycles and moves with a radius offset are separate lines. A point shows its
-        block, the calls that led there and its move. A slider shows the path up to an instant, with
-        the tool at its end.
+        """Draw the path as a figure of plotly (`cncsub[plot]`): in a plane where it is seen whole
+        from one side, else in three dimensions. Rapid moves, feeds, canned cycles and moves with a
+        radius offset are separate lines. A point shows its block, the calls that led there and its
+        move. A slider shows the path up to an instant, with the tool at its end. The place where
+        an alarm stopped the run is marked, in a plane holes and tool changes too.
 
         `color`: `"kind"`, `"program"`, `"call"`, `"tool"`, `"depth"` (of the calls), `"feed"`,
         `"time"` or `"z"`. `coordinates`: `"work"` is the programmed path, and beside it the tool
@@ -301,9 +303,12 @@ class _Outcome(State, Recorded):
         `moves`: only those of a slice or a range of rows of `moves`. `most`: so many points may be
         drawn. A longer path is thinned, and the picture tells how far what is left out may lie from
         what is drawn; what cannot be thinned is cut, and the picture tells where. `play`: whether
-        there is a slider. `title`: the text above the figure.
+        there is a slider. `view`: `"2d"` or `"3d"`; `"auto"` is a plane for a lathe, for cuts that
+        go sideways at one depth and for a path without extent along an axis. `title`: the text
+        above the figure.
 
-        Raises `ImportError` without plotly, and `ValueError` for another colour or coordinates.
+        Raises `ImportError` without plotly, and `ValueError` for another colour, coordinates or
+        view.
 
         >>> import cncsub
         >>> text = "O1\\nN10 G0 X10. Y0\\nN20 G3 X10. Y0 I-10. F100\\nN30 M30\\n"
@@ -320,6 +325,7 @@ class _Outcome(State, Recorded):
             moves=moves,
             most=most,
             play=play,
+            view=view,
             title=title,
         )
 

@@ -46,6 +46,10 @@ Color = Annotated[
 MachineCoordinates = Annotated[
     bool, typer.Option("--machine", help="The path of the tool in machine coordinates.")
 ]
+View = Annotated[
+    str | None,
+    typer.Option("--view", help="Of the path: 2d, 3d, or what suits it.", metavar="VIEW"),
+]
 Over = Annotated[
     str | None,
     typer.Option("--over", help="Of calls and watch: time or steps.", metavar="AXIS"),
@@ -59,6 +63,7 @@ _ONLY = {
     "color": ("path",),
     "machine": ("path",),
     "points": ("path",),
+    "view": ("path",),
     "over": ("calls", "watch"),
 }
 
@@ -70,6 +75,7 @@ def plot(
     of: Of = "path",
     color: Color = None,
     machine: MachineCoordinates = False,
+    view: View = None,
     over: Over = None,
     points: Points = None,
     main: Main = None,
@@ -101,7 +107,7 @@ def plot(
             figure = _figure(library, run, options)
         except ImportError as error:
             raise ValueError(str(error)) from None
-        write_whole(output, page_of(figure))
+        write_whole(output, page_of(figure, library))
     print_stop(console_on(sys.stderr), run)
     tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
     typer.echo(f"wrote {shown(str(output))}")
@@ -117,6 +123,6 @@ def _figure(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -
     if options["of"] == "watch":
         return run.watch.plot(**over)
     where = "machine" if options["machine"] else "work"
-    asked = {"color": options["color"], "most": options["points"]}
+    asked = {"color": options["color"], "most": options["points"], "view": options["view"]}
     asked = {name: value for name, value in asked.items() if value is not None}
     return run.plot(coordinates=where, **asked)

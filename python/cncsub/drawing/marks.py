@@ -43,13 +43,21 @@ class ToolChange:
 
 
 class Moved:
-    """Where each move of a run begins and ends, mm, X as a radius."""
+    """Where some moves of a run begin and end, mm, X as a radius."""
 
-    def __init__(self, core: _core.Trace, coordinates: str, diameters: bool) -> None:
+    def __init__(
+        self,
+        core: _core.Trace,
+        coordinates: str,
+        diameters: bool,
+        first: int = 0,
+        last: int | None = None,
+    ) -> None:
         before = "m" if coordinates == "machine" else ""
         ends = [f"{before}{axis}" for axis in "xyz"]
         begins = [f"{before}s{axis}" if not before else f"ms{axis}" for axis in "xyz"]
-        columns = core.move_columns([*ends, *begins, "kind", "tool"])
+        whole = core.move_columns([*ends, *begins, "kind", "tool"])
+        columns = {name: column[first:last] for name, column in whole.items()}
         self.ends = np.column_stack([columns[name] for name in ends])
         self.begins = np.column_stack([columns[name] for name in begins])
         if diameters:

@@ -14,15 +14,9 @@ if TYPE_CHECKING:
 
     Numbers = np.ndarray[Any, np.dtype[Any]]
 
-FAMILIES = {  # and their colours, which are legible on white and on black
-    "rapid": "#d9534f",
-    "feed": "#3d8fd6",
-    "canned cycle": "#2fa36b",
-    "radius compensation": "#b565d8",
-}
 RAPID, FEED, CYCLE, COMPENSATION = range(4)
 _FLAT = 1e-6  # mm: less is no extent
-_ZX, _YZ = 18, 19
+_XY, _ZX, _YZ = 17, 18, 19
 
 
 def families_of(core: _core.Trace, first: int, last: int) -> Numbers:
@@ -87,29 +81,43 @@ class Path:
         return x, y, z
 
 
-def path_of(core: _core.Trace, coordinates: str = "work", *, linked: int, most: int) -> Path:
+def path_of(
+    core: _core.Trace,
+    coordinates: str = "work",
+    *,
+    linked: int,
+    most: int,
+    rows: tuple[int, int] | None = None,
+) -> Path:
     """Return the programmed path in work coordinates, or the tool's path in machine coordinates, as
-    `most` points at most. Up to `linked` motions are kept apart from each other.
+    `most` points at most. Up to `linked` motions are kept apart from each other. `rows`: the first
+    of some moves, and the one after the last.
     """
-    moves = core.moves
-    families = families_of(core, 0, moves)
+    first, last = rows or (0, core.moves)
+    moves = last - first
+    families = families_of(core, first, last)
     keys = np.arange(moves) if moves <= linked else families
-    drawn = drawn_path(core, coordinates, (0, moves), keys.astype(np.int32), most)
+    drawn = drawn_path(core, coordinates, (first, last), keys.astype(np.int32), most)
     told = drawn.told
     if drawn.behind is not None:
-        told = [*told, f"Cut: nothing after move {drawn.behind:,} of {moves:,} is drawn."]
+        told = [*told, f"Cut: nothing after move {drawn.behind:,} of {core.moves:,} is drawn."]
     diameters = bool(core.diameters & 1)
     return Path(
         drawn.xyz,
-        drawn.points.move,
+        drawn.points.move - _number_of(core) - first,
         drawn.keys < 0,
         families,
         coordinates,
         diameters,
         tuple(told),
         drawn.breaks > 0,
-        suitable_view(core, 0, moves, drawn.xyz, diameters),
+        suitable_view(core, first, last, drawn.xyz, diameters),
     )
+
+
+def _number_of(core: _core.Trace) -> int:
+    """Return the number of the first move, which is not 0 in a later part of a stream."""
+    return int(core.move_row(0)["move"]) if core.moves else 0
 
 
 def suitable_view(
@@ -133,6 +141,30 @@ def suitable_view(
     if len(arcs) and z and (arcs == arcs[0]).all():
         return {_ZX: FRONT, _YZ: SIDE}.get(int(arcs[0]), ABOVE)
     return ABOVE
+
+
+def in_a_plane(core: _core.Trace, first: int, last: int) -> bool:
+    """Return whether a path is seen whole from one side: a lathe's path without Y, a path without
+    extent along an axis, or cuts that go sideways at one depth only.
+    """
+    columns = core.move_columns([*"xyz", "sx", "sy", "sz", "kind", "plane"])
+    begins = [columns[f"s{axis}"][first:last] for axis in "xyz"]
+    ends = [columns[axis][first:last] for axis in "xyz"]
+    kind, plane = columns["kind"][first:last], columns["plane"][first:last]
+    arcs = (kind == core.move_kinds.index("cw")) | (kind == core.move_kinds.index("ccw"))
+    x, y, z = (
+        (np.abs(end - begin) > _FLAT) | (arcs & (plane != across))
+        for end, begin, across in zip(ends, begins, (_YZ, _ZX, _XY))
+    )
+    if not (x.any() and y.any() and z.any()):
+        return True
+    if core.diameters & 1:
+        return False
+    sideways = (kind != core.move_kinds.index("rapid")) & (x | y)
+    depths = np.concatenate((begins[2][sideways], ends[2][sideways]))
+    return not (sideways & arcs & (plane != _XY)).any() and (
+        not len(depths) or bool(np.ptp(depths) < _FLAT)
+    )
 
 
 def further_views(path: Path) -> list[View]:

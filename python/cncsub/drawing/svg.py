@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cncsub.drawing.axes import BOTTOM, INCH, LEFT, RIGHT, TOP, WIDTH, Frame
+from cncsub.drawing.colours import ALARM, FAMILIES, HOLE, TEXT, TOOL_CHANGE
 from cncsub.drawing.marks import Holes, Moved, ToolChange, holes_of, last_place, tool_changes
-from cncsub.drawing.path import ABOVE, FAMILIES, RAPID, TURNING, View, path_of
+from cncsub.drawing.path import ABOVE, RAPID, TURNING, View, path_of
 from cncsub.escapes import escape
 from cncsub.option_errors import wrong_value
 
@@ -30,9 +31,7 @@ Place = Callable[[int], tuple[str, str]]  # of a motion: the link and the words 
 MOST_LINKED = 1_000  # moves that are links of their own
 MOST_POINTS = 20_000  # of a drawing in a report
 FEW_POINTS = 4_000  # of a drawing in a notebook
-TEXT = "#7a858e"  # legible on white and on black
-_ALARM, _HOLE, _TOOL = "#e5484d", "#2fa36b", "#c9820a"
-_MOST_NUMBERED = 60  # holes with numbers
+MOST_NUMBERED = 60  # holes with numbers
 _MOST_TOLD = 300  # holes with a text of their own
 _MOST_CHANGES = 30  # places of tool changes
 _MOST_TOOLS = 3  # named at one place
@@ -55,9 +54,11 @@ class Picture:
         most: int = FEW_POINTS,
         inch: bool = False,
         alarm: Alarm | None = None,
+        rows: tuple[int, int] | None = None,
     ) -> None:
-        self.path = path_of(run.recorded, coordinates, linked=linked, most=most)
-        self.moved = Moved(run.recorded, coordinates, self.path.diameters)
+        core = run.recorded
+        self.path = path_of(core, coordinates, linked=linked, most=most, rows=rows)
+        self.moved = Moved(core, coordinates, self.path.diameters, *(rows or (0, core.moves)))
         self.linked = len(self.path.family) <= linked
         self.inch = inch
         self.alarm = alarm
@@ -212,7 +213,7 @@ class _Drawing:
         at = self.frame.placed(holes.at)
         room = (WIDTH - LEFT - RIGHT) * self.frame.inner / len(holes)
         radius = float(np.clip(0.3 * room**0.5, 1.2, 4.5))
-        look = {"fill": "none", "stroke": _HOLE, "stroke_width": 1.6}
+        look = {"fill": "none", "stroke": HOLE, "stroke_width": 1.6}
         if len(holes) > _MOST_TOLD:
             dots = "".join(f"M{x:.1f} {y:.1f}h0" for x, y in at.tolist())
             look |= {"stroke_linecap": "round", "stroke_width": round(2 * radius, 1)}
@@ -222,7 +223,7 @@ class _Drawing:
             title = f"<title>{escape(self._hole_words(number))}</title>"
             ring = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{radius:.1f}">{title}</circle>'
             rings.append(self._linked(int(holes.first_move[number]), ring))
-            if len(holes) <= _MOST_NUMBERED:
+            if len(holes) <= MOST_NUMBERED:
                 texts.append(self.labels.beside(x, y, str(number + 1)))
         numbers = _group("numbers", "".join(texts), fill=TEXT, stroke="none")
         return _group("holes", "".join(rings) + numbers, **look)
@@ -258,7 +259,9 @@ class _Drawing:
             mark = f'<path d="{diamond}" fill="none">{title}</path>'
             text = self.labels.beside(x, y, words)
             marks.append(self._linked(change.move, mark) + _group("numbers", text, stroke="none"))
-        return _group("tools", "".join(marks), stroke=_TOOL, fill=_TOOL, stroke_width=1.6)
+        return _group(
+            "tools", "".join(marks), stroke=TOOL_CHANGE, fill=TOOL_CHANGE, stroke_width=1.6
+        )
 
     def _start(self, placed: Numbers) -> str:
         x, y = placed[0].tolist()
@@ -276,9 +279,9 @@ class _Drawing:
         cross = f"M{x - 6:.1f} {y - 6:.1f}l12 12M{x - 6:.1f} {y + 6:.1f}l12 -12"
         ring = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9"/>'
         text = self.labels.beside(x + 4, y, words, needed=True)
-        label = _group("numbers", text, fill=_ALARM, stroke="none", font_weight="bold")
+        label = _group("numbers", text, fill=ALARM, stroke="none", font_weight="bold")
         mark = f'{title}<path d="{cross}"/>{ring}{label}'
-        return _group("alarm", mark, fill="none", stroke=_ALARM, stroke_width=2.2)
+        return _group("alarm", mark, fill="none", stroke=ALARM, stroke_width=2.2)
 
     # ---- the legend ----
 
@@ -305,17 +308,20 @@ class _Drawing:
             name = list(FAMILIES)[family]
             yield _group(_class(family), '<path d="M0 0H20"/>', **_stroke(family)), name
         if count := len(self.holes):
-            words = "hole, numbered in order" if count <= _MOST_NUMBERED else f"{count:,} holes"
+            words = "hole, numbered in order" if count <= MOST_NUMBERED else f"{count:,} holes"
             ring = '<circle cx="10" cy="0" r="4.5"/>'
-            yield _group("holes", ring, fill="none", stroke=_HOLE, stroke_width=1.6), words
+            yield _group("holes", ring, fill="none", stroke=HOLE, stroke_width=1.6), words
         if self.changes:
             mark = '<path d="M5 0l5 -5l5 5l-5 5z"/>'
-            yield _group("tools", mark, fill="none", stroke=_TOOL, stroke_width=1.6), "tool change"
+            yield (
+                _group("tools", mark, fill="none", stroke=TOOL_CHANGE, stroke_width=1.6),
+                "tool change",
+            )
         mark = '<path d="M7 -3h6v6h-6z"/>'
         yield _group("start", mark, fill="none", stroke=TEXT, stroke_width=1.4), "start"
         if self.picture.alarm is not None:
             mark = '<path d="M5 -5l10 10M5 5l10 -10"/>'
-            yield _group("alarm", mark, stroke=_ALARM, stroke_width=2.2), "stopped by the alarm"
+            yield _group("alarm", mark, stroke=ALARM, stroke_width=2.2), "stopped by the alarm"
 
 
 def _count(number: int, what: str) -> str:

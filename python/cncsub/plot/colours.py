@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from cncsub.drawing.path import FAMILIES, families_of
+from cncsub.drawing.colours import FAMILIES
+from cncsub.drawing.path import families_of
 from cncsub.plot.figure import COLOURS, OTHERS, count
 
 if TYPE_CHECKING:

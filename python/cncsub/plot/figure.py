@@ -4,11 +4,14 @@ under a picture, and the words of blocks and calls.
 
 from __future__ import annotations
 
+import functools
 import textwrap
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
+from cncsub.drawing.colours import TEXT
 from cncsub.escapes import escape
+from cncsub.plot.still import still_svg, still_text
 from cncsub.tables.of_runs import Calls
 from cncsub.tables.table import optional_module
 
@@ -17,7 +20,6 @@ if TYPE_CHECKING:
 
     from cncsub import _core
 
-TEXT = "#7a858e"  # legible on white and on black
 GRID = "rgba(127,137,145,0.3)"
 SOLID_GRID = "#99a2a8"  # WebGL knows no transparent lines
 # Colours that most eyes tell apart, on white as on black.
@@ -29,6 +31,7 @@ OTHERS = "#8a949b"
 _WIDE = 76  # letters of a line under a picture
 _MOST_LETTERS = 90  # of a block
 _MOST_CALLERS = 8
+_INTERACTIVE = "application/vnd.plotly.v1+json"
 
 
 def graph_objects() -> Any:
@@ -45,9 +48,10 @@ def figure(
     height: int = 480,
     frames: Iterable[Mapping[str, Any]] = (),
     below: int = 0,
+    attached: Mapping[str, Any] | None = None,
 ) -> Any:
     """Return a figure with its title and its legend, `height` pixels of picture, and the notes
-    `told`, `below` pixels under the picture.
+    `told`, `below` pixels under the picture. `attached`: what the figure carries along by name.
     """
     data = list(data)
     listed = sum(1 for one in data if one.get("showlegend", True) and one.get("name"))
@@ -105,8 +109,39 @@ def figure(
     own = dict(layout)
     base["annotations"] = [note, *own.pop("annotations", ())]
     base.update(own)
-    made = {"data": data, "layout": base, "frames": list(frames)}
-    return graph_objects().Figure(made)
+    drawn = figure_class()({"data": data, "layout": base, "frames": list(frames)})
+    for name, value in (attached or {}).items():
+        setattr(drawn, name, value)
+    return drawn
+
+
+@functools.cache
+def figure_class() -> Any:
+    """Return plotly's figure with what is shown where plotly cannot draw: a drawing in SVG and a
+    text. A page of GitHub shows the drawing, and so does a viewer without JavaScript.
+    """
+    plain: Any = graph_objects().Figure
+
+    class Figure(plain):  # type: ignore[misc]
+        def _ipython_display_(self) -> None:
+            bundle = self._repr_mimebundle_()
+            if bundle.keys() <= {"image/svg+xml", "text/plain"}:  # shown outside the notebook
+                super()._ipython_display_()
+                return
+            from IPython.display import display
+
+            display(bundle, raw=True)  # type: ignore[no-untyped-call]
+
+        def _repr_mimebundle_(self, *args: Any, **options: Any) -> dict[str, Any]:
+            bundle: dict[str, Any] = super()._repr_mimebundle_(*args, **options)
+            if _INTERACTIVE in bundle:
+                bundle.pop("text/html", None)  # the same once more, with the library
+            return {**bundle, "image/svg+xml": still_svg(self), "text/plain": still_text(self)}
+
+        def __reduce__(self) -> tuple[Any, ...]:
+            return (plain, *super().__reduce__()[1:])
+
+    return Figure
 
 
 def axis(title: str, **more: Any) -> dict[str, Any]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from cncsub.plot.figure import COLOURS, GRID, OTHERS, TEXT, count, empty, figure, shown_text
+from cncsub.drawing.colours import TEXT
+from cncsub.plot.figure import COLOURS, GRID, OTHERS, count, empty, figure, shown_text
 from cncsub.references import CallGraph, Computed, Edge
 
 if TYPE_CHECKING:

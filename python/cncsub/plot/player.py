@@ -13,9 +13,11 @@ from typing import Any
 
 import numpy as np
 
+from cncsub.drawing.colours import TEXT
 from cncsub.drawing.points import Drawn, Numbers, Points
-from cncsub.plot.figure import GRID, TEXT, clock
+from cncsub.plot.figure import GRID, clock
 
+TOOL = "#f5c400"
 _INSTANTS = 120  # at most, on the slider
 _NONE = "rgba(0,0,0,0)"
 
@@ -102,7 +104,7 @@ def marker(drawn: Drawn) -> dict[str, Any]:
         "x": [x],
         "y": [y],
         "z": [z],
-        "marker": {"size": 5, "color": "#f5c400", "line": {"color": TEXT, "width": 2}},
+        "marker": {"size": 5, "color": TOOL, "line": {"color": TEXT, "width": 2}},
         "name": "tool",
         "showlegend": False,
         "hovertemplate": "the tool<br>X%{x:.3f} Y%{y:.3f} Z%{z:.3f}<extra></extra>",
@@ -117,7 +119,7 @@ def player(
     of the marker.
     """
     at = drawn.xyz[instants.reached(drawn.points)].tolist()
-    frames, steps = [], []
+    frames = []
     for number, (x, y, z) in enumerate(at):
         data: list[dict[str, Any]] = [
             {"type": "scatter3d", "line": {"colorscale": line.scale(int(reached[number]))}}
@@ -126,14 +128,23 @@ def player(
         data.append({"type": "scatter3d", "x": [x], "y": [y], "z": [z]})
         places = [*(place for place, _, _ in lines), tool]
         frames.append({"name": str(number), "traces": places, "data": data})
+    return frames, controls(instants)
+
+
+def controls(instants: Instants, below: int = 0) -> dict[str, Any]:
+    """Return the slider and the keys that show the pictures at the instants, so many pixels below
+    the picture.
+    """
+    steps = []
+    for number in range(len(instants.at)):
         go = {"mode": "immediate", "frame": {"duration": 0, "redraw": True}}
         when = float(instants.at[number])
         label = clock(when) if instants.timed else f"point {when:.0f}"
         steps.append({"label": label, "method": "animate", "args": [[str(number)], go]})
-    return frames, {"sliders": [_slider(steps)], "updatemenus": [_keys()]}
+    return {"sliders": [_slider(steps, below)], "updatemenus": [_keys(below)]}
 
 
-def _slider(steps: list[dict[str, Any]]) -> dict[str, Any]:
+def _slider(steps: list[dict[str, Any]], below: int) -> dict[str, Any]:
     return {
         "active": len(steps) - 1,
         "steps": steps,
@@ -141,7 +152,7 @@ def _slider(steps: list[dict[str, Any]]) -> dict[str, Any]:
         "len": 1,
         "y": 0,
         "yanchor": "top",
-        "pad": {"t": 10, "b": 0},
+        "pad": {"t": 10 + below, "b": 0},
         "currentvalue": {
             "prefix": "at ",
             "xanchor": "right",
@@ -158,7 +169,7 @@ def _slider(steps: list[dict[str, Any]]) -> dict[str, Any]:
     }
 
 
-def _keys() -> dict[str, Any]:
+def _keys(below: int) -> dict[str, Any]:
     go = {"frame": {"duration": 80, "redraw": True}, "fromcurrent": True, "mode": "immediate"}
     halt = {"frame": {"duration": 0, "redraw": False}, "mode": "immediate"}
     return {
@@ -168,7 +179,7 @@ def _keys() -> dict[str, Any]:
         "y": 0,
         "xanchor": "left",
         "yanchor": "top",
-        "pad": {"t": 2},
+        "pad": {"t": 2 + below},
         "showactive": False,
         "bgcolor": "rgba(127,137,145,0.15)",
         "bordercolor": GRID,
