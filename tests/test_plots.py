@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+import pickle
 import re
 import sys
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
@@ -88,7 +90,7 @@ def told_distance(figure: Any) -> float:
 
 def test_rapid_feed_and_cycle_are_apart() -> None:
     run = ran()
-    figure = run.plot(play=False)
+    figure = run.plot(view="3d", play=False)
     assert [trace.name for trace in figure.data] == ["rapid", "feed", "canned cycle"]
     rapid, feed, cycle = lines(figure)
     assert rapid.line.dash == "dash"
@@ -100,7 +102,7 @@ def test_rapid_feed_and_cycle_are_apart() -> None:
 def test_what_is_drawn_is_the_path() -> None:
     run = ran()
     path = run.polyline(0.001)
-    pairs = segments(run.plot())
+    pairs = segments(run.plot(view="3d"))
     assert distances(path.points, pairs).max() < 0.004
     ends = np.unique(pairs.reshape(-1, 3), axis=0)
     assert distances(ends, np.stack((path.points[:-1], path.points[1:]), axis=1)).max() < 0.004
@@ -109,7 +111,7 @@ def test_what_is_drawn_is_the_path() -> None:
 
 
 def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
-    figure = ran().plot()
+    figure = ran().plot(view="3d")
     texts = [text for trace in lines(figure) for text in trace.text if text]
     at_points = {text for text in texts if "O3 N10" in text and "move 4," in text}
     (inner,) = {text.rpartition(", ")[0] for text in at_points}  # all but the time
@@ -136,11 +138,11 @@ def test_a_point_tells_its_block_its_calls_and_its_move() -> None:
     ],
 )
 def test_colours_are_told_by_name(color: str, names: list[str]) -> None:
-    figure = ran().plot(color=color)
+    figure = ran().plot(view="3d", color=color)
     shown = entries(figure)
     assert [trace.name for trace in shown] == names
     assert len({trace.line.color for trace in shown}) == len(names)
-    still = ran().plot(color=color, play=False)
+    still = ran().plot(view="3d", color=color, play=False)
     assert [(t.name, t.line.color) for t in entries(still)] == [
         (t.name, t.line.color) for t in shown
     ]
@@ -150,7 +152,7 @@ def test_colours_are_told_by_name(color: str, names: list[str]) -> None:
 @pytest.mark.parametrize("color", ["feed", "time", "z"])
 def test_colours_on_a_scale(color: str) -> None:
     run = ran()
-    figure = run.plot(color=color, play=False)
+    figure = run.plot(view="3d", color=color, play=False)
     scaled = figure.data[0]
     assert scaled.line.showscale
     values, z = np.array(scaled.line.color), np.array(scaled.z, dtype=float)
@@ -164,14 +166,14 @@ def test_colours_on_a_scale(color: str) -> None:
         assert np.all(np.diff(values[drawn]) >= -1e-9)
         assert values[drawn][-1] <= run.moves.total_time + 1e-9
     assert distances(run.polyline(0.001).points, segments(figure)).max() < 0.004
-    (beside,) = [t for t in run.plot(color=color).data if t.marker.showscale]
+    (beside,) = [t for t in run.plot(view="3d", color=color).data if t.marker.showscale]
     assert (beside.marker.cmin, beside.marker.cmax) == (scaled.line.cmin, scaled.line.cmax)
     assert beside.marker.colorbar.title.text == scaled.line.colorbar.title.text
 
 
 def test_many_names_share_a_colour_and_say_so() -> None:
     text = "O1\n" + "M98 P2\n" * 30 + "M30\nO2\nG91 G1 X1. F100\nM99\n"
-    figure = ran(text).plot(color="call")
+    figure = ran(text).plot(view="3d", color="call")
     names = [trace.name for trace in entries(figure)]
     assert len(names) == 12
     assert names[-1] == "19 others"
@@ -180,7 +182,10 @@ def test_many_names_share_a_colour_and_say_so() -> None:
 def test_coordinates_of_two_offsets_lie_apart_in_machine_coordinates() -> None:
     text = "O1\nG54 G0 X0 Y0\nG1 X10. F100\nG55 G0 X0\nG1 X10.\nM30\n"
     run = ran(text, setup=OFFSETS)
-    work, machine = run.plot(play=False), run.plot(coordinates="machine", play=False)
+    work, machine = (
+        run.plot(view="3d", play=False),
+        run.plot(view="3d", coordinates="machine", play=False),
+    )
     assert "Other coordinates came into force" in note(work)
     assert "Other coordinates" not in note(machine)
     assert segments(work)[..., 0].min() == -90  # the path to G55 X0 begins at G54 X10
@@ -192,7 +197,7 @@ def test_coordinates_of_two_offsets_lie_apart_in_machine_coordinates() -> None:
 
 def test_the_tool_is_drawn_beside_the_programmed_path() -> None:
     run = ran(COMPENSATED, setup=cncsub.Setup(radius_offsets={1: 5.0}))
-    figure = run.plot()
+    figure = run.plot(view="3d")
     named = {trace.name: trace for trace in lines(figure)}
     assert {"radius compensation", "tool, radius offset"} <= set(named)
     tool = named["tool, radius offset"]
@@ -202,11 +207,13 @@ def test_the_tool_is_drawn_beside_the_programmed_path() -> None:
     points = points[~np.isnan(points[:, 0])]
     pairs = np.stack((at.points[:-1], at.points[1:]), axis=1)
     assert distances(points, pairs).max() < 0.01
-    assert "tool, radius offset" not in {t.name for t in run.plot(coordinates="machine").data}
+    assert "tool, radius offset" not in {
+        t.name for t in run.plot(view="3d", coordinates="machine").data
+    }
 
 
 def test_some_of_the_moves_are_drawn_alone() -> None:
-    figure = ran().plot(moves=range(2, 4))
+    figure = ran().plot(view="3d", moves=range(2, 4))
     texts = {text for trace in lines(figure) for text in trace.text if text}
     assert {re.search(r"move (\d+)", text)[1] for text in texts} <= {"2", "3"}  # type: ignore[index]
     assert "moves 2 to 3" in figure.layout.title.text
@@ -214,13 +221,14 @@ def test_some_of_the_moves_are_drawn_alone() -> None:
 
 def test_nothing_that_moved_is_a_picture_too() -> None:
     assert "moved nothing" in note(ran("O1\nM30\n").plot())
-    assert "keeps them" in note(ran(trace="calls").plot())
-    assert len(ran("O1\nG0 X0 Y0 Z0\nM30\n").plot().data) > 0
-    assert "moved nothing" in note(ran().plot(moves=range(0)))
+    assert "keeps them" in note(ran(trace="calls").plot(view="3d"))
+    assert len(ran("O1\nG0 X0 Y0 Z0\nM30\n").plot(view="3d").data) > 0
+    assert "moved nothing" in note(ran().plot(view="3d", moves=range(0)))
 
 
 @pytest.mark.parametrize(
-    "wrong", [{"color": "red"}, {"coordinates": "tool"}, {"most": 3}, {"most": True}]
+    "wrong",
+    [{"color": "red"}, {"coordinates": "tool"}, {"most": 3}, {"most": True}, {"view": "top"}],
 )
 def test_wrong_use_of_plot(wrong: dict[str, Any]) -> None:
     with pytest.raises(ValueError, match=next(iter(wrong))):
@@ -228,10 +236,126 @@ def test_wrong_use_of_plot(wrong: dict[str, Any]) -> None:
 
 
 def test_a_lathe_is_seen_as_on_its_drawing() -> None:
-    figure = ran("O1\nG0 X20. Z0\nG1 X40. Z-10. F100\nM30\n", "gsk-988ta").plot()
+    figure = ran("O1\nG0 X20. Z0\nG1 X40. Z-10. F100\nM30\n", "gsk-988ta").plot(view="3d")
     assert max(x for trace in lines(figure) for x in trace.x if x == x) == 20
     assert "X is drawn as a radius" in note(figure)
     assert (figure.layout.scene.camera.up.x, figure.layout.scene.camera.eye.y) == (1, 2)
+
+
+# ---- in a plane ----
+
+
+@pytest.mark.parametrize(
+    ("text", "control", "kind"),
+    [
+        ("G0 X10. Y5. Z2.\nG1 Z-1. F100\nX20.\nY9.\n", CONTROL, "scatter"),
+        ("G81 X5. Y5. Z-3. R1. F50\nX9. Z-4.\n", CONTROL, "scatter"),
+        ("G0 X10. Z2.\nG1 X20. Z-1. F100\n", CONTROL, "scatter"),
+        ("G0 X10. Z2.\nG1 X20. Z-1. F100\n", "gsk-988ta", "scatter"),
+        ("G0 X10. Y5. Z2.\nG1 Z-1. F100\nX20.\nZ-2.\nY9.\n", CONTROL, "scatter3d"),
+        ("G0 X10. Y5. Z2.\nG1 X20. Y9. Z-1. F100\n", CONTROL, "scatter3d"),
+        ("G0 X20. Z0\nG3 I-20. Z-5. F100\n", CONTROL, "scatter3d"),
+        ("G0 X9. Y5. Z2.\nG18 G2 X20. Z2. R9. F100\n", CONTROL, "scatter3d"),
+    ],
+)
+def test_a_path_in_a_plane_opens_in_two_dimensions(text: str, control: str, kind: str) -> None:
+    run = ran(f"O1\n{text}M30\n", control)
+    assert {trace.type for trace in run.plot().data} == {kind}
+    assert {trace.type for trace in run.plot(view="3d").data} == {"scatter3d"}
+    assert {trace.type for trace in run.plot(view="2d").data} == {"scatter"}
+
+
+@pytest.mark.parametrize("color", ["kind", "program", "feed", "z"])
+def test_the_path_in_a_plane_is_the_path(color: str) -> None:
+    run = ran()
+    path = run.polyline(0.001).points[:, :2]
+    figure = run.plot(color=color)
+    found = []
+    for trace in lines(figure):
+        points = np.column_stack((trace.x, trace.y)).astype(float)
+        pairs = np.stack((points[:-1], points[1:]), axis=1)
+        found.append(pairs[~np.isnan(pairs).any(axis=(1, 2))])
+    pairs = np.concatenate(found)
+    assert distances(path, pairs).max() < 0.004
+    assert distances(pairs.reshape(-1, 2), np.stack((path[:-1], path[1:]), axis=1)).max() < 0.004
+
+
+def test_a_lathe_in_a_plane_has_z_to_the_right_and_diameters_at_the_axis() -> None:
+    figure = ran("O1\nG0 X20. Z0\nG1 X40. Z-10. F100\nM30\n", "gsk-988ta").plot(play=False)
+    feed = next(trace for trace in figure.data if trace.name == "feed")
+    assert (list(feed.x), list(feed.y)) == ([0, -10], [20, 40])
+    layout = figure.layout
+    assert layout.xaxis.title.text == "Z, mm"
+    assert layout.yaxis.title.text == "X diameter, mm"
+    assert (layout.yaxis.scaleanchor, layout.yaxis.scaleratio) == ("x", 0.5)
+    assert layout.yaxis.range[0] < 0 < 40 < layout.yaxis.range[1]
+
+
+def test_holes_tool_changes_and_the_alarm_are_marked_in_a_plane() -> None:
+    figure = ran(JOB.replace("N90 M30", "N85 X15.\nN90 M98 P9")).plot()
+    marks = {trace.name: trace for trace in figure.data if trace.name}
+    holes = marks["1 hole"]
+    assert (list(holes.x), list(holes.y), list(holes.customdata)) == ([5], [5], [-3])
+    assert list(holes.text) == ["1"]
+    assert list(marks["tool change"].text) == ["T1", "T2"]
+    alarm = marks["stopped by PS0076"]
+    assert (list(alarm.x), list(alarm.y)) == ([15], [5])
+    assert "O1 N90" in alarm.hovertemplate
+    space = ran(JOB.replace("N90 M30", "N90 M98 P9")).plot(view="3d")
+    (mark,) = (t for t in space.data if t.name == "stopped by PS0076" and t.x[0] is not None)
+    assert (list(mark.x), list(mark.y), list(mark.z)) == ([5], [5], [50])
+    part = ran(JOB.replace("N90 M30", "N90 M98 P9")).plot(moves=range(3))
+    assert not [t for t in part.data if (t.name or "").startswith("stopped")]
+
+
+def test_in_a_plane_the_slider_shows_what_is_done_and_leads_the_tool() -> None:
+    figure = ran().plot()
+    last = len(figure.data) - 1
+    assert [figure.data[at].name for at in (last - 1, last)] == ["the path so far", "tool"]
+    before = 0
+    for frame in figure.frames[:-1]:
+        trail, tool = frame.data[-2:]
+        assert (trail.x[-1], trail.y[-1]) == (tool.x[0], tool.y[0])
+        assert {trace.opacity for trace in frame.data[:-2]} == {0.3}
+        assert len(trail.x) >= before - 1
+        before = len(trail.x)
+    done = figure.frames[-1]
+    assert {trace.opacity for trace in done.data[:-2]} == {1}
+    assert list(done.data[-2].x) == [None]
+    assert (done.data[-1].x[0], done.data[-1].y[0]) == (5, 5)
+    assert len(figure.to_json()) < 300_000
+
+
+# ---- what is shown where plotly cannot draw ----
+
+
+def test_figures_have_a_drawing_and_a_text() -> None:
+    library = cncsub.loads(JOB, control=CONTROL)
+    run = library.run(watch=[1, 100])
+    for figure in (run.plot(), run.plot(view="3d"), run.calls.plot(), run.watch.plot()):
+        bundle = figure._repr_mimebundle_()
+        root = ET.fromstring(bundle["image/svg+xml"])
+        assert root.tag == "{http://www.w3.org/2000/svg}svg"
+        assert bundle["text/plain"].startswith(figure.layout.title.text)
+    assert run.plot()._repr_mimebundle_()["image/svg+xml"] == run.svg()
+    calls = run.calls.plot()._repr_mimebundle_()["image/svg+xml"]
+    assert calls.count("<rect") == 3 + 2  # O2, O3 twice, and the legend
+    graph = library.plot()._repr_mimebundle_()["image/svg+xml"]
+    assert {"O1", "O2", "O3"} <= set(re.findall(r">([^<>]+)</text>", graph))
+    assert graph.count("rotate(") == 2  # the heads of two arrows
+
+
+def test_the_bundle_of_a_notebook_holds_the_figure_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    import plotly.io
+
+    monkeypatch.setattr(plotly.io.renderers, "default", "plotly_mimetype+notebook_connected")
+    bundle = ran().plot()._repr_mimebundle_()
+    assert set(bundle) == {"application/vnd.plotly.v1+json", "image/svg+xml", "text/plain"}
+
+
+def test_a_figure_can_be_sent() -> None:
+    figure = ran().plot()
+    assert pickle.loads(pickle.dumps(figure)) == figure
 
 
 # ---- thinning ----
@@ -257,7 +381,7 @@ def test_what_is_left_out_lies_as_near_as_the_picture_tells(
         path = "G0" if made.random() < 0.1 else "G1"
         text.append(f"{path} X{way[0]:.3f} Y{way[1]:.3f} Z{way[2]:.3f}")
     run = ran("O1\nG91\nF100\n" + "\n".join(text) + "\nM30\n")
-    figure = run.plot(most=100, color=color, play=False)
+    figure = run.plot(view="3d", most=100, color=color, play=False)
     line = run.polyline(0.01)
     cut = re.search(r"nothing after move ([\d,]+)", note(figure))
     points = line.points
@@ -276,13 +400,13 @@ def test_what_is_left_out_lies_as_near_as_the_picture_tells(
 def test_a_long_path_is_thinned_and_says_so() -> None:
     fine = "".join(f"X{i * 0.01:.2f} Y{math.sin(i / 900):.3f}\n" for i in range(30_000))
     run = ran(f"O1\nG1 F100\n{fine}M30\n")
-    figure = run.plot(most=1_000)
+    figure = run.plot(view="3d", most=1_000)
     found = re.search(r"Thinned: ([\d,]+) of ([\d,]+) points", note(figure))
     assert found
     kept, whole = (int(number.replace(",", "")) for number in found.groups())
     assert kept <= 1_000 < whole == 30_001
     assert told_distance(figure) < 0.5
-    assert "Thinned" not in note(run.plot(moves=range(500)))
+    assert "Thinned" not in note(run.plot(view="3d", moves=range(500)))
 
 
 def test_lines_over_lines_are_drawn_once_and_said_so() -> None:
@@ -290,7 +414,7 @@ def test_lines_over_lines_are_drawn_once_and_said_so() -> None:
         f"X{i % 7 * 10} Y{i * 3 % 50}\n" for i in range(40)
     )
     run = ran(text + "#1=#1+1\nEND1\nM30\n")
-    figure = run.plot(most=200)
+    figure = run.plot(view="3d", most=200)
     assert "were drawn before" not in note(figure)
     assert "drawn before are left out" in note(figure)
     assert "Cut" not in note(figure)
@@ -317,7 +441,7 @@ def drawn_until(line: Any, frame_line: Any) -> Any:
 @pytest.mark.parametrize("text", [JOB, COMPENSATED])
 def test_an_instant_shows_the_path_up_to_then(color: str, text: str) -> None:
     run = ran(text, setup=cncsub.Setup(radius_offsets={1: 5.0}))
-    figure = run.plot(color=color)
+    figure = run.plot(view="3d", color=color)
     paths, marker = lines(figure), len(figure.data) - 1
     assert figure.data[marker].name == "tool"
     ends, at = run.moves.time.cumsum(), np.linspace(0, run.moves.total_time, len(figure.frames))
@@ -338,7 +462,7 @@ def test_an_instant_shows_the_path_up_to_then(color: str, text: str) -> None:
 
 def test_the_slider_leads_the_tool_along_the_path() -> None:
     run = ran()
-    figure = run.plot()
+    figure = run.plot(view="3d")
     points = np.array([[f.data[-1].x[0], f.data[-1].y[0], f.data[-1].z[0]] for f in figure.frames])
     assert distances(points, segments(figure)).max() < 1e-6
     assert points[0].tolist() == [0, 0, 0]
@@ -346,11 +470,11 @@ def test_the_slider_leads_the_tool_along_the_path() -> None:
     (slider,) = figure.layout.sliders
     assert [step.args[0][0] for step in slider.steps] == [frame.name for frame in figure.frames]
     assert (slider.steps[0].label, slider.active) == ("0.0 s", len(figure.frames) - 1)
-    assert not run.plot(play=False).frames
+    assert not run.plot(view="3d", play=False).frames
 
 
 def test_the_tool_is_half_way_at_half_time() -> None:
-    figure = ran("O1\nG1 X100. F100\nM30\n").plot()
+    figure = ran("O1\nG1 X100. F100\nM30\n").plot(view="3d")
     at = [
         (step.label, frame.data[-1].x[0])
         for step, frame in zip(figure.layout.sliders[0].steps, figure.frames)
@@ -502,7 +626,9 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
     head = text[: text.index("<script>")]
     assert "default-src 'none'" in head
     assert "<script>alert" not in text
-    assert text.count("</script>") == 3
+    assert text.count("</script>") == 4  # plotly, the figure, the code, what draws
+    assert '<div id="code"' in text
+    assert "N30 G1 Z-1. F100 (&lt;/script&gt;" in text
     asked = CliRunner().invoke(app, ["plot", str(tmp_path / "job.nc"), "-c", CONTROL])
     assert asked.exit_code == 2
     assert "-o path.html" in asked.stderr
@@ -544,7 +670,7 @@ def test_a_legend_of_many_lines_leaves_the_title_alone(browser: Any, tmp_path: P
     opened.goto(file.as_uri())
     opened.wait_for_selector("#picture g.legend")
     box = "document.querySelector('{}').getBoundingClientRect()"
-    title, legend = box.format("#picture .gtitle"), box.format("#picture g.legend")
+    title, legend = box.format("h1"), box.format("#picture g.legend")
     opened.wait_for_function(f"{title}.bottom <= {legend}.top", timeout=5_000)
     opened.close()
 
@@ -568,6 +694,30 @@ def test_a_page_is_drawn_without_a_network(
     assert told == []
     assert opened.evaluate("document.documentElement.scrollWidth") <= width
     if of == "path":
-        opened.wait_for_selector("canvas")
         assert opened.locator(".slider-group").count() > 0
+    opened.close()
+
+
+@pytest.mark.parametrize("view", ["2d", "3d"])
+def test_the_code_and_the_picture_have_one_cursor(browser: Any, tmp_path: Path, view: str) -> None:
+    file = page(tmp_path, "--view", view)
+    opened = browser.new_page(viewport={"width": 1200, "height": 800})
+    told: list[str] = []
+    opened.on("pageerror", lambda error: told.append(str(error)))
+    opened.goto(file.as_uri())
+    opened.wait_for_function("document.getElementById('picture')._transitionData")
+    code, picture = opened.locator("#code"), opened.locator("#picture")
+    assert code.bounding_box()["x"] >= picture.bounding_box()["width"]
+    here = opened.locator("#code tr.here")
+    opened.locator("#code tr", has_text="N40 G2 X20.").hover()
+    assert "N40" in here.text_content()
+    cursor = "document.getElementById('picture').data.at(-1)"
+    opened.wait_for_function(f"{cursor}.x.length > 9")
+    xs = opened.evaluate(f"{cursor}.x.filter(x => x !== null)")
+    assert (min(xs), max(xs)) == (0, 20)
+    opened.evaluate("Plotly.animate(document.getElementById('picture'), ['0'])")
+    opened.wait_for_function(
+        "document.querySelector('#code tr.here').textContent.includes('N20 G0 X0')"
+    )
+    assert told == []
     opened.close()

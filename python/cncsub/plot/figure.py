@@ -109,18 +109,18 @@ def figure(
     own = dict(layout)
     base["annotations"] = [note, *own.pop("annotations", ())]
     base.update(own)
-    drawn = figure_class()({"data": data, "layout": base, "frames": list(frames)})
+    drawn = _figure_class(graph_objects())({"data": data, "layout": base, "frames": list(frames)})
     for name, value in (attached or {}).items():
         setattr(drawn, name, value)
     return drawn
 
 
 @functools.cache
-def figure_class() -> Any:
+def _figure_class(objects: Any) -> Any:
     """Return plotly's figure with what is shown where plotly cannot draw: a drawing in SVG and a
     text. A page of GitHub shows the drawing, and so does a viewer without JavaScript.
     """
-    plain: Any = graph_objects().Figure
+    plain: Any = objects.Figure
 
     class Figure(plain):  # type: ignore[misc]
         def _ipython_display_(self) -> None:
