@@ -1,4 +1,4 @@
-"""Runs the notebooks of the examples and stores their outputs, so that who only reads them sees them.
+"""Runs the notebooks of the examples and stores their outputs for those who only read them.
 
 python tools/notebooks.py            # writes examples/notebooks
 python tools/notebooks.py --check    # exit status 1 where outputs would be others

@@ -102,7 +102,7 @@ def _element(height: float, words: str, inner: str) -> str:
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="path" viewBox="0 0 {WIDTH:.0f}'
         f' {height:.0f}" role="img" aria-label="{escape(words)}" font-family="system-ui,'
-        f' sans-serif" font-size="12" style="max-width:44rem;width:100%">{inner}</svg>'
+        f' sans-serif" font-size="12" style="max-width:36rem;width:100%">{inner}</svg>'
     )
 
 
