@@ -644,6 +644,23 @@ def test_the_command_writes_a_page_in_one_piece(tmp_path: Path) -> None:
         assert told.exit_code == 2, wrong
 
 
+def test_the_command_writes_a_drawing_without_plotly(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "plotly.graph_objects", None)
+    (tmp_path / "job.nc").write_text(JOB)
+    file = tmp_path / "path.svg"
+    asked = ["plot", str(tmp_path / "job.nc"), "-c", CONTROL, "-o", str(file)]
+    assert CliRunner().invoke(app, asked).exit_code == 0
+    assert file.read_text(encoding="utf-8") == ran().svg()
+    for more, told in ((["--view", "3d"], "--view"), (["--of", "calls"], "cncsub[plot]")):
+        done = CliRunner().invoke(app, [*asked, *more])
+        assert (done.exit_code, told in done.stderr) == (2, True)
+    (tmp_path / "job.nc").write_text("O1\nM30\n")
+    done = CliRunner().invoke(app, asked)
+    assert (done.exit_code, "nothing moved" in done.stderr) == (2, True)
+
+
 def test_the_page_of_a_long_path_is_packed(tmp_path: Path) -> None:
     text = "O1\n#1=0\nWHILE[#1LT20000]DO1\n#1=#1+1\nM98P2\nEND1\nM30\n"
     text += "O2\nG1X[20*COS[#1]]Y[20*SIN[3*#1]]Z[#1/100]F500\nM99\n"

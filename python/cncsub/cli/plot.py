@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -27,6 +28,7 @@ from cncsub.cli.options import (
 )
 from cncsub.escapes import shown
 from cncsub.plot.page import page_of
+from cncsub.plot.still import still_svg
 from cncsub.reports.printing import console_on, print_stop
 from cncsub.writing import write_whole
 
@@ -66,6 +68,7 @@ _ONLY = {
     "view": ("path",),
     "over": ("calls", "watch"),
 }
+_ONLY_PAGE = ("color", "points", "view")
 
 
 @runs_programs(max_blocks=1_000_000)
@@ -84,12 +87,13 @@ def plot(
     **shared: Any,
 ) -> None:
     """Run a program and write a picture of its path as one page of HTML, which needs no network;
-    or of its calls, of the programs that call each other, of variables that are watched.
+    or of its calls, of the programs that call each other, of variables that are watched. A file
+    whose name ends in .svg becomes a drawing.
     """
     options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         if output is None:
-            raise ValueError("which file? Give -o path.html")
+            raise ValueError("which file? Give -o path.html or -o path.svg")
         if of not in _OF:
             raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
         for name, drawings in _ONLY.items():
@@ -104,14 +108,29 @@ def plot(
             tell_all([Note("no-effect", "no effect: --of watch draws what is watched", "--watch")])
         run = whole_run(library.run(main, **asked))
         try:
-            figure = _figure(library, run, options)
+            text = _drawn(library, run, output, options)
         except ImportError as error:
             raise ValueError(str(error)) from None
-        write_whole(output, page_of(figure, library))
+        write_whole(output, text)
     print_stop(console_on(sys.stderr), run)
     tell_dropped(len(run.dropped), (word.warning for word in run.dropped))
     typer.echo(f"wrote {shown(str(output))}")
     raise typer.Exit(status_of(run))
+
+
+def _drawn(library: cncsub.Library, run: cncsub.Run, output: Path, options: dict[str, Any]) -> str:
+    """Return the page, or the drawing where the name of the file ends in .svg."""
+    if output.suffix.lower() != ".svg":
+        return page_of(_figure(library, run, options), library)
+    if options["of"] != "path":
+        return still_svg(_figure(library, run, options))
+    for name in _ONLY_PAGE:
+        if options[name] is not None:
+            raise ValueError(f"--{name} goes with -o path.html: an SVG has one colouring and view")
+    drawing = run.svg(coordinates="machine" if options["machine"] else "work")
+    if not drawing:
+        raise ValueError("nothing moved, so there is nothing to draw")
+    return drawing
 
 
 def _figure(library: cncsub.Library, run: cncsub.Run, options: dict[str, Any]) -> Any:
