@@ -221,6 +221,8 @@ def test_some_of_the_moves_are_drawn_alone() -> None:
 
 def test_nothing_that_moved_is_a_picture_too() -> None:
     assert "moved nothing" in note(ran("O1\nM30\n").plot())
+    stopped = note(ran("O1\nM98 P9\n").plot())
+    assert "moved nothing before the alarm at O1 line 2: PS0076 program-not-found" in stopped
     assert "keeps them" in note(ran(trace="calls").plot(view="3d"))
     assert len(ran("O1\nG0 X0 Y0 Z0\nM30\n").plot(view="3d").data) > 0
     assert "moved nothing" in note(ran().plot(view="3d", moves=range(0)))

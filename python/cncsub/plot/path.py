@@ -9,7 +9,7 @@ from cncsub.option_errors import wrong_value
 from cncsub.plot.colours import COLOURED_BY
 from cncsub.plot.figure import count, empty
 from cncsub.plot.plane import PlanePicture
-from cncsub.plot.space import Picture
+from cncsub.plot.space import Picture, alarm_place
 from cncsub.tables.polyline import rows_of
 
 if TYPE_CHECKING:
@@ -43,10 +43,17 @@ def path_figure(
     first, last = rows_of(moves, core.moves)
     head = title if title is not None else _title(run, first, last)
     if first == last:
-        why = "It moved nothing." if len(run.steps) else 'No moves: trace="moves" keeps them.'
-        return empty(why, head)
+        return empty(_why_empty(run), head)
     drawn = PlanePicture if _is_plane(run, view, first, last) else Picture
     return drawn(run, color, coordinates, first, last, most).figure(head, play)
+
+
+def _why_empty(run: Recorded) -> str:
+    alarm = getattr(run, "alarm", None)
+    if alarm is not None and not run.recorded.moves:
+        words = str(alarm).partition("\n")[0]
+        return f"It moved nothing before the alarm at {alarm_place(alarm)}: {words}"
+    return "It moved nothing." if len(run.steps) else 'No moves: trace="moves" keeps them.'
 
 
 def _is_plane(run: Recorded, view: str, first: int, last: int) -> bool:

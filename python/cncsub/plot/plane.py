@@ -197,7 +197,9 @@ class PlanePicture(Picture):
         made = self._mark(at, f"stopped by {alarm.number or alarm.cause}", ALARM, "circle-x-open")
         made["marker"] |= {"size": 19, "line": {"width": 3}}
         words = shown_text(str(alarm).partition("\n")[0])
-        return [{**made, "hovertemplate": f"{words}<br>{alarm_place(alarm)}<extra></extra>"}]
+        return [
+            {**made, "hovertemplate": f"{words}<br>{shown_text(alarm_place(alarm))}<extra></extra>"}
+        ]
 
     # ---- the tool on its way ----
 

@@ -188,7 +188,7 @@ class Picture:
                 "name": f"stopped by {alarm.number or alarm.cause}",
                 "showlegend": True,
                 "marker": {"size": 8, "color": ALARM, "symbol": "x"},
-                "hovertemplate": f"{words}<br>{alarm_place(alarm)}<extra></extra>",
+                "hovertemplate": f"{words}<br>{shown_text(alarm_place(alarm))}<extra></extra>",
             }
         ]
 
@@ -412,7 +412,7 @@ def _seen(sides: Numbers, eye: Numbers, up: Numbers) -> tuple[float, float]:
 
 def alarm_place(alarm: Any) -> str:
     where = f"line {alarm.line}" if alarm.n is None else f"N{alarm.n} line {alarm.line}"
-    return f"{shown_text(alarm.program)} {where}"
+    return f"{alarm.program} {where}"
 
 
 def left_out(drawn: Drawn) -> list[str]:

@@ -46,7 +46,9 @@ class Drawn:
         """Yield the drawings, the one that suits first, and what has to be known of them."""
         picture = self._picture
         if picture is None:
-            yield "<p>It moved nothing, or the run kept no moves.</p>"
+            stopped = self._run.alarm is not None
+            why = "It moved nothing before the alarm" if stopped else "It moved nothing"
+            yield f"<p>{why}, or the run kept no moves.</p>"
             return
         if not any(extent > 0 for extent in picture.path.extents):
             yield "<p>No move leaves its point.</p>"
