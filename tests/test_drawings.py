@@ -258,6 +258,16 @@ def test_a_long_path_stays_small() -> None:
     assert len(ran(f"O1\nG1 F100\n{fine}M30\n").svg()) < 80_000
 
 
+def test_a_drawing_says_what_it_leaves_out() -> None:
+    wide = "".join(f"X{i * i * 31 % 9973} Y{i * i * i % 9967}\n" for i in range(40_000))
+    notes = " ".join(texts(group(drawing(ran(f"O1\nG1 F100\n{wide}M30\n")), "legend notes")))
+    found = re.search(r"nothing after move ([\d,]+) of 40,000", notes)
+    assert found
+    fine = "".join(f"X{i * 0.01:.2f} Y{i % 5 * 0.01:.2f}\n" for i in range(40_000))
+    notes = " ".join(texts(group(drawing(ran(f"O1\nG1 F100\n{fine}M30\n")), "legend notes")))
+    assert re.search(r"Thinned: [\d,]+ of 40,001 points; what is left out lies within", notes)
+
+
 def test_texts_of_programs_are_escaped() -> None:
     setup = "O1\nN10 G0 X1.\nN20 #3000=1(<script>)\nM30\n"
     assert "<script" not in ran(setup).svg()

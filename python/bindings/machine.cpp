@@ -245,8 +245,8 @@ void add_run(Class& machine) {
       .def("reset", [](Live& live) { Work(live)->reset(); })
       .def_property_readonly(
           "position", [](Live& live) { return dict_of(position(Look(live)->motion().view())); })
-      .def_property_readonly(
-          "modal", [](Live& live) { return dict_of(modal(Look(live)->motion().view())); })
+      .def_property_readonly("modal",
+                             [](Live& live) { return dict_of(modal(Look(live)->motion().view())); })
       .def_property_readonly("inch", [](Live& live) { return g20(Look(live)->motion().state()); });
 }
 

@@ -7,6 +7,7 @@ the classes of its groups.
 from __future__ import annotations
 
 import itertools
+import textwrap
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -163,7 +164,20 @@ class _Drawing:
         lines = "".join(_lines(placed, picture, self.place))
         legend, rows = self._legend(_seen(placed, picture.path))
         inner = "".join([*self._grid(), lines, *marks, legend])
-        return _element(frame.height + rows * _LINE, self._words(), inner)
+        notes, more = self._notes(frame.height + rows * _LINE)
+        return _element(frame.height + (rows + more) * _LINE, self._words(), inner + notes)
+
+    def _notes(self, top: float) -> tuple[str, int]:
+        """Return what is left out, where no page around the drawing says it, and its lines."""
+        if self.place is not None:
+            return "", 0
+        letters = int((WIDTH - 12) / _LETTER)
+        lines = [line for told in self.picture.path.told for line in textwrap.wrap(told, letters)]
+        texts = (
+            f'<text x="6" y="{top + row * _LINE + 8:.1f}">{escape(line)}</text>'
+            for row, line in enumerate(lines)
+        )
+        return _group("legend notes", "".join(texts), fill=TEXT), len(lines)
 
     def _words(self) -> str:
         told = [f"path {self.picture.words(self.frame.view)}"]
