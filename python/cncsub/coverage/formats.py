@@ -10,22 +10,11 @@ from xml.etree import ElementTree as ET
 
 from cncsub.coverage.block_counts import percent_text
 from cncsub.escapes import escape, for_xml, referred, shown
+from cncsub.pages import html_page
 
 if TYPE_CHECKING:
     from cncsub.coverage.block_counts import Counted
     from cncsub.coverage.summary import Coverage
-
-_STYLE = """
-:root { color-scheme: light dark; --yes: #d9f2d9; --no: #f8d4d4; --part: #fbeebc; }
-@media (prefers-color-scheme: dark) { :root { --yes: #17371b; --no: #4a1c1c; --part: #453a10; } }
-body { font: 1rem/1.4 sans-serif; margin: 1rem auto; max-width: 70rem; padding: 0 1rem; }
-summary { cursor: pointer; font-weight: bold; padding: .3rem 0; }
-table { border-collapse: collapse; font: .9rem monospace; width: 100%; }
-th, td { padding: .1rem .6rem; text-align: right; }
-th:nth-child(3), td:nth-child(3) { white-space: nowrap; }
-th:last-child, td:last-child { text-align: left; white-space: pre-wrap; width: 99%; }
-.yes { background: var(--yes); } .no { background: var(--no); } .part { background: var(--part); }
-"""
 
 
 def _file_of(program: Counted, root: str | Path | None) -> str:
@@ -147,12 +136,7 @@ def html(coverage: Coverage, root: str | Path | None = None) -> str:
         f" {coverage.calls.covered} of {len(coverage.calls)} calls,"
         f" {coverage.arguments.covered} of {len(coverage.arguments)} arguments"
     )
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>Coverage</title>'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<style>{_STYLE}</style></head>\n<body><h1>Coverage</h1><p>{done}</p>\n"
-        f"{programs}</body></html>\n"
-    )
+    return html_page("Coverage", "coverage", [f"<p>{done}</p>\n", programs])
 
 
 def _program(program: Counted, root: str | Path | None) -> str:
@@ -163,18 +147,19 @@ def _program(program: Counted, root: str | Path | None) -> str:
         count = program.count(index)
         missed = [_MISSED.get(name, name) for name, of in outcomes if not of]
         state = "no" if count == 0 else "part" if missed else "yes"
-        told = "not executed" if count == 0 else f"never {', '.join(missed)}" if missed else ""
+        told = f"never {', '.join(missed)}" if count and missed else ""
+        ran = f"{count:,}x" if count else "not"
         rows.append(
-            f'<tr class="{state}"><td>{block.line}</td><td>{count}</td><td>{told}</td>'
-            f"<td>{escape(block.text)}</td></tr>\n"
+            f'<tr class="{state}"><td class="number">{block.line}</td><td>{ran}</td>'
+            f"<td>{escape(block.text)}</td><td>{told}</td></tr>\n"
         )
     done = sum(count > 0 for count, _ in lines.values())
     covered, known = program.parts()
     return (
-        f"<details{' open' if covered < known else ''}><summary>{escape(program.name)}"
-        f" ({escape(_file_of(program, root))}):"
-        f" {done} of {len(lines)} lines</summary>\n<table><thead><tr><th>line</th><th>count</th>"
-        f"<th>missed</th><th>block</th></tr></thead><tbody>\n{''.join(rows)}</tbody></table>"
+        f"<details{' open' if covered < known else ''}><summary><b>{escape(program.name)}</b>"
+        f" ({escape(_file_of(program, root))}): {done} of {len(lines)} lines</summary>\n"
+        '<table class="code"><thead><tr><th>line</th><th>ran</th><th>block</th><th>missed</th></tr>'
+        f"</thead><tbody>\n{''.join(rows)}</tbody></table>"
         f"{_not_used(program)}</details>\n"
     )
 
