@@ -278,9 +278,9 @@ def test_cobertura_keeps_the_rules_of_its_dtd() -> None:
 
 
 def test_the_page_opens_what_is_missed() -> None:
-    assert "<details open><summary>O1 (&lt;text&gt;)" in covered(IF).to_html()
+    assert "<details open><summary><b>O1</b> (&lt;text&gt;)" in covered(IF).to_html()
     whole = covered("O1\nN10 M30\n").to_html()
-    assert "<details><summary>O1 (&lt;text&gt;)" in whole
+    assert "<details><summary><b>O1</b> (&lt;text&gt;)" in whole
 
 
 def test_the_page_is_escaped_and_stands_alone(tmp_path: Path) -> None:
