@@ -112,7 +112,8 @@ def test_it_goes_to_other_processes(control: cncsub.Control) -> None:
             n: (p.value, p.source) for n, p in control.parameters.items()
         }
     changed = pickle.loads(pickle.dumps(control.replace(max_nesting=3)))
-    assert (changed.name, rule(changed, "max_nesting").value) == ("our-mill", 3)
+    assert changed.name == "our-mill + max_nesting=3"
+    assert rule(changed, "max_nesting").value == 3
 
 
 def test_many_programs_run_on_it(control: cncsub.Control, tmp_path: Path) -> None:
@@ -127,6 +128,14 @@ def test_many_programs_run_on_it(control: cncsub.Control, tmp_path: Path) -> Non
     ("text", "told"),
     [
         ("", "has a name of small letters"),
+        ('base = "fanuc-0i-f"\ncalls.M60 = "call:1"', "calls needs a control with a name"),
+        ('base = "fanuc-0i-f"\ntitle = "x"', "title needs a control with a name"),
+        ('base = "fanuc-0i-f"\nrules = 1', "rules is a table, not 1"),
+        (
+            'base = "fanuc-0i-f"\nrules.max_nesting = {value = 2, note = "x"}',
+            "rules.max_nesting is a value: notes are for a control with a name",
+        ),
+        ('base = "fanuc-0i-f"\nrules.max_nestng = 2', "near are max_nesting"),
         ('name = "Our Mill"\nbase = "fanuc-0i-f"', "this one is 'Our Mill'"),
         ('name = "fanuc-0i-f"\nbase = "fanuc-0i-f"', "is a built-in control"),
         ('name = "our-mill"', "base is a built-in control, such as"),

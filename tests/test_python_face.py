@@ -107,7 +107,7 @@ def test_a_changed_parameter_is_kept_in_a_copy(name: str) -> None:
         other = 1 - known.value if "#" in parameter else known.value + 1
         changed = control.with_parameters({parameter: other})
         assert changed.parameters[parameter].value == other
-        assert changed.name == control.name
+        assert changed.name == f"{control.name} + {parameter}={other:g}"
 
 
 def test_every_rule_takes_its_own_value_again() -> None:

@@ -5,6 +5,6 @@ set -eu
 cd "$(dirname "$0")/.."
 . tools/environment.sh
 
-install .
+install '.[cli]'
 [ $# -gt 0 ] || set -- examples/gsk/988ta-nested-self-call.nc -c gsk-988ta
 exec "$VENV/bin/cncsub" run "$@"

@@ -35,6 +35,16 @@ told = tomllib.loads(pathlib.Path("pyproject.toml").read_text(encoding="utf-8"))
 print(*functools.reduce(dict.__getitem__, sys.argv[1:], told), sep="\n")' "$@"
 }
 
+# alone BIN: what an installation without extras can do: everything but the command, which says what it needs.
+alone() {
+    "$1/python" -c 'import cncsub; cncsub.loads("O1\nM30\n", control="fanuc-0i-f").run().raise_for_alarm()'
+    said=$("$1/cncsub" --version 2>&1) && status=0 || status=$?
+    case "$status $said" in
+    "2 "*"pip install 'cncsub[cli]'"*) ;;
+    *) echo "without the extra cli the command ended with $status: $said" && exit 1 ;;
+    esac
+}
+
 # one PYTHON: a wheel out of the source distribution alone, and its tests, as cibuildwheel runs them.
 one() {
     name=$("$1" -c 'import sys; print("cp%d%d" % sys.version_info[:2] + sys.abiflags)')
@@ -52,7 +62,10 @@ one() {
     fi
     "$tools/bin/twine" check --strict "$sdist" "$wheels"/*.whl
     "$tools/bin/check-wheel-contents" "$wheels"
-    "$out/env-$name/bin/python" -m pip install --quiet "$wheels"/*.whl $(project dependency-groups wheel)
+    wheel=$(ls "$wheels"/*.whl)
+    "$out/env-$name/bin/python" -m pip install --quiet "$wheel"
+    alone "$out/env-$name/bin"
+    "$out/env-$name/bin/python" -m pip install --quiet "${wheel}[cli]" $(project dependency-groups wheel)
     rm -rf "$out/beside"
     mkdir "$out/beside"
     cp -r $(project tool cibuildwheel test-sources) "$out/beside"

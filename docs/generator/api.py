@@ -131,8 +131,9 @@ def documented() -> set[str]:
 
 def _index() -> str:
     text = (
-        "# Python\n\n`import cncsub` imports none of pandas, pyarrow and rich; what needs them"
-        " says so where they are missing.\n"
+        "# Python\n\n`import cncsub` needs NumPy alone. What needs pandas, pyarrow, plotly or the"
+        " command's packages (`cncsub[cli]`) imports them when it is used, and says so where they"
+        " are missing.\n"
         "[What is public](../../public.md) is what stands on these pages.\n\n"
     )
     rows = (

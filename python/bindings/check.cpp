@@ -106,10 +106,11 @@ py::tuple row_of(Told& row) {
                         alarm_or_none(row.alarm), path, edits, again, row.count, row.hint);
 }
 
-py::list check_all(const Code& code, std::int32_t main, const std::string& machine) {
+py::list check_all(const Code& code, std::int32_t main, const std::string& machine,
+                   const std::vector<std::int32_t>& entries) {
   std::vector<Told> all;
   work_away([&](InterruptCheck& interrupt) {
-    for (const Finding& finding : check(code, main, machine, interrupt)) {
+    for (const Finding& finding : check(code, {main, entries}, machine, interrupt)) {
       if (interrupt.requested(InterruptCheck::kLook / 64)) break;
       all.push_back(reported(code, finding, interrupt));
     }
@@ -220,7 +221,8 @@ py::object lengths_without_point(const Record& record, const std::string& machin
 
 void add_check(py::module_& m) {
   m.def("lengths_without_point", &lengths_without_point, py::arg("record"), py::arg("machine"));
-  m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"));
+  m.def("check", &check_all, py::arg("code"), py::arg("main"), py::arg("machine"),
+        py::arg("entries"));
   m.def("checks", &all_rules);
   m.def("told_for", &told_for, py::arg("control"));
   py::class_<Flows>(m, "Flows", py::is_final());

@@ -166,6 +166,13 @@ void add_code(py::module_& m) {
                                return p.file().text.view().substr(
                                    p.program().text, p.program().text_end - p.program().text);
                              })
+      .def_property_readonly("span",
+                             [](const ProgramData& p) {
+                               const Program& of = p.program();
+                               return std::tuple(of.file, of.text, of.text_end);
+                             })
+      .def_property_readonly("inside",
+                             [](const ProgramData& p) { return p.program().inside != kNoProgram; })
       .def(
           "start",
           [](const ProgramData& p, std::size_t size) {

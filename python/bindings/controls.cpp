@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "bindings.hpp"
@@ -50,8 +51,9 @@ A control of one's own, made from a built-in one by a TOML file.
 
 The file names `name` and `base`, and may hold `title` and the tables `rules`, `parameters`, `calls`
 (codes that call programs) and `alarms`; each value alone, or with a `note` that says where it comes
-from. The same may stand in the table `control` of `cncsub.toml`. Raises `ValueError` for what no
-control can be, with the file and the key.
+from. Without a `name` it holds `base`, `rules` and `parameters` alone, and makes what `replace` and
+`with_parameters` make. The same may stand in the table `control` of `cncsub.toml`. Raises
+`ValueError` for what no control can be, with the file and the key.
 
 >>> import cncsub, pathlib, tempfile
 >>> file = pathlib.Path(tempfile.mkdtemp()) / "our-mill.toml"
@@ -69,6 +71,24 @@ control can be, with the file and the key.
 >>> text = "O1\nM60\nM30\nO9020\n#500=7\nM99\n"
 >>> cncsub.loads(text, control=control).run().variables[500]
 7.0
+)";
+constexpr const char* kToToml = R"(to_toml()
+
+The control as the TOML that `from_toml` reads: its base, and what differs.
+
+A changed control without a name of its own is written without one: it is its base with changes.
+Two controls are equal if they answer alike, wherever their answers come from.
+
+>>> import cncsub, pathlib, tempfile
+>>> control = cncsub.controls["fanuc-0i-f"].replace(max_nesting=3)
+>>> control
+<Control fanuc-0i-f + max_nesting=3: FANUC Series 0i-F>
+>>> control.to_toml().splitlines()
+['base = "fanuc-0i-f"', '', '[rules]', 'max_nesting = 3']
+>>> file = pathlib.Path(tempfile.mkdtemp()) / "shallow.toml"
+>>> _ = file.write_text(control.to_toml(), encoding="utf-8")
+>>> cncsub.Control.from_toml(file) == control
+True
 )";
 constexpr const char* kAbsent = R"(The groups of rules that the control does not have.
 
@@ -148,6 +168,20 @@ std::optional<double> number_of(const py::handle& value) {
   return large ? std::optional(std::numeric_limits<double>::infinity()) : std::nullopt;
 }
 
+/// The source of what a caller has changed.
+constexpr const char* kByCaller = "set by the caller";
+/// The evidence of what users say of their own machine, which is no document that we have seen.
+constexpr Evidence kBySomebody = Evidence::Secondary;
+
+/// Set the source of a parameter of a user's own control.
+void mark_parameter(Control& control, const std::string& name, const std::string& source) {
+  for (Parameter& known : control.parameters)
+    if (known.name == name) {
+      known.source = source;
+      known.evidence = kBySomebody;
+    }
+}
+
 std::shared_ptr<Control> with_parameters(const Control& control, const py::object& parameters) {
   if (!py::isinstance<py::dict>(parameters) && !py::hasattr(parameters, "items"))
     throw py::type_error("with_parameters takes a mapping such as {'6050': 70}, not " +
@@ -165,6 +199,7 @@ std::shared_ptr<Control> with_parameters(const Control& control, const py::objec
                            " takes a number, not " + shown(value));
     if (auto wrong = changed->set_parameter(key.cast<std::string>(), *number))
       throw py::value_error(*wrong);
+    if (!control.base.empty()) mark_parameter(*changed, key.cast<std::string>(), kByCaller);
   }
   return changed;
 }
@@ -186,13 +221,38 @@ const Control& base_of(const std::string& name) {
   throw py::value_error("no control is called '" + name + "'");
 }
 
+const Control& base_of(const Control& control) {
+  return base_of(control.base.empty() ? control.name : control.base);
+}
+
+/// Raise where no control has a rule of this name, with the names that are near.
+void check_rule_name(const Control& control, const std::string& name) {
+  const auto all = rules(Control());
+  if (std::any_of(all.begin(), all.end(), [&](const RuleView& rule) { return rule.name == name; }))
+    return;
+  py::list names;
+  for (const RuleView& rule : asked_rules(control)) names.append(rule.name);
+  const auto near =
+      py::module_::import("cncsub.controls")
+          .attr("did_you_mean")(name, names,
+                                "; `cncsub controls " + control.name + " --all` lists the rules");
+  throw py::value_error("no rule is named " + name + near.cast<std::string>());
+}
+
+/// Set a rule as a caller asks, or raise what is wrong with its name or its value.
+void change_rule(Control& control, const std::string& name, const RuleValue& value,
+                 const std::string& source, Evidence evidence) {
+  check_rule_name(control, name);
+  if (auto wrong = never_asked(control, name)) throw py::value_error(*wrong);
+  if (auto wrong = set_rule(control, name, value, source, evidence)) throw py::value_error(*wrong);
+}
+
 std::shared_ptr<Control> replace(const Control& control, const py::kwargs& changes) {
   auto changed = std::make_shared<Control>(control);
   for (const auto& [key, value] : changes) {
     const RuleValue to = rule_value(value);
     const auto name = key.cast<std::string>();
-    if (auto wrong = never_asked(control, name)) throw py::value_error(*wrong);
-    if (auto wrong = set_rule(*changed, name, to)) throw py::value_error(*wrong);
+    change_rule(*changed, name, to, kByCaller, Evidence::Inferred);
   }
   return changed;
 }
@@ -219,9 +279,6 @@ Evidence evidence_of(const std::string& text) {
   return Evidence::Inferred;
 }
 
-/// The evidence of what users say of their own machine, which is no document that we have seen.
-constexpr Evidence kBySomebody = Evidence::Secondary;
-
 void set_alarm(Control& control, const OwnAlarm& own) {
   for (std::size_t i = 0; i < all_causes().size(); ++i) {
     if (all_causes()[i].slug != own.slug) continue;
@@ -237,6 +294,10 @@ void set_alarm(Control& control, const OwnAlarm& own) {
   throw py::value_error("no cause is called " + own.slug);
 }
 
+Evidence evidence_of_own(const std::string& source) {
+  return source == kByCaller ? Evidence::Inferred : kBySomebody;
+}
+
 /// Make a control from a base with what differs, each difference with its source.
 std::shared_ptr<Control> own_control(const Control& base, const std::string& name,
                                      const std::string& title,
@@ -249,17 +310,11 @@ std::shared_ptr<Control> own_control(const Control& base, const std::string& nam
   control->title = title;
   for (const auto& [parameter, value, source] : parameters) {
     if (auto wrong = control->set_parameter(parameter, value)) throw py::value_error(*wrong);
-    for (Parameter& known : control->parameters)
-      if (known.name == parameter) {
-        known.source = source;
-        known.evidence = kBySomebody;
-      }
+    mark_parameter(*control, parameter, source);
   }
   for (const auto& [rule, value, source] : rules_of) {
     const RuleValue to = rule_value(value);
-    if (auto wrong = never_asked(*control, rule)) throw py::value_error(*wrong);
-    if (auto wrong = set_rule(*control, rule, to, source, kBySomebody))
-      throw py::value_error(*wrong);
+    change_rule(*control, rule, to, source, evidence_of_own(source));
   }
   for (const auto& [slug, number, text, source] : alarms)
     set_alarm(*control, {slug, number, text, source});
@@ -283,7 +338,7 @@ std::vector<OwnAlarmRow> own_alarms(const Control& control, const Control& base)
 // A changed control is pickled as its name and its changes, because the effects of parameters are
 // code.
 py::tuple state_of(const Control& control) {
-  const Control& base = base_of(control.base.empty() ? control.name : control.base);
+  const Control& base = base_of(control);
   Control again = base;
   py::dict parameters, changes;
   for (const Parameter& p : control.parameters)
@@ -319,9 +374,9 @@ std::shared_ptr<Control> control_of(const py::tuple& state) {
   for (const auto& [key, change] : py::dict(state[2])) {
     const auto reported = change.cast<py::tuple>();
     if (reported.size() != 3) throw py::value_error("this is no Control");
-    if (auto wrong =
-            set_rule(*control, key.cast<std::string>(), rule_value(reported[0]),
-                     reported[1].cast<std::string>(), own ? kBySomebody : Evidence::Inferred))
+    const auto source = reported[1].cast<std::string>();
+    if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(reported[0]), source,
+                              own ? evidence_of_own(source) : Evidence::Inferred))
       throw py::value_error(*wrong);
     std::vector<EntrySource> entries;
     for (const auto& [entry, origin] : py::dict(reported[2])) {
@@ -331,6 +386,60 @@ std::shared_ptr<Control> control_of(const py::tuple& state) {
     tell_entries(*control, key.cast<std::string>(), entries);
   }
   return control;
+}
+
+template <class T>
+bool is_by_caller(const Rule<T>& rule) {
+  return rule.source == kByCaller ||
+         std::any_of(rule.entries.begin(), rule.entries.end(),
+                     [](const EntrySource& entry) { return entry.source == kByCaller; });
+}
+
+/// Return whether a caller has changed a control since its file or its maker described it.
+bool is_changed(const Control& control) {
+#define RULE(group, type, name, value, meaning) \
+  if (is_by_caller(control.group.name)) return true;
+#include "cncsub/control/rules.def"
+  const Control& base = base_of(control);
+  return std::any_of(control.parameters.begin(), control.parameters.end(),
+                     [&](const Parameter& parameter) {
+                       if (!control.base.empty()) return parameter.source == kByCaller;
+                       return parameter.value != base.parameter(parameter.name);
+                     });
+}
+
+/// Return the name of a control, with what a caller has changed.
+std::string whole_name(const Control& control) {
+  if (!is_changed(control)) return control.name;
+  return py::module_::import("cncsub.control_changes")
+      .attr("name_of")(control.name, std::make_shared<Control>(control))
+      .cast<std::string>();
+}
+
+/// Return whether two controls answer alike; where their answers come from does not count.
+bool are_equal(const Control& a, const Control& b) {
+  if (&a == &b) return true;
+  if (a.name != b.name || a.base != b.base || a.title != b.title) return false;
+#define RULE(group, type, name, value_of, meaning) \
+  if (!(a.group.name.value == b.group.name.value)) return false;
+#include "cncsub/control/rules.def"
+  const auto same_value = [](const Parameter& one, const Parameter& other) {
+    return one.name == other.name && one.value == other.value;
+  };
+  const auto same_alarm = [](const auto& one, const auto& other) {
+    return one.first == other.first && one.second.number == other.second.number &&
+           one.second.text == other.second.text;
+  };
+  return std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(),
+                    b.parameters.end(), same_value) &&
+         std::equal(a.alarms.begin(), a.alarms.end(), b.alarms.begin(), b.alarms.end(), same_alarm);
+}
+
+py::ssize_t hash_of(const Control& control) {
+  py::list values;
+  for (const RuleView& rule : rules(control)) values.append(value_of(rule));
+  for (const Parameter& parameter : control.parameters) values.append(parameter.value);
+  return py::hash(py::make_tuple(control.name, control.base, control.title, py::tuple(values)));
 }
 
 std::string written(double number) { return py::str("{:g}").format(number).cast<std::string>(); }
@@ -455,7 +564,7 @@ void add_controls(py::module_& m) {
   py::options plain;
   plain.disable_function_signatures();
   py::class_<Control, std::shared_ptr<Control>>(m, "Control", py::is_final())
-      .def_readonly("name", &Control::name)
+      .def_property_readonly("name", &whole_name)
       .def_readonly("title", &Control::title)
       .def_readonly("dialect", &Control::dialect)
       .def_property_readonly("base",
@@ -527,6 +636,21 @@ void add_controls(py::module_& m) {
             return py::module_::import("cncsub.own_control").attr("from_toml")(path);
           },
           py::arg("path"), kFromToml)
+      .def(
+          "to_toml",
+          [](const py::object& c) {
+            return py::module_::import("cncsub.control_changes").attr("to_toml")(c);
+          },
+          kToToml)
+      .def(
+          "__eq__",
+          [](const Control& c, const py::object& other) -> py::object {
+            if (!py::isinstance<Control>(other))
+              return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+            return py::bool_(are_equal(c, other.cast<const Control&>()));
+          },
+          py::arg("value"))
+      .def("__hash__", &hash_of)
       .def("__copy__", [](const Control& c) { return std::make_shared<Control>(c); })
       .def(
           "__deepcopy__",
@@ -537,7 +661,7 @@ void add_controls(py::module_& m) {
              return py::make_tuple(again, py::make_tuple(state_of(c)));
            })
       .def("__repr__",
-           [](const Control& c) { return "<Control " + c.name + ": " + c.title + ">"; });
+           [](const Control& c) { return "<Control " + whole_name(c) + ": " + c.title + ">"; });
   m.def("controls", [] {
     std::vector<std::shared_ptr<Control>> list;
     for (const Control& control : all_controls())

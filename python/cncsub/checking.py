@@ -203,12 +203,16 @@ def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
 
 
 def check(
-    code: _core.Code, main: int, rules: Iterable[str] | None, machine: str | None
+    code: _core.Code,
+    main: int,
+    rules: Iterable[str] | None,
+    machine: str | None,
+    entries: Sequence[int] = (),
 ) -> list[Finding]:
     """Return the findings of the chosen rules, by their places."""
     chosen = chosen_rules(rules)
     told = _core.told_for(code.control)
-    found = (_finding(told, *row) for row in _core.check(code, main, machine or ""))
+    found = (_finding(told, *row) for row in _core.check(code, main, machine or "", entries))
     return [finding for finding in found if finding.rule in chosen]
 
 

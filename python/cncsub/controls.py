@@ -97,7 +97,7 @@ class Named(Mapping[str, T]):
         return f"<{len(self)} {self._what}s: {', '.join(self)}>"
 
 
-controls: Mapping[str, Control] = Named("control", lambda: {c.name: c for c in _core.controls()})
+controls: Mapping[str, Control] = Named("control", lambda: {c.base: c for c in _core.controls()})
 """Every control by its name, in listing order.
 
 >>> import cncsub

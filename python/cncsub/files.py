@@ -443,6 +443,23 @@ def _decoded_as(encoding: str, data: Data, errors: str = "strict") -> list[str |
     return [clean(piece) for piece in pieces]
 
 
+def text_pieces(text: object, encoding: str | None = None) -> list[str | Data]:
+    """Return the text of a program in pieces: a text, or bytes that are decoded as those of a file.
+
+    Raises `TypeError` for anything else.
+    """
+    if isinstance(text, bytes | bytearray | memoryview):
+        return decoded(bytes(text), encoding)
+    if isinstance(text, str):
+        return cut(text.removeprefix("\ufeff"))  # a byte order mark that somebody has decoded
+    raise TypeError(f"the text of a program is a text or bytes, not {type(text).__name__}")
+
+
+def stem_of(name: str) -> str:
+    """Return what names a program without a name of its own: the stem of its file."""
+    return clean(os.path.splitext(os.path.basename(name))[0])  # noqa: PTH119, PTH122
+
+
 def cut(text: str) -> list[str | Data]:
     """Return the text in pieces, without lone surrogates."""
     return [clean(text[at : at + _PIECE]) for at in range(0, len(text), _PIECE)]

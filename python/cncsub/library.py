@@ -10,8 +10,8 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import TEXT, CoreFile, clean, cut
-from cncsub.program import Program, find_program
+from cncsub.files import TEXT, CoreFile, clean, cut, stem_of, text_pieces
+from cncsub.program import Program, find_program, named_like
 from cncsub.run import Machine, Run
 from cncsub.run_options import (
     FlattenOptions,
@@ -32,6 +32,9 @@ if TYPE_CHECKING:
     from cncsub.analysis.notes import Note
     from cncsub.checking import Finding, Flow
     from cncsub.references import CallGraph
+
+# A file of the memory: its name, its stem, its text in UTF-8, and whether it is external.
+_Source = tuple[str, str, bytes, bool]
 
 _NEAR = 5000  # names that are compared with an unknown one
 
@@ -205,7 +208,60 @@ class Library(Mapping[str, Program]):
         'gsk-988ta'
         """
         known = control_of(control)
-        return self._read_again(known, self.code.sources)
+        return self._read_again(known, self.code.sources, self._files, self._first)
+
+    def with_program(self, text: str | bytes, *, name: str | None = None) -> Library:
+        """Return this memory with one program in place of the one of its name, or added where there
+        is none. Every other program stays as it is, with its file and its lines, and so do the
+        control, the external device and the main program.
+
+        `text` is one program. `name` is what its file would be called; its stem names a program
+        without a name of its own. Raises `ValueError` for a text of no program or of several.
+
+        >>> import cncsub
+        >>> job = {"O1.nc": "O1\\nM98 P9000\\nM30\\n", "O9000.nc": "O9000\\n#500=1\\nM99\\n"}
+        >>> library = cncsub.loads(job, control="fanuc-0i-f")
+        >>> stub = library.with_program("O9000\\n#500=2\\nM99\\n")
+        >>> library.run().variables[500], stub.run().variables[500]
+        (1.0, 2.0)
+        >>> stub.files
+        ('O1.nc', '<text>')
+        """
+        shown = TEXT if name is None else clean(name)
+        file: CoreFile = (shown, stem_of(name or ""), text_pieces(text), False)
+        new = _core.compile(self.control, [file], False)
+        own = [place for place in range(len(new)) if not new.program(place).inside]
+        if len(own) != 1 or not new.program(own[0]).name:
+            raise ValueError(_not_one([new.program(place).name for place in own]))
+        sources, files = list(self.code.sources), list(self._files)
+        place = find_program(self.code, new.program(own[0]).name)
+        at = sum(not outside for *_, outside in sources)  # after the others of the memory
+        if place >= 0:
+            at = self._taken_out(self.code.program(place), sources, files)
+        sources.insert(at, new.sources[0])
+        files.insert(min(at, len(files)), shown)
+        main = self.main
+        first = None if main is None else main.name
+        return self._read_again(self.control, sources, files, first)
+
+    def _taken_out(
+        self, old: _core.ProgramData, sources: list[_Source], files: list[str]
+    ) -> int:
+        """Take a program out of the files, and return where its file stood. In a file that holds
+        others too, blanks stand in its place, so that each of those keeps its lines.
+        """
+        if old.inside:
+            raise ValueError(f"{old.name} is a part of {old.file}: replace that program as a whole")
+        at, begin, end = old.span
+        name, stem, text, outside = sources[at]
+        others = (self.code.program(place) for place in range(len(self.code)))
+        if all(each.span == old.span or each.span[0] != at for each in others):
+            del sources[at]
+            files.remove(name)
+            return at
+        blank = bytes(letter if letter in b"\r\n" else 0x20 for letter in text[begin:end])
+        sources[at] = (name, stem, text[:begin] + blank + text[end:], outside)
+        return at
 
     def with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
         """Return the memory of another control with other texts in its files."""
@@ -218,32 +274,36 @@ class Library(Mapping[str, Program]):
             )
             for n, stem, data, outside in self.code.sources
         ]
-        return self._read_again(control, sources)
+        return self._read_again(control, sources, self._files, self._first)
 
     def _read_again(
-        self, control: Control, sources: Sequence[tuple[str, str, bytes, bool]]
+        self, control: Control, sources: Sequence[_Source], files: Sequence[str], first: str | None
     ) -> Library:
         return read_again(
             control,
             sources,
             self.code.external_device,
-            self._files,
+            files,
             self.left_out,
-            self._first,
+            first,
             self.code.general_only,
         )
 
-    def call_graph(self) -> CallGraph:
-        """Return the calls between programs, found without a run: see `CallGraph`."""
+    def call_graph(self, *, entry: Iterable[str] = ()) -> CallGraph:
+        """Return the calls between programs, found without a run: see `CallGraph`. `entry` is as
+        for `check`.
+        """
         from cncsub.references import call_graph  # not imported before it is asked for
 
-        return call_graph(self.code)
+        main = self.main
+        starts = [] if main is None else [main.index]
+        return call_graph(self.code, [*starts, *named_like(self.code, entry)])
 
-    def plot(self, *, title: str | None = None) -> Figure:
+    def plot(self, *, title: str | None = None, entry: Iterable[str] = ()) -> Figure:
         """Draw the call graph as a figure of plotly (`cncsub[plot]`): a point for each program, the
         main program on the left, an arrow for the calls from one to another; missing programs and
         computed names are circles. Of a large library 250 programs are drawn, and the picture says
-        so. Raises `ImportError` without plotly.
+        so. `entry` is as for `check`. Raises `ImportError` without plotly.
 
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2\\nM30\\nO2\\nM98 P9\\nM99\\n"
@@ -253,7 +313,7 @@ class Library(Mapping[str, Program]):
         """
         from cncsub.plot.graph import graph_figure
 
-        return graph_figure(self, title=title)
+        return graph_figure(self, title=title, entry=entry)
 
     @cached_property
     def _flows(self) -> _core.Flows:
@@ -273,13 +333,16 @@ class Library(Mapping[str, Program]):
         rules: Iterable[str] | None = None,
         *,
         setup: Setup | Mapping[str, Any] | None = None,
+        entry: Iterable[str] = (),
     ) -> list[Finding]:
         """Return what the control would refuse or what will surprise, in any block, reached or not,
         without a run: see `Finding`; `cncsub.checking.RULES` lists the rules.
 
         `main`: the program that is run first, the first one without it. `rules`: the numbers
         (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
-        `setup`: tells the kind of machine. A comment `(cncsub: ignore CS201)` switches a rule off
+        `setup`: tells the kind of machine. `entry`: the programs that something outside of the
+        memory calls, such as a machine or an operator, by their names or by patterns (`O90*`): they
+        are not reported as never called, and may be given arguments. A comment `(cncsub: ignore CS201)` switches a rule off
         for its line.
 
         Raises `KeyError` for an unknown `main` or rule.
@@ -288,13 +351,17 @@ class Library(Mapping[str, Program]):
         >>> library = cncsub.loads("O1\\nN10 M98 P9\\nN20 M30\\n", control="fanuc-0i-f")
         >>> [(f.rule, f.name, f.n, f.alarm.number) for f in library.check()]
         [('CS201', 'program-missing', 10, 'PS0076')]
+        >>> macros = cncsub.loads("O1\\nM30\\nO9010\\n#100=#1\\nM99\\n", control="fanuc-0i-f")
+        >>> [f.rule for f in macros.check()], macros.check(entry=["O90*"])
+        (['CS302'], [])
         """
         program = self.main
         first = self._find(main) if main is not None else None if program is None else program.index
         kind = (setup_of(setup) or {}).get("machine")
         from cncsub.checking import check
 
-        return check(self.code, -1 if first is None else first, rules, kind)
+        entries = named_like(self.code, entry)
+        return check(self.code, -1 if first is None else first, rules, kind, entries)
 
     @takes(FlattenOptions)
     def flatten(
@@ -400,7 +467,7 @@ class Library(Mapping[str, Program]):
 
 def read_again(
     control: Control,
-    sources: Sequence[tuple[str, str, bytes, bool]],
+    sources: Sequence[_Source],
     external_device: bool,
     files: Sequence[str],
     skipped: Sequence[tuple[str, str]],
@@ -411,6 +478,13 @@ def read_again(
     code = _core.compile(control, rows, external_device, general_only=general_only)
     known = first is not None and find_program(code, first) >= 0
     return Library(code, files, skipped, first if known else None)
+
+
+def _not_one(names: Sequence[str]) -> str:
+    """Return why a text is not the text of one program."""
+    if len(names) > 1:
+        return f"with_program takes one program; this text holds {', '.join(names)}"
+    return "with_program takes a program with a name: begin it with O1000, or give name="
 
 
 def _listing(names: Sequence[str]) -> str:

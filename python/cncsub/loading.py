@@ -3,13 +3,23 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.controls import control_of
-from cncsub.files import TEXT, CoreFile, StrPath, check_encoding, clean, cut, decoded, read_paths
+from cncsub.files import (
+    TEXT,
+    CoreFile,
+    StrPath,
+    check_encoding,
+    clean,
+    read_paths,
+    stem_of,
+    text_pieces,
+)
 from cncsub.library import Library, read_again
 from cncsub.option_errors import carrying
 
@@ -70,41 +80,60 @@ def load_with(
 
 
 def loads(
-    text: str | bytes,
+    text: str | bytes | Sequence[str | bytes] | Mapping[str, str | bytes],
     control: str | Control,
     external: StrPath | None = None,
     name: str | None = None,
     encoding: str | None = None,
     general_only: bool = False,
 ) -> Library:
-    """Read one text as the memory of a control: one program or several, as they would stand in a
-    file.
+    """Read texts as the memory of a control: one text, a list of texts, or texts by the names of
+    their files. A text holds one program or several, as they would stand in a file.
 
-    `name` is what the file would be called; its stem names a program that has no name of its own.
-    `external`, `encoding` and `general_only` are as for `load`.
+    `name` is what the file of one text would be called; the stem of the name of a file names a
+    program that has no name of its own. `external`, `encoding` and `general_only` are as for
+    `load`.
 
     >>> import cncsub
     >>> cncsub.loads("N10 M30\\n", control="gsk-988ta", name="T0023.CNC").main.name
     'T0023'
+    >>> library = cncsub.loads(["O1\\nM98 P2\\nM30\\n", "O2\\nM99\\n"], control="fanuc-0i-f")
+    >>> list(library), library.files
+    (['O1', 'O2'], ('<text 1>', '<text 2>'))
+    >>> list(cncsub.loads({"main.nc": "M98 P2\\nM30\\n", "O2": "M99\\n"}, control="fanuc-0i-f"))
+    ['main', 'O2']
     """
     known = control_of(control)
     check_encoding(encoding)
-    if isinstance(text, bytes | bytearray | memoryview):
-        pieces = decoded(bytes(text), encoding)
-    elif isinstance(text, str):
-        pieces = cut(text.removeprefix("\ufeff"))  # a byte order mark that somebody has decoded
-    else:
+    texts = _texts(text, name)
+    files: list[CoreFile] = [
+        (shown, stem, text_pieces(of, encoding), False) for shown, stem, of in texts
+    ]
+    outside, skipped = _external_files(external, encoding)
+    code = _core.compile(
+        known, [*files, *outside], external is not None, general_only=bool(general_only)
+    )
+    return Library(code, [shown for shown, _, _ in texts], skipped)
+
+
+def _texts(text: Any, name: object) -> list[tuple[str, str, Any]]:
+    """Return the texts that `loads` was given, each with the name of its file and the stem."""
+    if name is not None and not isinstance(name, str):
+        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
+    if isinstance(text, str | bytes | bytearray | memoryview):
+        return [(TEXT if name is None else clean(name), stem_of(name or ""), text)]
+    if isinstance(text, os.PathLike) or not isinstance(text, Sequence | Mapping):
         raise TypeError(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
         )
-    outside, skipped = _external_files(external, encoding)
-    if name is not None and not isinstance(name, str):
-        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
-    stem = clean(os.path.splitext(os.path.basename(name or ""))[0])  # noqa: PTH119, PTH122
-    shown = TEXT if name is None else clean(name)
-    files: list[CoreFile] = [(shown, stem, pieces, False), *outside]
-    code = _core.compile(known, files, external is not None, general_only=bool(general_only))
-    return Library(code, [shown], skipped)
+    if name is not None:
+        raise TypeError("name is of one text; loads takes several as a mapping from name to text")
+    if isinstance(text, Mapping):
+        for of in text:
+            if not isinstance(of, str):
+                raise TypeError(f"texts by the names of their files: {of!r} is no name")
+        return [(clean(of), stem_of(of), each) for of, each in text.items()]
+    return [(f"{TEXT[:-1]} {place}>", "", each) for place, each in enumerate(text, 1)]
 
 
 def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Library:

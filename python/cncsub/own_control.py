@@ -9,10 +9,13 @@ from pathlib import Path
 from typing import Any
 
 from cncsub import _core
+from cncsub.control_changes import WITHOUT_NOTE, own_title
 from cncsub.controls import Control, causes, control_of, controls, did_you_mean
 from cncsub.setup import from_toml as read_toml
 
 KEYS = ("name", "base", "title", "rules", "parameters", "calls", "alarms")
+_TABLES = ("rules", "parameters")
+_OF_ANY = ("base", *_TABLES)  # what a control without a name of its own may have
 _NAME = re.compile(r"[a-z0-9][a-z0-9._-]{0,63}")
 _CODE = re.compile(r"[GM][1-9][0-9]{0,3}|[STB]")
 _CALL = re.compile(r"(call|macro-call|modal-call|modal-call-every-block):[1-9][0-9]{0,7}")
@@ -41,11 +44,13 @@ def own_control(told: Any, file: str) -> Control:
     for key in told:
         if key not in KEYS:
             raise ValueError(f"a control of one's own has no {key!r}{did_you_mean(key, KEYS)}")
+    if "name" not in told and "base" in told:
+        return _changed(told)
     name, base = _name(told), _base(told)
-    title = told.get("title", f"{name} ({base.title})")
+    title = told.get("title", own_title(name, base))
     if not isinstance(title, str) or not title.isprintable():
         raise ValueError(f"title is a text that can be printed, not {title!r}")
-    nobody = f"as {file} says, without a note"
+    nobody = WITHOUT_NOTE.format(file)
     tables = {key: _noted(told.get(key, {}), key, nobody) for key in KEYS[3:]}
     rules = [(rule, _rule_value(rule, value), note) for rule, value, note in tables["rules"]]
     calls = [(code, _call(code, to), note) for code, to, note in tables["calls"]]
@@ -55,6 +60,26 @@ def own_control(told: Any, file: str) -> Control:
     parameters = [(number, _number(number, of), note) for number, of, note in tables["parameters"]]
     alarms = [(_cause(slug), *_alarm(slug, of), note) for slug, of, note in tables["alarms"]]
     return _core.own_control(base, name, title, rules, parameters, alarms)
+
+
+def _changed(told: Mapping[str, Any]) -> Control:
+    """Return the control of a table without a name: a built-in one with other values."""
+    base = _base(told)
+    for key in told:
+        if key not in _OF_ANY:
+            raise ValueError(f'{key} needs a control with a name of its own: give name = "our-mill"')
+    for key in _TABLES:
+        if key in told and not isinstance(told[key], dict):
+            raise ValueError(f"{key} is a table, not {told[key]!r}")
+        for name, value in told.get(key, {}).items():
+            if isinstance(value, dict | list):
+                raise ValueError(
+                    f"{key}.{name} is a value: notes are for a control with a name of its own,"
+                    ' such as name = "our-mill"'
+                )
+    parameters, rules = told.get("parameters", {}), told.get("rules", {})
+    changed = base.with_parameters({name: _number(name, of) for name, of in parameters.items()})
+    return changed.replace(**{rule: _rule_value(rule, of) for rule, of in rules.items()})
 
 
 def _name(told: Mapping[str, Any]) -> str:
@@ -80,22 +105,24 @@ def _noted(told: Any, key: str, nobody: str) -> Iterator[tuple[str, Any, str]]:
     """Yield the entries of a table, each with its value and its note."""
     if not isinstance(told, dict):
         raise ValueError(f"{key} is a table, not {told!r}")
-    for name, value in told.items():
-        if not isinstance(value, dict):
-            yield name, value, nobody
-            continue
-        of = dict(value)
-        note = of.pop("note", nobody)
-        if not isinstance(note, str) or not note.isprintable():
-            raise ValueError(f"{key}.{name}: a note is a text that can be printed, not {note!r}")
-        if key == "alarms":
-            yield name, of, note
-            continue
-        if set(of) != {"value"}:
-            raise ValueError(
-                f'{key}.{name} is a value, or {{value = ..., note = "..."}}, not {value!r}'
-            )
-        yield name, of["value"], note
+    for name, told_of in told.items():
+        for value in told_of if isinstance(told_of, list) and key == "rules" else [told_of]:
+            yield name, *_value_and_note(value, f"{key}.{name}", nobody, key == "alarms")
+
+
+def _value_and_note(value: Any, name: str, nobody: str, is_alarm: bool) -> tuple[Any, str]:
+    """Return a value of a table and its note; of an alarm its table without the note."""
+    if not isinstance(value, dict):
+        return value, nobody
+    of = dict(value)
+    note = of.pop("note", nobody)
+    if not isinstance(note, str) or not note.isprintable():
+        raise ValueError(f"{name}: a note is a text that can be printed, not {note!r}")
+    if is_alarm:
+        return of, note
+    if set(of) != {"value"}:
+        raise ValueError(f'{name} is a value, or {{value = ..., note = "..."}}, not {value!r}')
+    return of["value"], note
 
 
 def _rule_value(rule: str, value: Any) -> bool | int | str:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import fnmatch
 import operator
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple, overload
@@ -25,6 +27,27 @@ def find_program(code: _core.Code, name: object) -> int:
         raise TypeError(f"a program is called by its name or number, not by {name!r}")
     number = operator.index(name)
     return code.find(number) if 0 <= number < 2**63 else -1  # the engine counts to 64 bits
+
+
+def named_like(code: _core.Code, patterns: Iterable[str]) -> list[int]:
+    """Return the places of the programs whose names are among these, or match them (`O90*`).
+
+    A pattern that no program matches gives none: a project names programs of all its folders.
+    """
+    if isinstance(patterns, str):
+        raise TypeError(f"entry is a list of names such as ['O90*'], not the text {patterns!r}")
+    found: dict[int, None] = {}
+    for pattern in patterns:
+        if not isinstance(pattern, str):
+            raise TypeError(f"entry holds names such as 'O90*', not {pattern!r}")
+        place = find_program(code, pattern)
+        if place >= 0:
+            found[place] = None
+        if not frozenset("*?[").isdisjoint(pattern):
+            like = re.compile(fnmatch.translate(pattern.upper()))
+            names = zip(code.places(), code.names(), strict=True)
+            found.update((place, None) for place, name in names if like.match(name.upper()))
+    return list(found)
 
 
 class Word(NamedTuple):

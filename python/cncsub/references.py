@@ -131,8 +131,9 @@ class CallGraph:
     """The calls of a library, as its blocks are written.
 
     `programs`: the names of all programs. `edges`: every call, in the order of the blocks. `roots`:
-    programs that no call names. `unreached`: programs that no chain of calls from the main program
-    leads to; a call whose program is computed may lead anywhere: see `computed`. `cycles`: chains
+    programs that no call names. `unreached`: programs that no chain of calls from the main program,
+    or from an `entry`, leads to; a call whose program is computed may lead anywhere: see
+    `computed`. `cycles`: chains
     of calls that come back to their start, one for each group of programs that call each other; a
     program that calls itself is one of one name. `deepest`: for each kind of call, and for `"any"`,
     the longest chain of such calls, which goes round no cycle. `missing`: calls of programs that do
@@ -255,8 +256,10 @@ def _quoted(text: str) -> str:
     return f'"{escaped}"'
 
 
-def call_graph(code: _core.Code) -> CallGraph:
-    """Return the graph of all programs of a memory and its external device."""
+def call_graph(code: _core.Code, starts: Iterable[int]) -> CallGraph:
+    """Return the graph of all programs of a memory and its external device. `starts`: the main
+    program, and those that something outside calls.
+    """
     data = [code.program(index) for index in range(len(code))]
     names = tuple(program.name for program in data)
     files = [program.file for program in data]
@@ -281,7 +284,7 @@ def call_graph(code: _core.Code) -> CallGraph:
             every[caller].update(programs)
     graph = _Graph(every)
     called = {to for each in every for to in each}
-    reached = graph.reached(code.main)
+    reached = graph.reached(starts)
     deepest = {kind: _Graph(each).deepest() for kind, each in ways.items()}
     if ways:
         deepest["any"] = graph.deepest()
@@ -304,8 +307,8 @@ class _Graph:
         self._groups: list[list[int]] = []
         self._walk()
 
-    def reached(self, start: int | None) -> set[int]:
-        found = set() if start is None else {start}
+    def reached(self, starts: Iterable[int]) -> set[int]:
+        found = set(starts)
         waiting = list(found)
         while waiting:
             new = [to for to in self.next[waiting.pop()] if to not in found]

@@ -65,10 +65,10 @@ Callers::Callers(const std::vector<ProgramFlow>& flows) : first_(flows.size() + 
       edges_[place[static_cast<std::size_t>(edge.called)]++] = &edge;
 }
 
-Checker::Checker(const Code& code, std::int32_t main, const std::string& machine,
+Checker::Checker(const Code& code, const Starts& starts, const std::string& machine,
                  InterruptCheck& interrupt)
     : code(code),
-      main(main),
+      main(starts.main),
       machine(machine_of(*code.control, machine)),
       g_codes(*code.control, this->machine),
       flows(flow_of(code, interrupt)),
@@ -76,7 +76,10 @@ Checker::Checker(const Code& code, std::int32_t main, const std::string& machine
       named(code.programs.size()),
       interrupt_(interrupt),
       callers_(flows),
-      called_by_another_(code.programs.size()) {
+      called_by_another_(code.programs.size()),
+      entered_(code.programs.size()) {
+  for (const std::int32_t entry : starts.entries)
+    entered_.at(static_cast<std::size_t>(entry)) = true;
   for (const ProgramFlow& flow : flows)
     for (const CallEdge& edge : flow.calls())
       if (edge.caller != edge.called)
@@ -227,9 +230,9 @@ std::vector<Finding> Checker::take() {
   return std::move(findings_);
 }
 
-std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
+std::vector<Finding> check(const Code& code, const Starts& starts, const std::string& machine,
                            InterruptCheck& interrupt) {
-  Checker checker(code, main, machine, interrupt);
+  Checker checker(code, starts, machine, interrupt);
   for (const auto& part : {check_refusals, check_targets, check_reach, check_nesting, check_modes,
                            check_variables, check_labels, check_logic, check_values, check_drilling,
                            check_counting, check_read_ahead, check_writing}) {

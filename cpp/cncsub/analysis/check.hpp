@@ -61,10 +61,16 @@ struct Finding {
   std::vector<FoundAgain> again;   // the other places of the same cause, by their blocks
 };
 
-/// Return all findings, by their blocks, one for each cause. `main` is the program that is run
-/// first, kNoProgram where none is named. `machine` is its kind, empty for the control's own. After
-/// an interrupt the findings are not complete.
-std::vector<Finding> check(const Code& code, std::int32_t main, const std::string& machine,
+/// The programs that start a run: the one that is run first, kNoProgram where none is named, and
+/// those that are called from outside of the memory, by a machine or an operator.
+struct Starts {
+  std::int32_t main = kNoProgram;
+  std::vector<std::int32_t> entries;
+};
+
+/// Return all findings, by their blocks, one for each cause. `machine` is its kind, empty for the
+/// control's own. After an interrupt the findings are not complete.
+std::vector<Finding> check(const Code& code, const Starts& starts, const std::string& machine,
                            InterruptCheck& interrupt);
 
 }  // namespace cncsub

@@ -33,7 +33,7 @@ class Callers {
 /// The input of the parts of a check, and the findings that they add.
 class Checker {
  public:
-  Checker(const Code& code, std::int32_t main, const std::string& machine,
+  Checker(const Code& code, const Starts& starts, const std::string& machine,
           InterruptCheck& interrupt);
 
   const Code& code;
@@ -66,6 +66,9 @@ class Checker {
     return callers_.of(static_cast<std::size_t>(index));
   }
   bool is_called(std::int32_t index) const { return !callers_of(index).empty(); }
+  /// Return whether something outside of the memory calls a program: its arguments and the modes
+  /// it begins with are unknown.
+  bool is_entry(std::int32_t index) const { return entered_[static_cast<std::size_t>(index)]; }
   /// Return whether another program calls it.
   bool is_called_by_another(std::int32_t index) const {
     return called_by_another_[static_cast<std::size_t>(index)];
@@ -98,6 +101,7 @@ class Checker {
   InterruptCheck& interrupt_;
   Callers callers_;
   std::vector<bool> called_by_another_;
+  std::vector<bool> entered_;  // by program: called from outside
   std::vector<Finding> findings_;
   std::unordered_map<std::string, std::size_t> causes_;  // the index of its finding, by cause
   std::string next_cause_;                               // that `known` was given

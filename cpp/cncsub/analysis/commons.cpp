@@ -165,8 +165,8 @@ void CommonCheck::run() {
   find_written();
   if (written_.empty()) return;
   for (const ProgramFlow& flow : c_.flows) {
-    const bool main =
-        !c_.is_called(flow.program()) && (flow.ever_ends() || flow.program() == c_.main);
+    const bool main = !c_.is_called(flow.program()) && !c_.is_entry(flow.program()) &&
+                      (flow.ever_ends() || flow.program() == c_.main);
     if (!main || c_.inside(flow) || flow.has_labels() || !find_asked(flow)) continue;
     calls_at_ = calls_by_block(flow);
     for (std::size_t first = 0; first < std::min(asked_.size(), kMostAsked); first += kMostBits)

@@ -239,6 +239,7 @@ void check_never_called(Checker& c, const ProgramFlow& flow) {
   const Program& program = c.program(flow.program());
   const bool only_called = flow.ever_returns() && !flow.ever_ends();
   const bool called = c.is_called(flow.program()) || flow.program() == c.main ||
+                      c.is_entry(flow.program()) ||
                       c.named[static_cast<std::size_t>(flow.program())];
   if (!only_called || called || program.duplicate_of != kNoProgram || c.flows.size() <= 1) return;
   const Block& first = c.code.blocks[flow.first()];

@@ -71,13 +71,15 @@ Bits VacantCheck::vacant_in(const CallEdge& edge) const {
   const bool plain = kind == CallKind::Subprogram || kind == CallKind::Local;
   const ProgramFlow& caller = c_.flow(edge.caller);
   const LocalUse& of = uses_.of_program(edge.caller);
-  const bool known = plain && !of.any && !c_.is_called(edge.caller) && caller.ever_ends();
+  const bool known = plain && !of.any && !c_.is_called(edge.caller) && !c_.is_entry(edge.caller) &&
+                     caller.ever_ends();
   return known && c_.code.calls[edge.record].arguments == 0 ? locals_ & ~of.writes : 0;
 }
 
 VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   const auto callers = c_.callers_of(flow.program());
   Vacant entry{uses_.named(), uses_.named(), true};
+  if (c_.is_entry(flow.program())) return entry;
   if (callers.empty()) {
     // The callers of a subprogram that is not called here are unknown.
     if (flow.ever_ends() || !flow.ever_returns()) entry = {locals_, locals_, true};

@@ -27,6 +27,7 @@ from cncsub.loading import loads
 from cncsub.option_errors import wrong_value
 from cncsub.run_options import MdiOptions, stated, takes
 from cncsub.setup import Setup
+from cncsub.tables.table import optional_module
 
 EACH = ("file", "beside", "folder")
 LIMITS: MdiOptions = {"max_blocks": 1_000_000, "max_seconds": 10.0, "max_memory": 1 << 29}
@@ -75,7 +76,7 @@ def run_many(
     `time` of machining in s, `seconds` of the computer, `error`. `status` is `ran`, `alarm`,
     `waiting`, `limit`, `cycles`, `unreadable` or `crashed`; a bad file is a row, never an error.
     What folders hold besides programs is counted by reason in the schema's `cncsub.skipped`.
-    `progress` shows a bar on a terminal.
+    `progress` shows a bar on a terminal (`cncsub[cli]`).
 
     Raises `ValueError` and `TypeError` for wrong options, `ImportError` without `cncsub[arrow]`.
 
@@ -106,11 +107,12 @@ def check_many(
     progress: bool = False,
     rules: Iterable[str] | None = None,
     setup: Setup | Mapping[str, Any] | None = None,
+    entry: Iterable[str] = (),
 ) -> Any:
     """Check every program file of some files and folders: a row for each finding, and one for each
     file that cannot be read. A file without findings has no row, unless it is `foreign`.
 
-    `rules` and `setup` are those of `Library.check`, the other arguments those of `run_many`, and
+    `rules`, `setup` and `entry` are those of `Library.check`, the other arguments those of `run_many`, and
     so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`,
     `unreadable`, `crashed`, or `foreign` where nothing is found in a language that no control
     reads), those of a `Finding`, with the number of its alarm, and `error`.
@@ -119,10 +121,11 @@ def check_many(
     >>> cncsub.check_many([], control="fanuc-0i-f").column_names[:4]
     ['path', 'control', 'status', 'rule']
     """
-    asked = {"rules": rules, "setup": setup}
+    entry = entry if isinstance(entry, str) else tuple(entry)
+    asked = {"rules": rules, "setup": setup, "entry": entry or None}
     options = {name: value for name, value in asked.items() if value is not None}
     task = _task("check", control, each, external, encoding, options)
-    loads("", control=task.control).check(rules=rules, setup=setup)  # wrong options are told now
+    loads("", control=task.control).check(rules=rules, setup=setup, entry=entry)  # wrong options are told now
     return _batch(task, paths, executor, jobs, out, progress)
 
 
@@ -338,10 +341,10 @@ def _bar(wanted: bool) -> Iterator[Any]:
     if not (wanted and sys.stderr.isatty()):
         yield lambda count: None
         return
-    from rich.console import Console
+    console = optional_module("rich.console").Console(stderr=True)
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (BarColumn(), TextColumn("{task.completed:.0f} jobs"), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+    with Progress(*columns, console=console, transient=True) as bar:
         row = bar.add_task("", total=None)
         yield lambda count: bar.advance(row, count)

@@ -114,7 +114,7 @@ def _rows(options: Mapping[str, Any], project: Project) -> Any:
         limits = {name: options[name] for name in ("max_blocks", "max_seconds")}
         return run_many(paths, **shared, **limits)
     asked = chosen_rules(None) - project.ignore
-    return check_many(paths, **shared, rules=sorted(asked))
+    return check_many(paths, **shared, rules=sorted(asked), entry=project.entry)
 
 
 def _tell(rows: Any, format: BatchFormat, severities: Mapping[str, str]) -> dict[str, int]:

@@ -23,6 +23,7 @@ from cncsub.cli.options import (
     Prefer,
     SetupFile,
     files_beside,
+    idle_entries,
     library_of,
     outside,
     setup_for,
@@ -88,6 +89,7 @@ def check(
         each = [[path] for path in dict.fromkeys(paths)] if apart and paths else [paths]
         parts = [_check_part({**options, "paths": part}, project, asked) for part in each]
         found = [finding for part in parts for finding in part.findings]
+        tell_all(list(idle_entries(options, project, [part.library for part in parts])))
         if fix or diff:
             _mend(found, any("<text>" in part.library.files for part in parts), diff)
         if fix and not diff:  # the findings in the files as they are now
@@ -111,7 +113,8 @@ def _check_part(options: Mapping[str, Any], project: Project, asked: frozenset[s
     siblings = files_beside(options, library)
 
     def look(at: cncsub.Library) -> list[Finding]:
-        found = at.check(options["main"], sorted(asked), setup=setup_for(options, project))
+        setup = setup_for(options, project)
+        found = at.check(options["main"], sorted(asked), setup=setup, entry=project.entry)
         return [finding for finding in found if finding.file not in siblings]
 
     found = look(library)

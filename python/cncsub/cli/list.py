@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import asdict
 from typing import Annotated, Any
 
@@ -19,6 +19,7 @@ from cncsub.cli.options import (
     Param,
     Paths,
     Prefer,
+    idle_entries,
     library_of,
     notes_on,
     tell_all,
@@ -26,7 +27,9 @@ from cncsub.cli.options import (
     write_text,
     wrong_use,
 )
+from cncsub.cli.project import project_for
 from cncsub.escapes import shown
+from cncsub.program import named_like
 from cncsub.references import Edge
 
 MOST_NAMES = 6  # in one line
@@ -46,8 +49,10 @@ def list_programs(
     with wrong_use():
         options = {**locals(), "mdi": None}
         library = library_of(options)
-        notes = notes_on(options, library)
-    rows = list(_rows(library))
+        project = project_for(paths)
+        notes = [*notes_on(options, library), *idle_entries(options, project, [library])]
+        entries = named_like(library.code, project.entry)
+    rows = list(_rows(library, set(entries)))
     if format is Format.JSON:
         write_json(output, {"programs": rows, "notes": list(map(asdict, notes))})
         return
@@ -55,7 +60,7 @@ def list_programs(
     tell_all(notes)
 
 
-def _rows(library: cncsub.Library) -> Iterator[dict[str, Any]]:
+def _rows(library: cncsub.Library, entries: Collection[int]) -> Iterator[dict[str, Any]]:
     edges = library.call_graph().edges
     out: dict[str, list[Edge]] = {}
     callers: dict[str, Counter[str]] = {}
@@ -72,6 +77,7 @@ def _rows(library: cncsub.Library) -> Iterator[dict[str, Any]]:
             "blocks": len(program.blocks),
             "comment": program.comment,
             "main": main is not None and program is main,
+            "entry": program.index in entries,
             "external": program.external,
             "calls": [_call(edge) for edge in out.get(program.name, ())],
             "callers": sorted(callers.get(program.name, ())),
@@ -95,7 +101,7 @@ def _lines(rows: list[dict[str, Any]]) -> Iterator[str]:
     for row in rows:
         comment = f" ({row['comment']})" if row["comment"] else ""
         blocks = f"{row['blocks']:,} block{'' if row['blocks'] == 1 else 's'}"
-        marks = [word for word in ("main", "external") if row[word]]
+        marks = [word for word in ("main", "entry", "external") if row[word]]
         facts = ", ".join([blocks, *marks])
         name = shown(row["program"]).ljust(width)
         yield f"{name}  {shown(row['file'])}:{row['line']}{shown(comment)}, {facts}"

@@ -25,6 +25,7 @@ from cncsub.controls import names_beginning
 from cncsub.escapes import shown
 from cncsub.loading import load_with
 from cncsub.option_errors import option_of
+from cncsub.program import named_like
 from cncsub.reports.printing import Console, console_on, stop_text
 from cncsub.run_options import RunOptions, stated
 from cncsub.sibling_files import with_files_beside
@@ -445,6 +446,15 @@ def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
     for name, place in places:
         told = f"the project names it for {name}, outside of its own folder"
         yield Note("outside", told, str(place))
+
+
+def idle_entries(
+    options: Mapping[str, Any], project: Project, libraries: Sequence[cncsub.Library]
+) -> Iterator[Note]:
+    """Yield a note for each entry of the project that is the name of none of its programs."""
+    for pattern in () if options.get("paths") else project.entry:
+        if not any(named_like(library.code, [pattern]) for library in libraries):
+            yield Note("no-effect", "no program is named so", f"entry {pattern} of {project.file}")
 
 
 def told_idle(

@@ -28,6 +28,7 @@ class Project:
     it makes. `parameters`: those that differ. `places`: the paths it names for `setup` and
     `inputs`, TOML files, for `variables`, a file of variables before the run, and for `external`,
     the folder of the external device. `folders`: the programs, where a command names none.
+    `entry`: the programs that something outside of the folders calls, by name or pattern.
     `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`: whether
     it is the user's own project, which may name what lies outside its folder.
     """
@@ -40,6 +41,7 @@ class Project:
     programs: tuple[Path, ...] = ()
     ignore: frozenset[str] = frozenset()
     severity: Mapping[str, str] = field(default_factory=dict)
+    entry: tuple[str, ...] = ()
     own: bool = True
 
     def control_named(self, name: str) -> Control:
@@ -166,6 +168,7 @@ _KINDS: Mapping[str, type | tuple[type, ...]] = {
     "variables": str,
     "external": str,
     "folders": list,
+    "entry": list,
     "check": dict,
 }
 
@@ -189,9 +192,10 @@ def _read(file: Path, told: Any) -> Project:
         if key not in ("ignore", "severity"):
             raise ValueError(f"{file}: check has no {key!r}; it takes ignore and severity")
 
-    for folder in told.get("folders", []):
-        if not isinstance(folder, str):
-            raise ValueError(f"{file}: folders is a list of texts, not {folder!r}")
+    for key in ("folders", "entry"):
+        for text in told.get(key, []):
+            if not isinstance(text, str):
+                raise ValueError(f"{file}: {key} is a list of texts, not {text!r}")
 
     try:
         named = told.get("control")
@@ -205,6 +209,7 @@ def _read(file: Path, told: Any) -> Project:
             tuple(file.parent / folder for folder in told.get("folders", [])),
             chosen_rules(check.get("ignore", [])),
             _severities(check.get("severity", {})),
+            tuple(told.get("entry", ())),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{file}: {error.args[0]}") from None

@@ -22,6 +22,7 @@ from cncsub.cli.options import (
     whole_run,
     wrong_use,
 )
+from cncsub.cli.project import project_for
 from cncsub.escapes import shown
 from cncsub.reports.printing import console_on, print_stop
 
@@ -46,7 +47,8 @@ def report(
         told_idle(library, asked)
         run = whole_run(library.run(main, **asked))
         title = None if program is None else program.name
-        found = library.check(main, setup=asked.get("setup"))
+        entry = project_for(paths).entry
+        found = library.check(main, setup=asked.get("setup"), entry=entry)
         cncsub.report(library, run, output, title=title, findings=found)
     print_stop(console_on(sys.stderr), run)
     typer.echo(f"wrote {shown(str(output))}")

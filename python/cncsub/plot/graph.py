@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from cncsub.drawing.colours import TEXT
@@ -24,9 +24,9 @@ _STATES = {
 }
 
 
-def graph_figure(library: Library, *, title: str | None = None) -> Any:
+def graph_figure(library: Library, *, title: str | None, entry: Iterable[str]) -> Any:
     """See `Library.plot`."""
-    graph = library.call_graph()
+    graph = library.call_graph(entry=entry)
     main = library.main
     head = title if title is not None else _title(graph)
     if not graph.programs:

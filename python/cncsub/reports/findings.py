@@ -10,10 +10,11 @@ from typing import Any
 from urllib.parse import quote
 from xml.etree import ElementTree
 
-from cncsub._core import __version__
-from cncsub.checking import RULES, Edit, Finding
+from cncsub._core import Frame, __version__
+from cncsub.checking import RULES, Edit, Finding, Place
 from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
+from cncsub.reports.source_root import SourceRoot
 from cncsub.writing import replace_whole
 
 VERSION = 1  # of the JSON; it grows when a key changes its meaning or is removed
@@ -55,7 +56,10 @@ _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
 
 def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
-    """Return a log of SARIF 2.1.0; the calls that lead to a finding are its code flow."""
+    """Return a log of SARIF 2.1.0; the calls that lead to a finding are its code flow. Files are
+    named from the top of their repository.
+    """
+    root = _root_of(findings)
     rules = [
         {
             "id": rule.number,
@@ -73,20 +77,30 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
         "rules": rules,
     }
     numbers = [rule.number for rule in RULES]
+    run: dict[str, Any] = {
+        "tool": {"driver": driver},
+        "columnKind": "unicodeCodePoints",
+        "results": [_result(finding, numbers, root) for finding in findings],
+    }
+    if root.folder is not None:
+        run["originalUriBaseIds"] = {_BASE: {"uri": root.folder.as_uri().rstrip("/") + "/"}}
     return {
         "$schema": "https://json.schemastore.org/sarif-2.1.0.json",
         "version": "2.1.0",
-        "runs": [
-            {
-                "tool": {"driver": driver},
-                "columnKind": "unicodeCodePoints",
-                "results": [_result(finding, numbers) for finding in findings],
-            }
-        ],
+        "runs": [run],
     }
 
 
-def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
+_BASE = "%SRCROOT%"  # the name that readers of SARIF know for the top of a repository
+
+
+def _root_of(findings: Iterable[Finding]) -> SourceRoot:
+    return SourceRoot(
+        place.file for finding in findings for place in (finding, *finding.places, *finding.path)
+    )
+
+
+def _result(finding: Finding, numbers: Sequence[str], root: SourceRoot) -> dict[str, Any]:
     number = finding.alarm.number if finding.alarm is not None else None
     told = f"{finding.told} [alarm {number}]" if number else finding.told
     result: dict[str, Any] = {
@@ -94,53 +108,58 @@ def _result(finding: Finding, numbers: Sequence[str]) -> dict[str, Any]:
         "ruleIndex": numbers.index(finding.rule),
         "level": _LEVELS[finding.severity],
         "message": {"text": f"{told}. Hint: {finding.hint}"},
-        "locations": [_location(finding.file, finding.line, finding.column, len(finding.word))],
+        "locations": [_location(root, finding, finding.column, len(finding.word))],
     }
     if finding.places:
         result["relatedLocations"] = [
-            _location(at.file, at.line, at.column, len(at.word)) for at in finding.places
+            _location(root, at, at.column, len(at.word)) for at in finding.places
         ]
     if finding.path:
         places = [
-            _location(frame.file, frame.line, 1, 0, f"{frame.program} {frame.kind}")
+            _location(root, frame, 1, 0, f"{frame.program} {frame.kind}")
             for frame in finding.path
         ]
-        places.append(_location(finding.file, finding.line, finding.column, 0, finding.message))
+        places.append(_location(root, finding, finding.column, 0, finding.message))
         steps = [
             {"location": place, "nestingLevel": level, "executionOrder": level + 1}
             for level, place in enumerate(places)
         ]
         result["codeFlows"] = [{"threadFlows": [{"locations": steps}]}]
     if finding.fix is not None:
-        result["fixes"] = [{"artifactChanges": [_change(edit) for edit in finding.fix]}]
+        result["fixes"] = [{"artifactChanges": [_change(root, edit) for edit in finding.fix]}]
     return result
 
 
-def _location(file: str, line: int, column: int, width: int, text: str = "") -> dict[str, Any]:
-    region: dict[str, Any] = {"startLine": max(1, line), "startColumn": max(1, column)}
+def _location(
+    root: SourceRoot, at: Finding | Place | Frame, column: int, width: int, text: str = ""
+) -> dict[str, Any]:
+    region: dict[str, Any] = {"startLine": max(1, at.line), "startColumn": max(1, column)}
     if width:
         region["endColumn"] = max(1, column) + width
     location: dict[str, Any] = {
-        "physicalLocation": {"artifactLocation": {"uri": _uri(file)}, "region": region}
+        "physicalLocation": {"artifactLocation": _artifact(root, at.file), "region": region}
     }
     if text:
         location["message"] = {"text": text}
     return location
 
 
-def _uri(file: str) -> str:
+def _artifact(root: SourceRoot, file: str) -> dict[str, Any]:
+    relative = root.relative(file)
+    if relative is not None:
+        return {"uri": quote(relative), "uriBaseId": _BASE}
     path = Path(file)
-    return path.as_uri() if path.is_absolute() else quote(path.as_posix())
+    return {"uri": path.as_uri() if path.is_absolute() else quote(path.as_posix())}
 
 
-def _change(edit: Edit) -> dict[str, Any]:
+def _change(root: SourceRoot, edit: Edit) -> dict[str, Any]:
     deleted = {
         "startLine": edit.line,
         "startColumn": edit.column,
         "endColumn": edit.column + len(edit.old),
     }
     return {
-        "artifactLocation": {"uri": _uri(edit.file)},
+        "artifactLocation": _artifact(root, edit.file),
         "replacements": [{"deletedRegion": deleted, "insertedContent": {"text": edit.new}}],
     }
 
@@ -176,12 +195,14 @@ def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
     return f'<?xml version="1.0" encoding="utf-8"?>\n{referred(text)}'
 
 
-def github_annotations(findings: Iterable[Finding]) -> str:
-    """Return workflow commands that GitHub shows beside the lines of a change."""
-
+def github_annotations(findings: Sequence[Finding]) -> str:
+    """Return workflow commands that GitHub shows beside the lines of a change. It knows files by
+    their names from the top of the repository.
+    """
+    root = _root_of(findings)
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
-        f"::{kinds[f.severity]} file={for_github(f.file, property=True)},line={f.line}"
+        f"::{kinds[f.severity]} file={for_github(root.relative(f.file) or f.file, property=True)},line={f.line}"
         f",col={f.column},title={for_github(f'{f.rule} {f.name}', property=True)}"
         f"::{for_github(f'{f.told}. Hint: {f.hint}')}"
         for f in findings

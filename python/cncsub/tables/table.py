@@ -268,7 +268,7 @@ def optional_module(module: str) -> Any:
         return importlib.import_module(module)
     except ImportError as error:
         package = module.partition(".")[0]
-        extra = {"pyarrow": "arrow", "plotly": "plot"}.get(package, package)
+        extra = {"pyarrow": "arrow", "plotly": "plot", "rich": "cli"}.get(package, package)
         raise ImportError(
             f"this needs {package}; install it with: pip install 'cncsub[{extra}]'"
         ) from error
