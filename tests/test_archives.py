@@ -222,7 +222,7 @@ def test_only_the_file_that_kills_its_worker_is_crashed(tmp_path: Path) -> None:
         Job(str(write(tmp_path, f"O{i}.nc", good(i))), f"{tmp_path}/", (f"O{i}.nc",))
         for i in range(4, 8)
     ]
-    task = Task("run", cncsub.controls[CONTROL], "file", None, None, {})
+    task = Task("run", cncsub.controls[CONTROL], "file", None, None, {}, CONTROL)
     found = [row for (row,) in done_apart(deadly, task, jobs)]
     status = list(RUN_COLUMNS).index("status")
     assert [row[status] for row in found] == ["ran", "crashed", "ran", "ran"]

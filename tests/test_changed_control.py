@@ -114,7 +114,7 @@ def test_controls_that_answer_alike_are_equal() -> None:
     changed = FANUC.replace(max_nesting=3)
     assert changed == FANUC.replace(max_nesting=3) != FANUC
     assert len({FANUC, changed, FANUC.replace(max_nesting=3), FANUC.replace(max_nesting=10)}) == 2
-    assert FANUC != cncsub.controls["fanuc-30i"]
+    assert cncsub.controls["fanuc-30i"] != FANUC
     assert FANUC.with_parameters({"6050": 70}) != FANUC.with_parameters({"6050": 71})
     assert FANUC.__eq__("fanuc-0i-f") is NotImplemented
     assert FANUC != "fanuc-0i-f"

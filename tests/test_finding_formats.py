@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 import cncsub
 from cncsub.checking import RULES, CheckRule
 from cncsub.cli import app
-from cncsub.reports.findings import finding_facts, junit, sarif
+from cncsub.reports.findings import finding_facts, github_annotations, junit, sarif
 
 ROOT = Path(__file__).parents[1]
 FINDINGS = json.loads((ROOT / "docs" / "findings.schema.json").read_text(encoding="utf-8"))
@@ -141,3 +141,99 @@ def test_logs_of_the_examples_are_valid(example: str, official: jsonschema.Draft
             found = cncsub.load(file, control=control).check()
             official.validate(as_json(sarif(found)))
             jsonschema.validate(as_json(finding_facts(found)), FINDINGS)
+
+
+# ---- files are named from the top of the repository ----
+
+
+@pytest.fixture
+def job(tmp_path: Path) -> Path:
+    """Return the top of a repository that holds `job/macros/O1.nc`."""
+    top = tmp_path / "top"
+    (top / "job" / "macros").mkdir(parents=True)
+    (top / "job" / "macros" / "O1.nc").write_text("O1\nM98 P9\nM30\n")
+    return top
+
+
+def named(*paths: str) -> tuple[list[str], str]:
+    """Return the files of the log and the annotations of a check of these paths."""
+    log = json.loads(command(*paths, "-c", "fanuc-0i-f", "--format", "sarif"))
+    places = [place for of in log["runs"][0]["results"] for place in of["locations"]]
+    files = [place["physicalLocation"]["artifactLocation"] for place in places]
+    assert {file.get("uriBaseId") for file in files} == {"%SRCROOT%"}
+    annotations = command(*paths, "-c", "fanuc-0i-f", "--format", "github")
+    return [file["uri"] for file in files], annotations
+
+
+@pytest.mark.parametrize(
+    ("here", "path"),
+    [
+        (".", "job"),
+        (".", "{top}/job"),
+        ("job", "."),
+        ("job", "macros/O1.nc"),
+        ("job/macros", "../../job"),
+        ("..", "top/job/macros"),
+        ("..", "{top}/job"),
+        ("/", "{top}/job"),
+    ],
+)
+def test_a_file_has_one_name_whatever_named_its_folder(
+    job: Path, here: str, path: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (job / ".git").mkdir()
+    monkeypatch.chdir(job / here)
+    files, annotations = named(path.format(top=job))
+    assert files == ["job/macros/O1.nc"]
+    assert "file=job/macros/O1.nc,line=2," in annotations
+
+
+@pytest.mark.parametrize(
+    ("here", "project", "name"),
+    [
+        (".", False, "job/macros/O1.nc"),
+        ("job", False, "macros/O1.nc"),
+        ("job/macros", False, "O1.nc"),
+        ("job/macros", True, "O1.nc"),
+        ("../beside", False, "O1.nc"),
+        ("../beside", True, "macros/O1.nc"),
+    ],
+)
+def test_without_a_repository_a_file_is_named_from_the_folder_of_the_user_or_the_project(
+    job: Path, here: str, project: bool, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (job.parent / "beside").mkdir()
+    if project:
+        (job / "job" / "cncsub.toml").write_text("")
+    monkeypatch.chdir(job / here)
+    assert named(str(job / "job"))[0] == [name]
+
+
+def test_the_log_says_where_the_top_is(job: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (job / ".git").write_text("gitdir: elsewhere")  # of a worktree or a submodule
+    monkeypatch.chdir(job)
+    log = sarif(cncsub.load("job", control="fanuc-0i-f").check())
+    assert log["runs"][0]["originalUriBaseIds"] == {"%SRCROOT%": {"uri": f"{job.as_uri()}/"}}
+
+
+def test_a_file_outside_of_the_repository_keeps_its_place(
+    job: Path, tmp_path: Path, official: jsonschema.Draft4Validator
+) -> None:
+    (job / ".git").mkdir()
+    (tmp_path / "usb").mkdir()
+    other = tmp_path / "usb" / "O2.nc"
+    other.write_text("O2\nM98 P8\nM99\n")
+    log = sarif(cncsub.load(job, other, control="fanuc-0i-f").check(rules=["CS201"]))
+    official.validate(as_json(log))
+    results = log["runs"][0]["results"]
+    assert [of["locations"][0]["physicalLocation"]["artifactLocation"] for of in results] == [
+        {"uri": "job/macros/O1.nc", "uriBaseId": "%SRCROOT%"},
+        {"uri": other.as_uri()},
+    ]
+
+
+def test_a_text_of_no_file_keeps_its_name() -> None:
+    found = cncsub.loads("O1\nM98 P9\nM30\n", control="fanuc-0i-f").check()
+    assert "originalUriBaseIds" not in sarif(found)["runs"][0]
+    assert uris(sarif(found)["runs"][0]["results"]) == ["%3Ctext%3E"]
+    assert "file=<text>," in github_annotations(found)

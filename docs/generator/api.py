@@ -9,6 +9,7 @@ from pathlib import Path
 import cncsub
 from cncsub import _core
 from cncsub.run_options import stated
+from cncsub.tables.columns import all_facts
 from generator.markdown import code, fenced, table, words
 
 # Every public name of the package, by the page it stands on.
@@ -60,6 +61,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "Polyline",
             "Dropped",
             "MissedSkip",
+            "tables.columns.ColumnFacts",
         ],
     ),
     "controls": (
@@ -153,8 +155,18 @@ def _page(title: str, about: str, listed: list[str]) -> str:
                 text += _of_the_engine(each)
         else:
             called = "    options:\n      merge_init_into_class: true\n" if name in _CALLED else ""
-            text += f"::: {_home(name)}\n{called}\n"
+            text += f"::: {_home(name)}\n{called}\n{_columns(name)}"
     return text
+
+
+def _columns(name: str) -> str:
+    """The columns of a table, with their units."""
+    room, _, own = name.partition(".")
+    if room != "tables" or "." in own:
+        return ""
+    facts = all_facts(own.lower() if own != "Watch" else "changes")
+    rows = ([code(column), words(of.unit), words(of.meaning)] for column, of in facts.items())
+    return table(("column", "unit", "what it holds"), rows) + "\n"
 
 
 def _options() -> str:

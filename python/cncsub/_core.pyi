@@ -221,6 +221,8 @@ class ProgramData:
     @property
     def span(self) -> tuple[int, int, int]: ...  # its file, the first byte of its text, the end
     @property
+    def has_head(self) -> bool: ...  # its text gives its name, not its file
+    @property
     def inside(self) -> bool: ...  # a part of another program
     @property
     def comment(self) -> str: ...

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from cncsub import _core
 from cncsub.controls import controls, did_you_mean
+
+if TYPE_CHECKING:
+    RULES: tuple[CheckRule, ...]
 
 SEVERITIES = ("error", "warning", "note")
 
@@ -41,8 +45,21 @@ def _rules() -> Iterator[CheckRule]:
         yield rule._replace(meaning=meaning, hint=hint)
 
 
-RULES: tuple[CheckRule, ...] = tuple(_rules())
-_BY_NAME = {key: rule for rule in RULES for key in (rule.number, rule.name)}
+@functools.cache
+def all_rules() -> tuple[CheckRule, ...]:
+    """Return every rule, by its number. They are put into words when one is asked for."""
+    return tuple(_rules())
+
+
+@functools.cache
+def _by_name() -> dict[str, CheckRule]:
+    return {key: rule for rule in all_rules() for key in (rule.number, rule.name)}
+
+
+def __getattr__(name: str) -> Any:
+    if name != "RULES":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return all_rules()
 
 
 class Edit(NamedTuple):
@@ -171,17 +188,18 @@ def rule_named(name: str) -> CheckRule:
     >>> rule_named("CS201").name
     'program-missing'
     """
-    found = _BY_NAME.get(name) or _BY_NAME.get(name.upper()) or _BY_NAME.get(name.lower())
+    rules = _by_name()
+    found = rules.get(name) or rules.get(name.upper()) or rules.get(name.lower())
     if found is None:
-        first, last = RULES[0].number, RULES[-1].number
+        first, last = all_rules()[0].number, all_rules()[-1].number
         there = f"; there are {first} to {last}, and CS1, CS2 ... for the groups of them"
-        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, _BY_NAME, there)}")
+        raise KeyError(f"check has no rule {name!r}{did_you_mean(name, rules, there)}")
     return found
 
 
 def rule_names() -> list[str]:
     """Return the slugs of all rules."""
-    return [rule.name for rule in RULES]
+    return [rule.name for rule in all_rules()]
 
 
 def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
@@ -189,14 +207,14 @@ def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
     (`CS2`); of all rules without names.
     """
     if names is None:
-        return frozenset(rule.number for rule in RULES)
+        return frozenset(rule.number for rule in all_rules())
     if isinstance(names, str):
         raise TypeError(f"rules are a list of names, not the text {names!r}")
     chosen: set[str] = set()
     for name in names:
         if not isinstance(name, str):
             raise TypeError(f"a rule is named by a text such as CS201, not {name!r}")
-        group = {rule.number for rule in RULES if rule.number.startswith(name.upper())}
+        group = {rule.number for rule in all_rules() if rule.number.startswith(name.upper())}
         is_group = re.fullmatch(r"CS\d?", name.upper()) is not None and bool(group)
         chosen |= group if is_group else {rule_named(name).number}
     return frozenset(chosen)
@@ -228,7 +246,7 @@ def _finding(
     count: int,
     cure_here: str,
 ) -> Finding:
-    rule = RULES[index]
+    rule = all_rules()[index]
     meaning, hint = told[0][index]
     detail = place.detail or (alarm.detail if alarm is not None else "")
     if alarm is not None:

@@ -6,7 +6,7 @@ of a line, or end a cell, a field or an element.
 
 from __future__ import annotations
 
-import html
+import functools
 import re
 
 
@@ -17,25 +17,30 @@ def shown(text: str) -> str:
 
 # Characters that browsers obey or hide: controls, marks that turn the direction of a line, and
 # characters without width.
-_OBEYED = re.compile(
+_OBEYED = (
     "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u180e\u200b-\u200f\u2028-\u202e\u2060-\u206f"
     "\ud800-\udfff\ufeff\ufff9-\ufffb\U000e0000-\U000e007f]"
 )
+_NOT_XML = "[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
+
+
+@functools.cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    return re.compile(pattern)  # when it is needed: such large sets take milliseconds
 
 
 def escape(text: str, quote: bool = True) -> str:
     """Return a text for HTML: marks are escaped, and a sign replaces what a browser would obey."""
-    return html.escape(_OBEYED.sub("\ufffd", text), quote)
+    import html
 
-
-_NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+    return html.escape(_compiled(_OBEYED).sub("\ufffd", text), quote)
 
 
 def for_xml(text: str) -> str:
     """Return a text in which a sign replaces the characters that XML does not take, not even as
     references.
     """
-    return _NOT_XML.sub("\ufffd", text)
+    return _compiled(_NOT_XML).sub("\ufffd", text)
 
 
 def referred(xml: str) -> str:

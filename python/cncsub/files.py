@@ -455,9 +455,16 @@ def text_pieces(text: object, encoding: str | None = None) -> list[str | Data]:
     raise TypeError(f"the text of a program is a text or bytes, not {type(text).__name__}")
 
 
-def stem_of(name: str) -> str:
-    """Return what names a program without a name of its own: the stem of its file."""
-    return clean(os.path.splitext(os.path.basename(name))[0])  # noqa: PTH119, PTH122
+def shown_and_stem(name: object) -> tuple[str, str]:
+    """Return what a text is called in messages, and the stem that names a program without a name of
+    its own. `name`: that of its file, `None` where it is of none.
+    """
+    if name is None:
+        return TEXT, ""
+    if not isinstance(name, str):
+        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
+    stem = os.path.splitext(os.path.basename(name))[0]  # noqa: PTH119, PTH122
+    return clean(name), clean(stem)
 
 
 def cut(text: str) -> list[str | Data]:

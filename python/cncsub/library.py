@@ -10,7 +10,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
-from cncsub.files import TEXT, CoreFile, clean, cut, stem_of, text_pieces
+from cncsub.files import TEXT, CoreFile, clean, cut, shown_and_stem, text_pieces
 from cncsub.program import Program, find_program, named_like
 from cncsub.run import Machine, Run
 from cncsub.run_options import (
@@ -227,14 +227,12 @@ class Library(Mapping[str, Program]):
         >>> stub.files
         ('O1.nc', '<text>')
         """
-        shown = TEXT if name is None else clean(name)
-        file: CoreFile = (shown, stem_of(name or ""), text_pieces(text), False)
+        shown, stem = shown_and_stem(name)
+        file: CoreFile = (shown, stem, text_pieces(text), False)
         new = _core.compile(self.control, [file], False)
-        own = [place for place in range(len(new)) if not new.program(place).inside]
-        if len(own) != 1 or not new.program(own[0]).name:
-            raise ValueError(_not_one([new.program(place).name for place in own]))
+        program = _one_program(new, named=bool(stem))
         sources, files = list(self.code.sources), list(self._files)
-        place = find_program(self.code, new.program(own[0]).name)
+        place = find_program(self.code, program.name)
         at = sum(not outside for *_, outside in sources)  # after the others of the memory
         if place >= 0:
             at = self._taken_out(self.code.program(place), sources, files)
@@ -244,9 +242,7 @@ class Library(Mapping[str, Program]):
         first = None if main is None else main.name
         return self._read_again(self.control, sources, files, first)
 
-    def _taken_out(
-        self, old: _core.ProgramData, sources: list[_Source], files: list[str]
-    ) -> int:
+    def _taken_out(self, old: _core.ProgramData, sources: list[_Source], files: list[str]) -> int:
         """Take a program out of the files, and return where its file stood. In a file that holds
         others too, blanks stand in its place, so that each of those keeps its lines.
         """
@@ -342,8 +338,8 @@ class Library(Mapping[str, Program]):
         (`CS201`), slugs or beginnings of numbers (`CS2`) of the rules to ask, all without it.
         `setup`: tells the kind of machine. `entry`: the programs that something outside of the
         memory calls, such as a machine or an operator, by their names or by patterns (`O90*`): they
-        are not reported as never called, and may be given arguments. A comment `(cncsub: ignore CS201)` switches a rule off
-        for its line.
+        are not reported as never called, and may be given arguments. A comment
+        `(cncsub: ignore CS201)` switches a rule off for its line.
 
         Raises `KeyError` for an unknown `main` or rule.
 
@@ -480,11 +476,18 @@ def read_again(
     return Library(code, files, skipped, first if known else None)
 
 
-def _not_one(names: Sequence[str]) -> str:
-    """Return why a text is not the text of one program."""
-    if len(names) > 1:
-        return f"with_program takes one program; this text holds {', '.join(names)}"
-    return "with_program takes a program with a name: begin it with O1000, or give name="
+def _one_program(code: _core.Code, *, named: bool) -> _core.ProgramData:
+    """Return the only program of a text, which has a name of its own or that of its file."""
+    programs = [code.program(place) for place in range(len(code))]
+    whole = [program for program in programs if not program.inside]
+    if len(whole) > 1:
+        names = ", ".join(program.name for program in whole)
+        raise ValueError(f"with_program takes one program; this text holds {names}")
+    if not whole or not (named or whole[0].has_head):
+        raise ValueError(
+            "with_program takes a program with a name: begin it with O1000, or give name="
+        )
+    return whole[0]
 
 
 def _listing(names: Sequence[str]) -> str:

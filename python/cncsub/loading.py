@@ -15,9 +15,8 @@ from cncsub.files import (
     CoreFile,
     StrPath,
     check_encoding,
-    clean,
     read_paths,
-    stem_of,
+    shown_and_stem,
     text_pieces,
 )
 from cncsub.library import Library, read_again
@@ -118,10 +117,8 @@ def loads(
 
 def _texts(text: Any, name: object) -> list[tuple[str, str, Any]]:
     """Return the texts that `loads` was given, each with the name of its file and the stem."""
-    if name is not None and not isinstance(name, str):
-        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
     if isinstance(text, str | bytes | bytearray | memoryview):
-        return [(TEXT if name is None else clean(name), stem_of(name or ""), text)]
+        return [(*shown_and_stem(name), text)]
     if isinstance(text, os.PathLike) or not isinstance(text, Sequence | Mapping):
         raise TypeError(
             f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
@@ -129,10 +126,9 @@ def _texts(text: Any, name: object) -> list[tuple[str, str, Any]]:
     if name is not None:
         raise TypeError("name is of one text; loads takes several as a mapping from name to text")
     if isinstance(text, Mapping):
-        for of in text:
-            if not isinstance(of, str):
-                raise TypeError(f"texts by the names of their files: {of!r} is no name")
-        return [(clean(of), stem_of(of), each) for of, each in text.items()]
+        if None in text:
+            raise TypeError("texts stand by the names of their files: None is no name")
+        return [(*shown_and_stem(of), each) for of, each in text.items()]
     return [(f"{TEXT[:-1]} {place}>", "", each) for place, each in enumerate(text, 1)]
 
 

@@ -67,7 +67,9 @@ def _changed(told: Mapping[str, Any]) -> Control:
     base = _base(told)
     for key in told:
         if key not in _OF_ANY:
-            raise ValueError(f'{key} needs a control with a name of its own: give name = "our-mill"')
+            raise ValueError(
+                f'{key} needs a control with a name of its own: give name = "our-mill"'
+            )
     for key in _TABLES:
         if key in told and not isinstance(told[key], dict):
             raise ValueError(f"{key} is a table, not {told[key]!r}")

@@ -66,8 +66,7 @@ class Checker {
     return callers_.of(static_cast<std::size_t>(index));
   }
   bool is_called(std::int32_t index) const { return !callers_of(index).empty(); }
-  /// Return whether something outside of the memory calls a program: its arguments and the modes
-  /// it begins with are unknown.
+  /// Return whether something outside of the memory calls a program: it may be given arguments.
   bool is_entry(std::int32_t index) const { return entered_[static_cast<std::size_t>(index)]; }
   /// Return whether another program calls it.
   bool is_called_by_another(std::int32_t index) const {

@@ -92,8 +92,7 @@ std::vector<std::uint8_t> DrillCheck::states() const {
     own = static_cast<std::uint8_t>(own | state);
     waiting.push_back(at);
   };
-  const bool given = c_.is_called(flow_.program()) || c_.is_entry(flow_.program());
-  reach(flow_.first(), given ? kGiven : kNone);
+  reach(flow_.first(), c_.is_called(flow_.program()) ? kGiven : kNone);
   for (const Address entry : flow_.entries()) reach(entry, kGiven);
   while (!waiting.empty() && !c_.over()) {
     const Address at = waiting.back();

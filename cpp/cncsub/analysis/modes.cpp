@@ -78,8 +78,7 @@ std::vector<Modes> ModeCheck::states_without(const ProgramFlow& flow, std::int32
 /// Call `take` with what is in force at each block where a program may begin.
 template <class Take>
 void ModeCheck::each_entry(const ProgramFlow& flow, const Take& take) const {
-  const bool found = c_.is_called(flow.program()) || c_.is_entry(flow.program());
-  take(flow.first(), found ? all(kFound) : at_first());
+  take(flow.first(), c_.is_called(flow.program()) ? all(kFound) : at_first());
   for (const Address entry : flow.entries()) take(entry, all(kFound));
 }
 

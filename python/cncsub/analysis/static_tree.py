@@ -6,11 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from cncsub.references import Computed, Edge
-
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.program import Block, Program
+    from cncsub.references import Edge
 
 MOST = 10_000  # calls of a tree
 _NO_ARGUMENT = frozenset("NGOPLM/")  # addresses
@@ -101,6 +100,8 @@ def static_tree(library: Library, main: str | int | None = None) -> tuple[list[S
 
 
 def _call(library: Library, edge: Edge) -> StaticCall:
+    from cncsub.references import Computed
+
     called, repeats = edge.called, edge.repeats
     return StaticCall(
         edge.caller,

@@ -112,10 +112,10 @@ def check_many(
     """Check every program file of some files and folders: a row for each finding, and one for each
     file that cannot be read. A file without findings has no row, unless it is `foreign`.
 
-    `rules`, `setup` and `entry` are those of `Library.check`, the other arguments those of `run_many`, and
-    so is what is returned and raised. Columns: `path`, `control`, `status` (`finding`,
-    `unreadable`, `crashed`, or `foreign` where nothing is found in a language that no control
-    reads), those of a `Finding`, with the number of its alarm, and `error`.
+    `rules`, `setup` and `entry` are those of `Library.check`, the other arguments those of
+    `run_many`, and so is what is returned and raised. Columns: `path`, `control`, `status`
+    (`finding`, `unreadable`, `crashed`, or `foreign` where nothing is found in a language that no
+    control reads), those of a `Finding`, with the number of its alarm, and `error`.
 
     >>> import cncsub
     >>> cncsub.check_many([], control="fanuc-0i-f").column_names[:4]
@@ -125,7 +125,8 @@ def check_many(
     asked = {"rules": rules, "setup": setup, "entry": entry or None}
     options = {name: value for name, value in asked.items() if value is not None}
     task = _task("check", control, each, external, encoding, options)
-    loads("", control=task.control).check(rules=rules, setup=setup, entry=entry)  # wrong options are told now
+    # Wrong options are reported now, not in every row.
+    loads("", control=task.control).check(rules=rules, setup=setup, entry=entry)
     return _batch(task, paths, executor, jobs, out, progress)
 
 
@@ -141,7 +142,8 @@ def _task(
         raise wrong_value("each", f"each is one of {', '.join(EACH)}, not {each!r}")
     check_encoding(encoding)
     place = None if external is None else str(Path(external).absolute())
-    return Task(kind, control_of(control), each, place, encoding, dict(options))
+    known = control_of(control)
+    return Task(kind, known, each, place, encoding, dict(options), known.name)
 
 
 def _batch(

@@ -163,7 +163,7 @@ def _about(task: Task) -> dict[str, str]:
     control = repr(task.control.__reduce__()[1])
     return {
         "kind": task.kind,
-        "control": f"{task.control.name} {_digest(control)}",
+        "control": f"{task.name} {_digest(control)}",
         "options": _digest(options),
         "version": __version__,
     }

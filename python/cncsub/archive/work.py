@@ -82,6 +82,7 @@ class Task(NamedTuple):
     external: StrPath | None
     encoding: str | None
     options: dict[str, Any]
+    name: str  # of the control, which a changed one has to work out
 
 
 Work = Callable[[Task, Sequence[Job]], list[list[Row]]]
@@ -165,7 +166,7 @@ def _run_row(
     place = alarm or (None if ended or not len(run.steps) else run.steps[-1])
     return (
         job.path,
-        task.control.name,
+        task.name,
         "ran" if run.stop == Stop.END else str(run.stop),
         str(run.stop),
         alarm and alarm.cause,
@@ -195,7 +196,7 @@ def finding_rows(
     return [
         (
             job.path,
-            task.control.name,
+            task.name,
             "finding",
             *(getattr(finding, name) for name in names),
             _number(finding.alarm),
@@ -215,7 +216,7 @@ def bad_row(task: Task, job: Job, status: str, error: str) -> Row:
     """Return the row of a job that cannot be done, with the reason."""
     known = {
         "path": job.path,
-        "control": task.control.name,
+        "control": task.name,
         "status": status,
         "error": error,
     }

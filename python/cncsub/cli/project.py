@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -150,6 +149,8 @@ def project_for(paths: Sequence[str] | None) -> Project:
 
 
 def _toml(file: Path) -> dict[str, Any]:
+    import tomllib
+
     try:
         return toml_of(file.read_text(encoding="utf-8"))
     except RecursionError:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 import textwrap
 from collections.abc import Iterable, Iterator
 from itertools import groupby
@@ -28,7 +29,7 @@ def print_summary(console: Console, control: Control) -> None:
     """Print what differs from the family, in groups, and the sources that say so."""
     different = [rule for rule in control.rules if rule.value != rule.family]
     console.print(Text(f"{control.title} ({control.name})", style="bold"))
-    lead = f"cncsub controls {control.name}"
+    lead = f"cncsub controls {shlex.quote(control.name)}"
     _print_paragraph(
         console,
         f"{len(different)} of {len(control.rules)} rules differ from the family: its answer stands"

@@ -11,7 +11,7 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from cncsub._core import Frame, __version__
-from cncsub.checking import RULES, Edit, Finding, Place
+from cncsub.checking import Edit, Finding, Place, all_rules
 from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
 from cncsub.reports.source_root import SourceRoot
@@ -68,7 +68,7 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
             "help": {"text": rule.hint},
             "defaultConfiguration": {"level": _LEVELS[rule.severity]},
         }
-        for rule in RULES
+        for rule in all_rules()
     ]
     driver = {
         "name": "cncsub",
@@ -76,7 +76,7 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
         "semanticVersion": __version__,
         "rules": rules,
     }
-    numbers = [rule.number for rule in RULES]
+    numbers = [rule.number for rule in all_rules()]
     run: dict[str, Any] = {
         "tool": {"driver": driver},
         "columnKind": "unicodeCodePoints",
@@ -116,8 +116,7 @@ def _result(finding: Finding, numbers: Sequence[str], root: SourceRoot) -> dict[
         ]
     if finding.path:
         places = [
-            _location(root, frame, 1, 0, f"{frame.program} {frame.kind}")
-            for frame in finding.path
+            _location(root, frame, 1, 0, f"{frame.program} {frame.kind}") for frame in finding.path
         ]
         places.append(_location(root, finding, finding.column, 0, finding.message))
         steps = [
@@ -202,8 +201,8 @@ def github_annotations(findings: Sequence[Finding]) -> str:
     root = _root_of(findings)
     kinds = {"error": "error", "warning": "warning", "note": "notice"}
     lines = (
-        f"::{kinds[f.severity]} file={for_github(root.relative(f.file) or f.file, property=True)},line={f.line}"
-        f",col={f.column},title={for_github(f'{f.rule} {f.name}', property=True)}"
+        f"::{kinds[f.severity]} file={for_github(root.relative(f.file) or f.file, property=True)}"
+        f",line={f.line},col={f.column},title={for_github(f'{f.rule} {f.name}', property=True)}"
         f"::{for_github(f'{f.told}. Hint: {f.hint}')}"
         for f in findings
     )

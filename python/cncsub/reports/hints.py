@@ -22,7 +22,6 @@ from cncsub.library import Library
 from cncsub.lines import lines_of
 from cncsub.number_text import length_text, number_text
 from cncsub.program import Program, Word, tokens_of
-from cncsub.references import Computed
 from cncsub.run import Run, Stop
 from cncsub.setup import Setup
 from cncsub.sibling_files import files_named, folders_in, folders_of
@@ -160,7 +159,7 @@ def _language(
     """
     program = library.get(alarm.program)
     for name, control in languages_of(mdi or "" if program is None else program.text):
-        if control == library.control.name:
+        if control == library.control.base:
             continue
         if control is None:
             return _seems(name, control)
@@ -234,7 +233,7 @@ def language_beside_findings(
     for name, _, source, _ in library.code.sources:
         errors = _errors_in(name, found) if name in files else 0
         for language, control in languages_of(source[:MOST_TEXT].decode(errors="replace")):
-            if not errors or control in (None, library.control.name) or looked_at == MOST_TOLD:
+            if not errors or control in (None, library.control.base) or looked_at == MOST_TOLD:
                 continue
             looked_at += 1
             try:
@@ -261,7 +260,7 @@ def other_reading(library: Library, file: str) -> str | None:
     """
     sources = {name: text for name, _, text, _ in library.code.sources}
     for name, control in languages_of(sources.get(file, b"").decode(errors="replace")):
-        if control == library.control.name:
+        if control == library.control.base:
             continue
         if control is None or all(
             program.file != file for program in library.read_for(control).duplicates
@@ -354,7 +353,7 @@ def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
     names = [
         other.name
         for other in controls.values()
-        if other.name != control.name
+        if other.name != control.base
         and any(r.name == "g_codes" and code[1] in str(r.value).split() for r in other.rules)
         and _computes(other, f"G{code[1]}")
     ]
@@ -584,6 +583,8 @@ def _calls_outside(program: Program) -> bool:
 
 def _read_variables(programs: Iterable[Program]) -> set[int] | None:
     """Return the variables that blocks read by number; `None` where a number is computed."""
+    from cncsub.references import Computed
+
     found: set[int] = set()
     for program in programs:
         for block in program.blocks:

@@ -426,18 +426,11 @@ class Bounds(dict[str, tuple[float, float]]):
 class Moves(Table[Move]):
     """One row per motion (a canned cycle makes several).
 
-    Columns: `move, step, kind`, the axes in use (`x, y, z` ...: programmed end, work coordinates),
-    `mx, my, mz` ... (machine position of the tool), `cx, cy, cz` (arc centre, work coordinates, NaN
-    where there is none), `plane` (17, 18, 19), `feed`, `feed_mode`, `spindle`, `tool`, `h`, `d`,
-    `length` (mm), `time` (s; a spindle without a speed counts as one turn a minute), `skip` (`no`,
-    and of moves of G31 `touched` or `missed`) and the block of the step: `program, n, line`. Kinds
-    are `rapid`, `feed`, `cw`, `ccw`, `thread` and `dwell`.
-
-    The columns `more_columns` are there when they are asked for by name: `sx, sy, sz` (where the
-    programmed path of the move begins, in the work coordinates of its end), `msx, msy, msz` (where
-    the tool stood, machine coordinates), `mcx, mcy, mcz` (the centre of the tool's arc, machine
-    coordinates), `cycle` (whether a canned cycle makes it), `compensated` (whether a radius offset
-    holds at its beginning or its end). A row has them all.
+    Columns: `move, step, kind`, the axes in use (`x, y, z` ...) and their machine positions (`mx,
+    my, mz` ...), `cx, cy, cz, plane, feed, feed_mode, spindle, tool, h, d, length, time, skip` and
+    the block of the step, `program, n, line`. The columns `more_columns` are there when they are
+    asked for by name: `sx, sy, sz, msx, msy, msz, mcx, mcy, mcz, cycle, compensated`. A row has
+    them all. `column_facts` says what each holds.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G91 G1 X30. Y40. F100\\nN20 M30\\n"

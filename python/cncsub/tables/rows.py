@@ -111,18 +111,9 @@ class Call:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Move:
-    """One motion. Lengths in mm, time in s. Only fields that apply are printed.
-
-    `x`, `y`, `z` and the other axes in use: the programmed end in the work coordinates in force, a
-    diameter on a diameter axis. `mx`, `my`, `mz` ...: the machine position of the tool, offsets
-    included. `cx`, `cy`, `cz`: the centre of an arc. `skip`: `"touched"` or `"missed"` where the
-    move was one of G31, else `"no"`. What does not apply is `None`.
-
-    `sx`, `sy`, `sz`: where the programmed path of the move begins, in the work coordinates of its
-    end; `msx`, `msy`, `msz`: where the tool stood, in machine coordinates. `mcx`, `mcy`, `mcz`: the
-    centre of the tool's arc, machine coordinates. `program`, `n`, `line`: the block of its step;
-    `None` where it is no longer known. `cycle`: whether a canned cycle makes the move;
-    `compensated`: whether a radius offset holds at its beginning or its end.
+    """One motion; `run.moves.column_facts` says what each field holds. Lengths are in mm, times in
+    s. What does not apply is `None`, and only what applies is printed. `program`, `n` and `line`
+    are `None` where the block is no longer known.
     """
 
     move: int

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     import pandas as pd
     import pyarrow as pa
 
+    from cncsub.tables.columns import ColumnFacts
+
     Column = np.ndarray[Any, Any]
 
 Row = TypeVar("Row", bound=Step | Call | Move | Change | Origin | SentCode | Compared)
@@ -62,6 +64,13 @@ class Table(NotPicklable, Generic[Row]):
         `to_pandas` and `to_arrow`.
         """
         return []
+
+    @property
+    def column_facts(self) -> Mapping[str, ColumnFacts]:
+        """What each column holds and its unit, by name; the fields of Arrow have it as metadata."""
+        from cncsub.tables.columns import facts_of
+
+        return facts_of(self._title, [*self.columns, *self.more_columns])
 
     def _rows(self) -> int:
         raise NotImplementedError
@@ -173,7 +182,8 @@ class Table(NotPicklable, Generic[Row]):
 
     def to_arrow(self, columns: Sequence[str] | None = None) -> pa.Table:
         """Return a `pyarrow.Table` on all columns as they are, or on those named; a column of texts
-        is a dictionary of its codes. Needs `cncsub[arrow]`. Raises `KeyError` for an unknown name.
+        is a dictionary of its codes. The metadata of each field hold its `meaning` and its `unit`.
+        Needs `cncsub[arrow]`. Raises `KeyError` for an unknown name.
         """
         arrow = optional_module("pyarrow")
         names = self.columns if columns is None else self._check(columns)
@@ -193,7 +203,20 @@ class Table(NotPicklable, Generic[Row]):
                 return values
             return arrow.DictionaryArray.from_arrays(values, arrow.array(texts, arrow.string()))
 
-        return arrow.table({name: array(name) for name in names})
+        arrays = [array(name) for name in names]
+        return arrow.table(arrays, schema=self._schema(arrow, names, arrays))
+
+    def _schema(self, arrow: Any, names: list[str], arrays: list[Any]) -> Any:
+        """Return the schema of these columns: each says what it holds and in what unit."""
+        facts = self.column_facts
+        return arrow.schema(
+            arrow.field(
+                name,
+                array.type,
+                metadata={key: value for key, value in facts[name]._asdict().items() if value},
+            )
+            for name, array in zip(names, arrays, strict=True)
+        )
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         return self.to_arrow().__arrow_c_stream__(requested_schema)

@@ -38,7 +38,7 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
     """
     library = load(case, control)
     run = execute(case, library)
-    yield from _stop_differences(case, control.name, run)
+    yield from _stop_differences(case, _name_in(case, control), run)
     yield from _value_differences(case, run)
     yield from _block_differences(case, run)
     if case.arguments is not None:
@@ -47,6 +47,11 @@ def differences(case: Case, control: cncsub.Control) -> Iterator[str]:
         yield from _motion_differences(case, run)
     if case.resets:
         yield from _reset_differences(case, library)
+
+
+def _name_in(case: Case, control: cncsub.Control) -> str:
+    """Return the name by which a case knows a control, which may be changed."""
+    return control.base if control.base in case.controls else control.name
 
 
 def load(case: Case, control: cncsub.Control, *, general_only: bool = False) -> cncsub.Library:
@@ -451,4 +456,4 @@ def check_case(case: Case, control: str | cncsub.Control | None = None) -> None:
         known = name if isinstance(name, cncsub.Control) else cncsub.controls[name]
         found = list(differences(case, known))
         if found:
-            raise AssertionError(report(Row(case, known.name), found, known))
+            raise AssertionError(report(Row(case, _name_in(case, known)), found, known))
