@@ -45,9 +45,17 @@ def test_the_command_is_the_main_of_the_command_line() -> None:
     assert scripts["cncsub"] == "cncsub.cli:main"
 
 
-def test_numpy_typer_and_rich_are_all_that_an_installation_draws_in() -> None:
+def test_numpy_is_all_that_an_installation_without_extras_draws_in() -> None:
     required = [r for r in metadata.requires("cncsub") or [] if "extra ==" not in r]
-    assert sorted(re.split(r"[^a-z]", r)[0] for r in required) == ["numpy", "rich", "typer"]
+    assert [re.split(r"[^a-z]", r)[0] for r in required] == ["numpy"]
+
+
+def test_the_extra_of_the_command_is_part_of_those_that_use_it() -> None:
+    extras = _project()["project"]["optional-dependencies"]
+    assert sorted(re.split(r"[^a-z]", r)[0] for r in extras["cli"]) == ["rich", "typer"]
+    for name in ("test", "docs"):
+        assert "cncsub[cli]" in extras[name]
+    assert _project()["tool"]["cibuildwheel"]["test-extras"] == ["cli"]
 
 
 def test_nothing_is_installed_outside_the_package_and_its_metadata() -> None:
@@ -94,6 +102,111 @@ def test_the_import_needs_no_optional_package() -> None:
     blocked = ["pandas", "plotly", "pyarrow"]
     code = f"import sys; sys.modules.update(dict.fromkeys({blocked})); import cncsub; print('ok')"
     assert run_python(code) == "ok\n"
+
+
+# ---- without the extra of the command ----
+
+WITHOUT = "import sys; sys.modules.update(dict.fromkeys(['rich', 'typer']));"  # as not installed
+CALLS = "import sys; sys.argv = ['cncsub', *sys.argv[1:]]; from cncsub.cli import main; main()"
+
+
+def ended_without(code: str, *words: str) -> subprocess.CompletedProcess[str]:
+    """Run `code` where neither rich nor typer can be imported."""
+    command = [sys.executable, "-c", WITHOUT + code, *words]
+    return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
+
+
+@pytest.mark.parametrize("words", [(), ("--version",), ("run", "part.nc"), ("--help",)])
+def test_the_command_says_what_to_install(words: tuple[str, ...]) -> None:
+    done = ended_without(CALLS, *words)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.count("\n") == 1
+    assert "pip install 'cncsub[cli]'" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_another_module_that_is_missing_is_not_taken_for_the_extra() -> None:
+    done = ended_without("sys.modules['cncsub.checking'] = None;" + CALLS, "--version")
+    assert "cncsub[cli]" in done.stderr  # typer is asked for first
+    code = "import sys; sys.modules['cncsub.checking'] = None;" + CALLS
+    command = [sys.executable, "-c", code, "--version"]
+    other = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
+    assert "cncsub.checking" in other.stderr
+    assert "cncsub[cli]" not in other.stderr
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "run.raise_for_alarm(); assert len(run.steps) and len(run.moves)",
+        "assert library.notes == () and library.check(rules=['CS201']) == []",
+        "assert '<html' in cncsub.report(library, run)",
+        "assert run._repr_html_() and library._repr_html_() and run.calls._repr_html_()",
+        "print(run, run.calls, run.summary(), library.flatten().text)",
+        "assert cncsub.compare(library, controls=['fanuc-0i-f', 'fanuc-30i']).same",
+        "assert run.coverage().percent",
+        "import cncsub.testing; cncsub.testing.load_table",
+        "from cncsub.cli.project import find_project; import pathlib; find_project(pathlib.Path())",
+    ],
+)
+def test_the_package_needs_no_extra(code: str) -> None:
+    program = "O1\\nG65 P2 A1.\\nM30\\nO2\\nG0 X#1\\nM99\\n"
+    head = f"import cncsub; library = cncsub.loads('{program}', control='fanuc-0i-f');"
+    done = ended_without(f"{head} run = library.run(); {code}")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_the_plugin_of_pytest_needs_no_extra(tmp_path: Path) -> None:
+    (tmp_path / "test_it.py").write_text(
+        'def test_it(cnc):\n    cnc.run("O1\\nM30\\n").assert_ends()\n', encoding="utf-8"
+    )
+    code = (
+        "import pytest; sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--control',"
+        f" 'fanuc-0i-f', '-c', '/dev/null', {str(tmp_path)!r}]))"
+    )
+    done = ended_without(code)
+    assert "1 passed" in done.stdout, done.stdout + done.stderr
+
+
+# ---- the hook of pre-commit ----
+
+
+@pytest.mark.parametrize(
+    ("file", "taken"),
+    [
+        ("O1000", True),
+        ("macros/O9010", True),
+        ("o0001", True),
+        ("1000", True),
+        ("O1000_ROUGH", True),
+        ("job/part.nc", True),
+        ("PART.MPF", True),
+        ("PART.TAP", True),
+        ("README", False),
+        ("Makefile", False),
+        ("O1000.txt", False),
+        ("OPTIONS", False),
+        ("notes/1000/readme.md", False),
+        ("setup.toml", False),
+    ],
+)
+def test_the_hook_takes_programs_with_and_without_an_ending(file: str, taken: bool) -> None:
+    yaml = pytest.importorskip("yaml")
+    (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
+    assert (re.search(hook["files"], file) is not None) is taken
+    assert hook["additional_dependencies"] == [".[cli]"]
+
+
+def test_the_command_of_the_hook_checks_a_file_without_an_ending(tmp_path: Path) -> None:
+    yaml = pytest.importorskip("yaml")
+    (hook,) = yaml.safe_load((ROOT / ".pre-commit-hooks.yaml").read_text(encoding="utf-8"))
+    (tmp_path / "cncsub.toml").write_text('control = "fanuc-0i-f"\n', encoding="utf-8")
+    (tmp_path / "O1000").write_text("O1000\nM98 P9\nM30\n", encoding="utf-8")
+    words = [*hook["entry"].split()[1:], "O1000"]
+    command = [sys.executable, "-c", CALLS, *words]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, check=False)
+    assert done.returncode == 1
+    assert "CS201" in done.stdout
 
 
 # ---- wheels for other systems ----

@@ -95,9 +95,12 @@ _BASE = "%SRCROOT%"  # the name that readers of SARIF know for the top of a repo
 
 
 def _root_of(findings: Iterable[Finding]) -> SourceRoot:
-    return SourceRoot(
-        place.file for finding in findings for place in (finding, *finding.places, *finding.path)
-    )
+    files: dict[str, None] = {}
+    for finding in findings:
+        files[finding.file] = None
+        files.update((place.file, None) for place in finding.places)
+        files.update((frame.file, None) for frame in finding.path)
+    return SourceRoot(files)
 
 
 def _result(finding: Finding, numbers: Sequence[str], root: SourceRoot) -> dict[str, Any]:
