@@ -8,19 +8,19 @@ from typing import Any
 import pytest
 
 import cncsub
+from cncsub.analysis.flattening import Origins
+from cncsub.tables import Table
 from cncsub.tables.columns import all_facts
 
 pyarrow = pytest.importorskip("pyarrow")
 
-TEXT = (
-    "O1\nN10 T1 M6\nN20 S100 M3\nN30 G65 P2 A1.\nN40 M30\nO2\n#500=#1\nG1 X1. Y2. A3. F100\nM99\n"
-)
-TABLES = ("steps", "calls", "moves", "watch", "codes")
+TEXT = "O1\nN10 T1 M6\nN20 S100 M3\nN30 G65 P2 A1.\nN40 M30\nO2\n#500=#1\nIF[#1EQ1]GOTO5\nN5 G1 X1. Y2. A3. F100\nM99\n"
+TABLES = ("steps", "calls", "moves", "watch", "codes", "conditions")
 
 
 @pytest.fixture(scope="module")
 def run() -> cncsub.Run:
-    made = cncsub.loads(TEXT, control="fanuc-0i-f").run(watch=[500])
+    made = cncsub.loads(TEXT, control="fanuc-0i-f").run(watch=[500], conditions=True)
     assert all(len(getattr(made, name)) for name in TABLES)
     return made
 
@@ -53,6 +53,13 @@ def test_the_origins_of_a_flat_program_have_them_too() -> None:
         cncsub.loads("O1\nM98 P2\nM30\nO2\nG0 X1.\nM99\n", control="fanuc-0i-f").flatten().origins
     )
     assert metadata(origins)["pass"] == {b"meaning": b"pass of that call, from 1"}
+
+
+def test_each_kind_of_table_has_facts() -> None:
+    kinds = Table.__subclasses__()
+    assert Origins in kinds
+    assert len(kinds) > len(TABLES)
+    assert all(all_facts(kind._title) for kind in kinds)
 
 
 def test_no_facts_are_of_columns_that_no_table_has(run: cncsub.Run) -> None:

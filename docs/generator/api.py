@@ -159,12 +159,15 @@ def _page(title: str, about: str, listed: list[str]) -> str:
     return text
 
 
+_ROWS = {"Watch": "changes", "Conditions": "comparisons"}  # what a table calls its rows
+
+
 def _columns(name: str) -> str:
     """The columns of a table, with their units."""
     room, _, own = name.partition(".")
     if room != "tables" or "." in own:
         return ""
-    facts = all_facts(own.lower() if own != "Watch" else "changes")
+    facts = all_facts(_ROWS.get(own, own.lower()))
     rows = ([code(column), words(of.unit), words(of.meaning)] for column, of in facts.items())
     return table(("column", "unit", "what it holds"), rows) + "\n"
 

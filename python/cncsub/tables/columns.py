@@ -101,6 +101,14 @@ _TABLES: Mapping[str, _Facts] = {
         **_STEP,
         **_BLOCK,
     },
+    "comparisons": {
+        **_STEP,
+        "left": ColumnFacts("value on the left, or the only one; none where it is vacant"),
+        "operator": ColumnFacts("how the two are compared; empty for a condition of one value"),
+        "right": ColumnFacts("value on the right; none where it is vacant or there is none"),
+        "holds": ColumnFacts("whether the comparison is true"),
+        **_BLOCK,
+    },
     "blocks": {
         **_BLOCK,
         "call": ColumnFacts("number of the call that the block ran in; -1 in the main program"),
