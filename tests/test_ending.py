@@ -319,7 +319,7 @@ def test_a_file_that_may_not_grow_is_told_and_nothing_that_was_is_lost(part: Pat
 
 def test_a_limit_of_open_files_leaves_no_program_out(part: Path) -> None:
     code = (
-        "import resource, sys, cncsub.cli, cncsub.cli.run, cncsub.reports.hints, cncsub.cli.batch;"
+        "import resource, sys, cncsub.cli.commands, cncsub.cli.run, cncsub.reports.hints, cncsub.cli.batch;"
         "import cncsub.archive.many;"
         "resource.setrlimit(resource.RLIMIT_NOFILE, (3, 3)); cncsub.cli.main()"
     )
