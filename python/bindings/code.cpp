@@ -171,10 +171,9 @@ void add_code(py::module_& m) {
                                const Program& of = p.program();
                                return std::tuple(of.file, of.text, of.text_end);
                              })
-      .def_property_readonly("has_head",
-                             [](const ProgramData& p) {
-                               return p.program().name_length != Program::kOfFile;
-                             })
+      .def_property_readonly(
+          "has_head",
+          [](const ProgramData& p) { return p.program().name_length != Program::kOfFile; })
       .def_property_readonly("inside",
                              [](const ProgramData& p) { return p.program().inside != kNoProgram; })
       .def(

@@ -67,10 +67,10 @@ _DOCS: Mapping[type, tuple[str, Mapping[str, str]]] = {
     _core.Control: (
         _CONTROL,
         {
-            "name": "The key in `cncsub.controls`.",
+            "name": "The key in `cncsub.controls`; of a changed control, also what was changed.",
             "title": "The name for people.",
             "dialect": "The language of its programs: `iso`, `linuxcnc`, `sinumerik`.",
-            "base": "The built-in control that one of your own was made from; else its own name.",
+            "base": "The built-in control that it was made from: a key of `cncsub.controls`.",
             "rules": "How it answers each question, a tuple of rules with their sources.",
             "parameters": "Its settings by name, such as `6005#0`, with what they mean.",
             "alarms": "Cause to number and text.",
