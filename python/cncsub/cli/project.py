@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from cncsub import system
-from cncsub.checking import SEVERITIES, chosen_rules, rule_named
 from cncsub.controls import Control, control_of, controls, did_you_mean
 from cncsub.own_control import own_control
 from cncsub.setup import toml_of
@@ -208,8 +207,8 @@ def _read(file: Path, told: Any) -> Project:
             _numbers(told.get("parameters", {})),
             {name: file.parent / told[name] for name in PLACES if name in told},
             tuple(file.parent / folder for folder in told.get("folders", [])),
-            chosen_rules(check.get("ignore", [])),
-            _severities(check.get("severity", {})),
+            _ignored(check.get("ignore", [])),
+            _severities(check["severity"]) if "severity" in check else {},
             tuple(told.get("entry", ())),
         )
     except (KeyError, TypeError, ValueError) as error:
@@ -231,7 +230,17 @@ def _numbers(parameters: Mapping[str, Any]) -> dict[str, float]:
     return {name: float(value) for name, value in parameters.items()}
 
 
+def _ignored(told: Any) -> frozenset[str]:
+    if told == []:
+        return frozenset()
+    from cncsub.checking import chosen_rules  # most commands ask for no rules
+
+    return chosen_rules(told)
+
+
 def _severities(told: Any) -> dict[str, str]:
+    from cncsub.checking import SEVERITIES, rule_named
+
     if not isinstance(told, dict):
         raise TypeError("check.severity is a table of rules")
     for name, severity in told.items():
