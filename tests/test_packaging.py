@@ -126,12 +126,12 @@ def test_the_command_says_what_to_install(words: tuple[str, ...]) -> None:
 
 
 def test_another_module_that_is_missing_is_not_taken_for_the_extra() -> None:
-    done = ended_without("sys.modules['cncsub.checking'] = None;" + CALLS, "--version")
+    done = ended_without("sys.modules['cncsub.escapes'] = None;" + CALLS, "--version")
     assert "cncsub[cli]" in done.stderr  # typer is asked for first
-    code = "import sys; sys.modules['cncsub.checking'] = None;" + CALLS
+    code = "import sys; sys.modules['cncsub.escapes'] = None;" + CALLS
     command = [sys.executable, "-c", code, "--version"]
     other = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
-    assert "cncsub.checking" in other.stderr
+    assert "cncsub.escapes" in other.stderr
     assert "cncsub[cli]" not in other.stderr
 
 
