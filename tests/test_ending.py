@@ -279,10 +279,10 @@ def each_ended(folder: Path, lines: list[str], **options: Any) -> list[tuple[int
 @pytest.fixture
 def part(tmp_path: Path) -> Path:
     """A program with a warning, which calls, and another version of it."""
-    text = "O1\nM98 P2\nM98 P3\nM30\nO2\nG91 G1 X5 F100\nM99\nO3\nM99\n"
+    text = "O1\nM98 P2\nM98 P3\nM30\nO2\nG91 G1 X5. F100\nM99\nO3\nM99\n"
     text += "O4\nIF[#1EQ2]#3=4\nM99\n"
     (tmp_path / "part.nc").write_text(text)
-    (tmp_path / "other.nc").write_text(text.replace("X5", "X6"))
+    (tmp_path / "other.nc").write_text(text.replace("X5.", "X6."))
     return tmp_path
 
 

@@ -83,15 +83,10 @@ Fault misfit(const Run& run, const OWord& own, Cause cause, const Labels::Met& m
 
 bool own_value(Run& run, const OWord& own, double& value) {
   value = 0;
-  return own.value == OWord::kNone || evaluate(run, own.value, value);
-}
-
-/// Read the condition of a branch or a loop, or how often it repeats.
-bool own_condition(Run& run, const OWord& own, double& value) {
-  if (own.kind == OWordKind::Repeat) return own_value(run, own, value);
-  value = 0;
-  return own.value == OWord::kNone ||
-         evaluate_condition(run, run.code->expression(own.value), places(run), value);
+  if (own.value == OWord::kNone) return true;
+  if (own.kind == OWordKind::If || own.kind == OWordKind::ElseIf || own.kind == OWordKind::While)
+    return evaluate_condition(run, own.value, value);
+  return evaluate(run, own.value, value);
 }
 
 /// Find what the label was met with before; alarm where it was not met.
@@ -139,8 +134,7 @@ bool head(Run& run, const OWord& own) {
   if (run.state.labels.defining)
     return alarm(run,
                  labelled_fault(own, Cause::SubprogramInSubprogram, "a sub inside another sub"));
-  if (!sub && !searched) return true;
-  if (run.state.frames.size() > 1 && !searched) return true;
+  if (!searched && (!sub || run.state.frames.size() > 1)) return true;
   auto& met = run.state.labels.met[key(kEverywhere, own.label)];
   if (met.address != kNowhere) return alarm(run, head_again(run, own, met.address));
   met = {run.state.pc, own.kind, -1};
@@ -263,7 +257,7 @@ bool labelled_call(Run& run, const OWord& own) {
 
 bool branch_of_if(Run& run, const OWord& own) {
   double value = 0;
-  if (!own_condition(run, own, value)) return false;
+  if (!own_value(run, own, value)) return false;
   const bool skipping = std::exchange(run.state.labels.skipping, false);
   Labels::Met* met = nullptr;
   if (own.kind == OWordKind::If) {
@@ -293,7 +287,7 @@ bool branch_of_if(Run& run, const OWord& own) {
 
 bool loop_head(Run& run, const OWord& own) {
   double value = 0;
-  if (!own_condition(run, own, value)) return false;
+  if (!own_value(run, own, value)) return false;
   run.state.labels.skipping = false;
   Labels::Met* met = nullptr;
   if (own.kind == OWordKind::Do) {

@@ -119,6 +119,9 @@ inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address 
 
 /// Evaluate a condition, and keep what it compares where the run is asked to.
 bool evaluate_condition(Run& run, Expression condition, const Places& places, double& value);
+inline bool evaluate_condition(Run& run, std::uint32_t condition, double& value) {
+  return evaluate_condition(run, run.code->expression(condition), places(run), value);
+}
 
 bool evaluate_operand(Run& run, const Operand& operand, double& value);
 /// Read the value of a word of a call, a return or a jump; vacant where it is absent.
