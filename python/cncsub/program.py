@@ -14,6 +14,7 @@ from cncsub.files import clean
 from cncsub.pickling import NotPicklable
 
 if TYPE_CHECKING:
+    from cncsub._core import Control
     from cncsub.references import CallTo, JumpTo, References, VariableUse
 
 
@@ -87,6 +88,12 @@ def tokens_of(rows: Iterable[tuple[str, str, str, float | None, str]], column: i
         tokens.append(Token(kind, text, column, word))
         column += len(text)
     return tokens
+
+
+def words_of(control: Control, text: str) -> list[Word]:
+    """The words of a text that is no block of a library, as a control reads them."""
+    rows = _core.tokens(control, text)
+    return [Word(address, value, read) for kind, _, address, value, read in rows if kind == "word"]
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,7 +21,7 @@ from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.lines import lines_of
 from cncsub.number_text import length_text, number_text
-from cncsub.program import Program, Word, tokens_of
+from cncsub.program import Program, Word, words_of
 from cncsub.run import Run, Stop
 from cncsub.setup import Setup
 from cncsub.sibling_files import files_named, folders_in, folders_of
@@ -309,7 +309,7 @@ def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
     """Yield a hint on a lathe program where the control is described as a mill alone."""
     if "turning" not in control.absent or alarm.cause not in _REFUSED:
         return
-    if _OF_LATHES.fullmatch(alarm.word or ""):
+    if _g_code(control, alarm) in _OF_LATHES:
         yield (
             f"{control.name} is a mill alone ({control.title}), and {alarm.word} is of lathes:"
             f" no lathe with this control is known here"
@@ -317,7 +317,13 @@ def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
 
 
 _REFUSED = ("g-code-not-available", "code-not-known", "code-not-computed")
-_OF_LATHES = re.compile(r"G0*(?:32|33|34|7[0-6]|9[0267])", re.IGNORECASE)
+_OF_LATHES = (32, 33, 34, 70, 71, 72, 73, 74, 75, 76, 90, 92, 96, 97)
+
+
+def _g_code(control: Control, alarm: Alarm) -> float | None:
+    """Return the G code that an alarm points at."""
+    words = words_of(control, alarm.word or "")
+    return words[0].value if len(words) == 1 and words[0].address == "G" else None
 
 
 def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
@@ -341,21 +347,20 @@ def _words_of(library: Library, alarm: Alarm, mdi: str | None) -> list[Word]:
     if program is not None:
         return next((list(b.words) for b in program.blocks if b.line == alarm.line), [])
     text = "".join(lines_of(mdi or "")[alarm.line - 1 : alarm.line])
-    tokens = tokens_of(_core.tokens(library.control, text), 1)
-    return [token.word for token in tokens if token.word is not None]
+    return words_of(library.control, text)
 
 
 def _who_has(control: Control, alarm: Alarm) -> Iterator[str]:
     """Yield the controls that have a G code which this control has not."""
-    code = re.fullmatch(r"G0*(\d+(?:\.\d+)?)", alarm.word or "", re.IGNORECASE)
+    code = _g_code(control, alarm)
     if alarm.cause != "g-code-not-available" or code is None:
         return
     names = [
         other.name
         for other in controls.values()
         if other.name != control.base
-        and any(r.name == "g_codes" and code[1] in str(r.value).split() for r in other.rules)
-        and _computes(other, f"G{code[1]}")
+        and any(r.name == "g_codes" and f"{code:g}" in str(r.value).split() for r in other.rules)
+        and _computes(other, f"G{code:g}")
     ]
     if names:
         yield f"{alarm.word} is a code of {', '.join(names)}"

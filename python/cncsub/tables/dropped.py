@@ -6,35 +6,34 @@ import re
 from collections.abc import Iterable, Iterator
 
 from cncsub._core import Control
+from cncsub.program import words_of
 from cncsub.tables.rows import Dropped
 
 Row = tuple[int, str, int | None, int, str, str]  # of the engine
 
 _SPINDLE = re.compile(r"M0*(\d+)=spindle-(?:forward|backward)")
-_M_CODE = re.compile(r"M\s*0*(\d+)", re.IGNORECASE)
-_COMPUTED = re.compile(r"M\s*[+-]?[#\[].*", re.IGNORECASE)
 _COOLANT = (7, 8)  # as ISO 6983 numbers them: to a control they are codes as any other
 
 
 def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
     """Yield the rows of the engine; an M code that would start the spindle or the coolant warns."""
-    starts: dict[int | None, str] | None = None
+    starts: dict[float | None, str] | None = None
     for row in rows:
-        code = _M_CODE.fullmatch(row[-1])
+        words = words_of(control, row[-1])
         warning = None
-        if code is not None or _COMPUTED.fullmatch(row[-1]):
+        if words and words[0].address == "M":
             starts = starts or _starts(control)
-            warning = starts.get(int(code[1]) if code is not None else None)
+            warning = starts.get(words[0].value)
         yield Dropped(*row, warning=warning)
 
 
-def _starts(control: Control) -> dict[int | None, str]:
+def _starts(control: Control) -> dict[float | None, str]:
     """Return by M code what is said where it is dropped; by None where it is computed."""
     rules = {rule.name: rule.value for rule in control.rules}
     allows = _allows(control, rules["m_codes_per_block"])
     spindle = dict.fromkeys(map(int, _SPINDLE.findall(str(rules["roles"]))), "spindle")
     what = {**dict.fromkeys(_COOLANT, "coolant"), **spindle}
-    told: dict[int | None, str] = {None: f"it may start the spindle or the coolant: {allows}"}
+    told: dict[float | None, str] = {None: f"it may start the spindle or the coolant: {allows}"}
     return told | {code: f"it would start the {name}: {allows}" for code, name in what.items()}
 
 
