@@ -390,6 +390,10 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "logic in an argument": ("", "O1\nN10 G65 P2 A[#500+1 AND 7]\n" + END + "O2\nN20 G0 X#1\nN30 M99\n", "CS705 N10"),
     "logic in the number of a jump": ("", "O1\nN10 GOTO[#500+1 AND 3]\nN20 M30\n", "CS705 N10"),
     "logic of words in a comment": ("", "O1\nN10 G0 X[#500+1] ([A+1 AND B])\n" + END, ""),
+    "logic after a comment": ("", "O1\nN10 #1=#500+#501 (A OR B) AND 7\nN20 G0 X#1\n" + END, "CS705 N10"),
+    "logic that stands in a comment alone": ("", "O1\nN10 #1=#500+#501 (A AND B)\nN20 G0 X#1\n" + END, ""),
+    "logic beside a function of two arguments": (
+        "haas-ngc", "O1\nN10 #1=ATAN[#500]/[#501] AND 7\nN20 G0 X#1\n" + END, "CS705 N10"),
     "conditions that are joined where logic comes last": (
         "mitsubishi-m700", "O1\nN10 IF[#500 EQ 1 AND #501 EQ 2]GOTO 90\n" + END, ""),
     "AND after OR where both bind alike": (
@@ -397,6 +401,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "OR after AND is read as it looks": (
         "mitsubishi-m700", "O1\nN10 IF[[#500 EQ 1] AND [#501 EQ 2] OR [#502 EQ 3]]GOTO 90\n" + END, ""),
     "AND after OR from left to right": ("linuxcnc", "#1=1\no1 if [#1 eq 1 or #1 eq 2 and #1 eq 3]\no1 endif\nm2\n", "CS705 :2"),
+    "AND after OR of named variables": (
+        "linuxcnc", "#<a>=1\no1 if [#<a> eq 1 or #<a> eq 2 and #<_b> eq 3]\no1 endif\nm2\n", "CS705 :2"),
     "AND beside comparisons in LinuxCNC": ("linuxcnc", "#1=1\no1 if [#1 eq 1 and #1 lt 3]\no1 endif\nm2\n", ""),
     # Values that are easily mistaken
     "no point on a control of increments": ("", "O1\nN10 G0 X1.5 Y20\n" + END, "CS701 N10"),

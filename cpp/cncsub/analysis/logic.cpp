@@ -1,13 +1,10 @@
 // Finds AND, OR and XOR whose precedence is not what it looks.
-#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "cncsub/analysis/brackets.hpp"
 #include "cncsub/analysis/checker.hpp"
-#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -16,89 +13,6 @@ namespace {
 /// The mixtures to report: logic beside another operation, or AND beside OR where both have the
 /// same precedence.
 enum class Asked : std::uint8_t { Nothing, OtherOperations, OtherLogic, Both };
-
-/// The operations of an expression by its brackets.
-class Operations {
- public:
-  Operations(std::span<const OperatorRow> rows, Asked asked) : rows_(rows), asked_(asked) {}
-  /// Return whether a logic operation stands beside another one in the same brackets.
-  bool mixed(std::string_view text);
-
- private:
-  struct Level {
-    bool logic = false, other = false;
-    bool after_or = false;   // an OR or XOR came before
-    bool and_after = false;  // and an AND after it, which is done first where it binds closer
-  };
-  bool mixed(const Level& level) const;
-  /// Read one character; return false where brackets end that hold both kinds.
-  bool take(char sign);
-  void take_name(std::string_view written);
-
-  std::span<const OperatorRow> rows_;
-  Asked asked_;
-  std::vector<Level> levels_{1};
-  bool value_ = false;  // after a value, where a sign is an operation
-};
-
-bool Operations::mixed(const Level& level) const {
-  return (asked_ != Asked::OtherLogic && level.logic && level.other) ||
-         (asked_ != Asked::OtherOperations && level.and_after);
-}
-
-bool Operations::take(char sign) {
-  const bool operation = sign == '+' || sign == '-' || sign == '*' || sign == '/';
-  if (sign == '[') levels_.emplace_back();
-  if (operation && value_) levels_.back().other = true;
-  if (sign == ']') {
-    if (mixed(levels_.back())) return false;
-    if (levels_.size() > 1) levels_.pop_back();
-  }
-  if (!is_blank(sign)) value_ = !operation && sign != '[';
-  return true;
-}
-
-void Operations::take_name(std::string_view written) {
-  value_ = false;
-  const OperatorRow* const of = operator_of_letters(rows_, written);
-  if (of == nullptr) return;
-  Level& level = levels_.back();
-  level.logic = level.logic || of->is_logic();
-  level.after_or = level.after_or || (of->is_logic() && !of->is_conjunction());
-  level.and_after = level.and_after || (level.after_or && of->is_conjunction());
-  level.other = level.other || !of->is_logic();
-}
-
-bool Operations::mixed(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '<') {  // a name
-      i = std::min(text.find('>', i), text.size() - 1);
-      value_ = true;
-      continue;
-    }
-    if (!is_letter(text[i])) {
-      if (!take(text[i])) return true;
-      continue;
-    }
-    std::size_t end = i;
-    while (end < text.size() && is_letter(text[end])) ++end;
-    take_name(text.substr(i, end - i));
-    i = end - 1;
-  }
-  return mixed(levels_.back());
-}
-
-/// Return whether a text contains the name of a logic operation.
-bool has_logic(std::span<const OperatorRow> rows, std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (!is_letter(text[i])) continue;
-    const std::size_t from = i;
-    while (i < text.size() && is_letter(text[i])) ++i;
-    const OperatorRow* const of = operator_of_letters(rows, text.substr(from, i - from));
-    if (of != nullptr && of->is_logic()) return true;
-  }
-  return false;
-}
 
 /// Return which mixtures to report. Logic of numbers may stand beside arithmetic, and AND may have
 /// the precedence of OR.
@@ -120,8 +34,7 @@ class LogicCheck {
   explicit LogicCheck(Checker& c)
       : c_(c),
         order_(c.code.control->macros.logic_order.value),
-        rows_(c.code.spelling->operators(order_)),
-        asked_(asked_of(rows_)) {}
+        asked_(asked_of(c.code.spelling->operators(order_))) {}
   bool asks() const { return asked_ != Asked::Nothing; }
   void block(Address at, const Block& block, std::string_view text);
 
@@ -129,9 +42,7 @@ class LogicCheck {
   bool is_statement(const Block& block) const;
   bool of_numbers(const Expression& of) const;
   bool of_conditions(const Expression& of) const;
-  bool is_mixed(std::string_view text, Asked asked) const {
-    return has_logic(rows_, text) && Operations(rows_, asked).mixed(text);
-  }
+  bool is_mixed(std::string_view text, Asked asked) const;
   void mend(Finding& found, Address at, std::string_view written, LogicOrder order) const;
   void brackets(Address at, std::string_view text, std::uint32_t first);
   void tell_word(Address at, TextPlace place, std::string_view written);
@@ -141,9 +52,15 @@ class LogicCheck {
 
   Checker& c_;
   LogicOrder order_;
-  std::span<const OperatorRow> rows_;
   Asked asked_;
 };
+
+/// Return whether a logic operation stands beside another one in the same brackets.
+bool LogicCheck::is_mixed(std::string_view text, Asked asked) const {
+  const WrittenLogic found = read_logic(text, *c_.code.spelling, order_);
+  return (asked != Asked::OtherLogic && found.beside_other) ||
+         (asked != Asked::OtherOperations && found.and_after_or);
+}
 
 const char* LogicCheck::read_as(Asked asked) const {
   if (asked == Asked::OtherLogic) return "here AND, OR and XOR are done from left to right";
@@ -189,14 +106,15 @@ void LogicCheck::mend(Finding& found, Address at, std::string_view written,
                       LogicOrder order) const {
   const Control& control = *c_.code.control;
   // The brackets around the expression count too.
-  const auto text =
-      with_brackets(written, *c_.code.spelling, order, asked_ != Asked::OtherOperations,
-                    control.macros.max_brackets.value - 1);
-  if (!text) return;
+  const std::string text =
+      read_logic(written, *c_.code.spelling, order, asked_ != Asked::OtherOperations,
+                 control.macros.max_brackets.value - 1)
+          .bracketed;
+  if (text.empty()) return;
   const int most = control.reading.max_block_length.value;
-  const std::size_t length = c_.code.blocks[at].length + text->size() - written.size();
+  const std::size_t length = c_.code.blocks[at].length + text.size() - written.size();
   if (most > 0 && length > static_cast<std::size_t>(most)) return;
-  found.edits.push_back({at, found.place, *text});
+  found.edits.push_back({at, found.place, text});
 }
 
 /// Check the expressions in brackets of a block of words, of a call or of a label.
@@ -243,6 +161,7 @@ void LogicCheck::block(Address at, const Block& block, std::string_view text) {
   const bool set = block.op == Op::Set;
   const Expression of =
       c_.code.expression(set ? block.aux : c_.code.statements[block.aux].expression);
+  if (!of_numbers(of) && !of_conditions(of)) return;
   const std::uint32_t first = of.at();
   const std::string_view written = std::string_view(text).substr(first, of.width());
   // Comparisons are done before logic joins them, as it looks. Only AND beside OR may mislead.
