@@ -211,12 +211,11 @@ def printed(control: str, number: str) -> set[str]:
 def of_the_rows() -> dict[str, str]:
     sys.path.insert(0, str(CONFORMANCE))
     import cncsub
-    from cncsub import _core
     from cncsub.testing.outcome import execute, load
-    from conformance import rows
+    from conformance import motion_causes, rows
     from entries import unnoticed
 
-    causes, wrong = set(_core.causes_with_words()), []
+    causes, wrong = motion_causes(), []
     for row in rows():
         if row.case.alarm in causes:
             alarm = execute(row.case, load(row.case, cncsub.controls[row.control])).alarm

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "bindings.hpp"
-#include "cncsub/code/fault_words.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/control/source.hpp"
 #include "cncsub/control/spelled.hpp"
@@ -466,11 +465,6 @@ void add_controls(py::module_& m) {
     std::vector<std::string> keys;
     for (const Source* source : cited(text)) keys.emplace_back(source->key);
     return keys;
-  });
-  m.def("causes_with_words", [] {
-    std::vector<std::string> slugs;
-    for (const std::string_view slug : causes_with_words()) slugs.emplace_back(slug);
-    return slugs;
   });
   m.def("strongest", [](const std::string& text, const std::string& control) {
     return std::string(to_string(strongest(text, control)));

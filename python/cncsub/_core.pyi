@@ -28,9 +28,6 @@ def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
 def cited(text: str) -> list[str]:
     """Return the keys of the sources that a text cites, each once."""
 
-def causes_with_words() -> list[str]:
-    """Return the causes of alarms that point at a word of their own."""
-
 def strongest(text: str, control: str) -> str:
     """Return the strongest evidence that a fact with this source may carry on a control."""
 

@@ -127,6 +127,16 @@ def cases() -> tuple[Case, ...]:
     return tuple(_cases)
 
 
+def motion_causes() -> set[str]:
+    """Return the causes of the motion, each of which points at a word of its block: those that
+    follow the missing feed in the list of causes. A code that is not computed is the claim of its
+    row, and a position is read in an expression.
+    """
+    slugs = [slug for slug, *_ in _core.causes()]
+    of_motion = set(slugs[slugs.index("no-feed") :])
+    return of_motion - {"code-not-computed", "position-in-offset"}
+
+
 def rows() -> list[Row]:
     """Return every case once for each of its controls."""
     return [Row(case, control) for case in cases() for control in case.controls]

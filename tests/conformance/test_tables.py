@@ -12,7 +12,7 @@ import cncsub
 from cncsub import _core
 from cncsub.reports.facts import explanations
 from cncsub.testing.outcome import execute, load
-from conformance import EVIDENCE, FOLDER, Case, cases, rows, topic_files
+from conformance import EVIDENCE, FOLDER, Case, cases, motion_causes, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
 from mutation import HOW_TO_FIND, notices, pinning, unpinned, words
@@ -121,8 +121,8 @@ def test_every_rule_has_a_meaning_and_a_source() -> None:
 
 
 def test_every_motion_alarm_of_a_row_names_its_word() -> None:
-    """A row that alarms for a cause with a word says which word is under the caret."""
-    causes = set(_core.causes_with_words())
+    """A row that alarms for a cause of the motion says which word is under the caret."""
+    causes = motion_causes()
     lacking = [
         str(row)
         for row in rows()

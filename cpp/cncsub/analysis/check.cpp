@@ -152,10 +152,8 @@ Finding& Checker::found(Check check, Address block, TextPlace place, std::string
 Finding& Checker::refused(Check check, Address block, Fault fault) {
   if (next_cause_.empty()) {
     next_cause_ = scope_of(check, block);
-    if (check != Check::LoopUnclosed) {
+    if (check != Check::LoopUnclosed)
       next_cause_ += std::to_string(static_cast<int>(fault.cause)) + " " + fault.detail;
-      next_cause_ += fault.address;
-    }
     if (fault.detail.starts_with("{}")) {  // add the word to the cause
       const std::string_view text = code.files[program(code.program_at(block)).file].text.view();
       next_cause_ += text.substr(std::min<std::size_t>(fault.at, text.size()), fault.width);

@@ -48,7 +48,7 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<i
   if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {
     Fault fault{.cause = Cause::PqNotFound,
                 .detail = c.code.no_block(from == kNowhere ? p : q, program),
-                .address = from == kNowhere ? 'P' : 'Q'};
+                .word = {.addresses = bit(from == kNowhere ? 'P' : 'Q')}};
     c.refused(Check::TargetMissing, at, std::move(fault));
   }
   if (from == kNowhere || to == kNowhere || to < from) return;

@@ -25,8 +25,7 @@ void check_code(Checker& c, Address at, int g) {
   if (is_computed(*c.code.control, meaning)) return;
   Fault fault{.cause = Cause::GCodeNotAvailable,
               .detail = "the control has no " + code_name(g),
-              .address = 'G',
-              .code = g};
+              .word = {.code = g}};
   if (meaning == Meaning::Unknown) {
     fault.cause = Cause::CodeNotKnown;
     fault.detail = "no source says whether the control has " + code_name(g);
@@ -196,8 +195,7 @@ void check_arc(Checker& c, Address at, const Block& block) {
                                 code.group != Group::Cycle));
   });
   if (arc >= 0 && alone)
-    c.refused(Check::Refused, at,
-              {.cause = Cause::NoRadius, .detail = {}, .address = 'G', .code = arc});
+    c.refused(Check::Refused, at, {.cause = Cause::NoRadius, .detail = {}, .word = {.code = arc}});
 }
 
 /// Mark a program as unsure: the words that a call drops may have said where it begins.

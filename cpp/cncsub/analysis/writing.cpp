@@ -49,8 +49,7 @@ void check_conflict(Checker& c, Address at, const Block& block, const Program& p
     if (refused) {
       const TextPlace place = place_of_code(c.code, block, program, g, true);
       Fault fault{Cause::AddressGivenTwice, place.at, place.width, both + " are of one group"};
-      fault.address = 'G';
-      fault.code = g;
+      fault.word.code = g;
       c.refused(Check::Refused, at, std::move(fault));
     } else if (before->second != g) {
       c.found(Check::CodesInConflict, at,

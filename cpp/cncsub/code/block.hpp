@@ -62,14 +62,24 @@ union Cell {
 };
 
 // Addresses in a block's mask: bit 0 is A, bit 25 Z; then the two-character addresses.
+constexpr std::string_view kCommaLetters = "CRAD";  // of ,C ,R ,A ,D
 constexpr int kCommaC = 26, kCommaR = 27, kCommaA = 28, kCommaD = 29;
 constexpr int kRadius = 30, kAngle = 31;  // @ and ^, a point by polar coordinates
 constexpr int kAddresses = 32;
 constexpr int kPointedH = 30;  // no address, a mark: H has a point that only an increment takes
 constexpr std::uint32_t bit(char address) { return 1u << (address - 'A'); }
+/// Return the place of a letter after a comma; -1 where no address is written so.
+constexpr int comma_place(char letter) {
+  const std::size_t at = kCommaLetters.find(letter);
+  return at == std::string_view::npos ? -1 : kCommaC + static_cast<int>(at);
+}
 // The words of a plain move: its end point, and the centre of an arc.
 constexpr std::uint32_t kEndWords = bit('X') | bit('Y') | bit('Z');
 constexpr std::uint32_t kCentreWords = bit('I') | bit('J') | bit('K');
+/// The words @ and ^: the radius and the angle of a point in G17.
+constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
+constexpr std::uint32_t kAxisWords =
+    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
 
 /// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
 /// codes and the M codes (if not listed; one cell each, or an expression), then the values of the

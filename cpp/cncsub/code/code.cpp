@@ -149,4 +149,11 @@ std::string_view Code::comment_of(const Program& program) const {
   return files[program.file].text.view().substr(program.comment_at, program.comment_length);
 }
 
+std::string_view to_string(CallKind kind) {
+  static constexpr std::array<std::string_view, 14> kNames{
+      "M98",   "M198",   "M97",    "O",      "call",   "G65",    "G66",
+      "G66.1", "G-code", "M-code", "T-code", "S-code", "B-code", "ASCII"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 }  // namespace cncsub

@@ -1,9 +1,9 @@
 #include "cncsub/code/fault.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/fault_words.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -58,11 +58,6 @@ WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace
   return token(first, last);
 }
 
-bool names(const Fault& fault, const WrittenWord& word) {
-  if (word.address != std::string_view(&fault.address, 1)) return false;
-  return fault.code < 0 || !word.known || std::lround(word.value * 10) == fault.code;
-}
-
 /// Return the word, or of a macro statement the token, that holds a place of the block's `text`.
 WordPlace widened(const Spelling& spelling, WordPlace place, const WrittenWord& word,
                   std::string_view text) {
@@ -77,35 +72,37 @@ WordPlace whole_word(const Code& code, const Program& program, const Block& bloc
                      const Fault& fault) {
   const WordPlace place{fault.at, std::max(fault.width, 1u)};
   const std::string_view text = code.text_of(block, program).substr(0, kLookedAt);
-  const bool named = fault.block == kNowhere && fault.address != 0;
+  const bool named = fault.block == kNowhere && fault.word.any();
   if (!named && (place.at < block.text || place.at >= block.text + text.size())) return place;
+  const std::vector<WrittenWord> words = code.words_of(block, program);
+  if (named) {
+    const WrittenWord* const word = find_word(fault.word, words, *code.spelling, nullptr);
+    return word == nullptr ? place : WordPlace{block.text + word->at, word->width};
+  }
   const WordPlace here{place.at - block.text, place.width};
-  for (const WrittenWord& word : code.words_of(block, program)) {
-    if (named && names(fault, word)) return {block.text + word.at, word.width};
-    if (named || here.at < word.at || here.at >= word.at + word.width) continue;
+  for (const WrittenWord& word : words) {
+    if (here.at < word.at || here.at >= word.at + word.width) continue;
     const WordPlace whole = widened(*code.spelling, here, word, text);
     return {block.text + whole.at, whole.width};
   }
   return place;
 }
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; }
-
 std::uint32_t characters(std::string_view text) {
   return static_cast<std::uint32_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
+      std::count_if(text.begin(), text.end(), [](char c) { return !is_inside_character(c); }));
 }
 
 /// Return the first characters of a text, as many as so many bytes hold.
 std::string_view first_of(std::string_view text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
-  while (bytes > 0 && continues(text[bytes])) --bytes;
+  while (bytes > 0 && is_inside_character(text[bytes])) --bytes;
   return text.substr(0, bytes);
 }
 
 /// Show a place of a file's text: its line, and the word with its column, in whole characters.
 void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t width) {
-  while (at > 0 && at < text.size() && continues(text[at])) --at;
+  while (at > 0 && at < text.size() && is_inside_character(text[at])) --at;
   const std::size_t before = at == 0 ? std::string_view::npos : text.rfind('\n', at - 1);
   const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
   std::size_t line_end = std::min(text.find('\n', at), text.size());
@@ -113,7 +110,7 @@ void show(Alarm& alarm, std::string_view text, std::size_t at, std::uint32_t wid
   // marked.
   while (line_end > at && is_blank(text[line_end - 1])) --line_end;
   std::size_t end = at + std::min<std::size_t>(width, line_end - at);
-  while (end < line_end && continues(text[end])) ++end;
+  while (end < line_end && is_inside_character(text[end])) ++end;
   const std::string_view word = text.substr(at, end - at);
   alarm.source_line = first_of(text.substr(line, line_end - line), kLongestSource);
   alarm.column = characters(text.substr(line, at - line)) + 1;

@@ -12,6 +12,16 @@ namespace cncsub {
 using Address = std::uint32_t;
 constexpr Address kNowhere = 0xffffffff;
 
+/// The word of its block that a fault is about: the first that has one of these names. Where none
+/// of them is written there, it is the code by which the block acts, or else what that moves.
+struct WordName {
+  std::uint32_t addresses = 0;  // a bit each
+  std::uint32_t groups = 0;     // of G codes, a bit each
+  int code = -1;                // a G code, ten times its number
+
+  bool any() const { return addresses != 0 || groups != 0 || code >= 0; }
+};
+
 /// The fault of a block, with its place in the file.
 struct Fault {
   Cause cause{};
@@ -22,8 +32,7 @@ struct Fault {
   // "X+", "LA" of a line and the arc after it, or "EX" of a call of the external device, where the
   // control may have a number for each
   std::array<char, 2> kind{};
-  char address = 0;       // of the word that is wrong, where `at` does not say it
-  int code = -1;          // or that G code, ten times its number
+  WordName word = {};     // that is wrong, where `at` does not say it
   std::string text = {};  // the control's own words, where they name what is wrong
   std::string name = {};  // of a variable, or numbers, for the control's words
 };

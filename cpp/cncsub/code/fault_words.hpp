@@ -1,7 +1,7 @@
-// Finds the word of its block that a fault of the motion is about.
+// Finds the word of its block that a fault is about.
 #pragma once
 
-#include <string_view>
+#include <cstdint>
 #include <vector>
 
 #include "cncsub/code/code.hpp"
@@ -9,12 +9,12 @@
 
 namespace cncsub {
 
-/// Point a fault at one of the words of its block, which begins at `text` in its file: at the word
-/// the fault names, else at the one its cause is about.
-void point_at_word(const GCodes& codes, const std::vector<WrittenWord>& words, std::uint32_t text,
-                   Fault& fault);
+/// Return the first word of a block that has one of these names; null where none has. Groups of G
+/// codes need `codes`.
+const WrittenWord* find_word(const WordName& name, const std::vector<WrittenWord>& words,
+                             const Spelling& spelling, const GCodes* codes);
 
-/// Return the causes that point at a word of their own, not at the head of their block.
-std::vector<std::string_view> causes_with_words();
+/// Point a fault of the motion, which says its block, at the word that it names.
+void point_at_word(const Code& code, const GCodes& codes, Fault& fault);
 
 }  // namespace cncsub

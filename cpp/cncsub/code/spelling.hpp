@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "cncsub/code/operators.hpp"
@@ -42,6 +43,11 @@ struct Spelling {
   bool ignores_words = false;  // words may be ignored; else one that is dropped is obeyed, and
                                // a run goes on without it
   bool open_comments = false;  // a comment that is not closed may be read
+
+  /// Return the place of a written address in the mask of a block; -1 where it has none.
+  int place_of(std::string_view address) const;
+  /// Return the address of a place in the mask as it is written.
+  std::string address_of(int place) const;
 };
 
 }  // namespace cncsub

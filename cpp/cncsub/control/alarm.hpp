@@ -9,7 +9,7 @@
 namespace cncsub {
 
 enum class Cause : std::uint16_t {
-#define CAUSE(name, slug, meaning, cure, words) name,
+#define CAUSE(name, slug, meaning, cure) name,
 #include "cncsub/control/causes.def"
 #undef CAUSE
 };
@@ -19,7 +19,6 @@ struct CauseInfo {
   std::string_view slug;     // "program-not-found"
   std::string_view meaning;  // what happened
   std::string_view cure;     // how to mend it
-  std::string_view words;    // what an alarm of the motion points at, see causes.def
 };
 
 /// Return every cause, in the order of the enumeration.

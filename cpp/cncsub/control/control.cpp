@@ -11,7 +11,7 @@ namespace cncsub {
 // What every run reads lives as long as the process: when it ends, threads may still be at work.
 const std::vector<CauseInfo>& all_causes() {
   static const auto& causes = *new const std::vector<CauseInfo>{
-#define CAUSE(name, slug, meaning, cure, words) {#name, slug, meaning, cure, words},
+#define CAUSE(name, slug, meaning, cure) {#name, slug, meaning, cure},
 #include "cncsub/control/causes.def"
 #undef CAUSE
   };

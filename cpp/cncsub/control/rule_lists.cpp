@@ -201,4 +201,16 @@ Wrong change_list(std::string_view rule, std::string& list, std::string_view tex
   return std::nullopt;
 }
 
+std::string code_text(int tenfold) {
+  std::string text = std::to_string(tenfold / 10);
+  if (tenfold % 10 != 0) text += "." + std::to_string(tenfold % 10);
+  return text;
+}
+
+std::string Codes::text() const {
+  std::string text;
+  for_each([&text](int tenfold) { text += (text.empty() ? "" : " ") + code_text(tenfold); });
+  return text;
+}
+
 }  // namespace cncsub

@@ -9,23 +9,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr std::string_view kCommaLetters = "CRAD";
-
-/// Return the place of a written word's address in a mask; -1 where it is none of one letter.
-int place_of(std::string_view address, const Spelling& spelling) {
-  if (address == spelling.radius) return 'R' - 'A';
-  const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
-  if (address.size() == 2 && address[0] == ',') {
-    const auto comma = kCommaLetters.find(upper(address[1]));
-    return comma == std::string_view::npos ? -1 : kCommaC + static_cast<int>(comma);
-  }
-  if (address.size() != 1) return -1;
-  if (const auto polar = spelling.polar.find(address[0]); polar != std::string_view::npos)
-    return kRadius + static_cast<int>(polar);
-  const char letter = upper(address[0]);
-  return letter >= 'A' && letter <= 'Z' ? letter - 'A' : -1;
-}
-
 /// Remove the blank that a part ends with, at the end of a line.
 void end_line(std::string& to) {
   if (!to.empty() && to.back() == ' ') to.pop_back();
@@ -134,7 +117,7 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
 }
 
 void BlockWriter::Maker::take(const WrittenWord& word) {
-  const int place = place_of(word.address, *to_.code_.spelling);
+  const int place = to_.code_.spelling->place_of(word.address);
   if (place < 0) return;
   const char letter = place < 26 ? static_cast<char>('A' + place) : ',';
   if (letter == 'G' || letter == 'M')

@@ -18,8 +18,7 @@ namespace {
 constexpr std::string_view kLengths = "ABCHIJKQRUVWXYZ";  // whole numbers may be increments
 constexpr std::string_view kAlwaysLengths = "BUVWXYZ";
 constexpr std::string_view kWithoutPoint = "DGHLMNOPST";  // numbers of something, where whole
-constexpr std::string_view kCommaLetters = "CRAD";
-constexpr std::size_t kLeastDecimals = 3;  // that every number counts as having
+constexpr std::size_t kLeastDecimals = 3;                 // that every number counts as having
 
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
@@ -135,13 +134,6 @@ bool WordWriter::calls(char letter, double code) const {
   return listed(to_whole<std::int64_t>(std::round(code * 10))) || listed(-1);
 }
 
-std::string WordWriter::address_of(int place) const {
-  if (place >= kRadius)
-    return std::string(1, code_.spelling->polar[static_cast<std::size_t>(place - kRadius)]);
-  if (place == 'R' - 'A') return std::string(code_.spelling->radius);
-  return (place >= kCommaC ? "," : "") + std::string(1, letter_of(place));
-}
-
 /// Return whether the number is written with a point. Without, it counts increments where lengths
 /// do.
 bool WordWriter::points(char letter, const NumberText& text) const {
@@ -170,7 +162,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   const char letter = letter_of(place);
   const bool rounded = round(place, value);
   const NumberText text(value);
-  const std::string address = address_of(place);
+  const std::string address = code_.spelling->address_of(place);
   const bool named = !comma && calls(letter, value);
   if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
   to += address;
@@ -185,7 +177,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
 bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
   const char letter = letter_of(place);
   const NumberText text(value);
-  const std::string address = address_of(place);
+  const std::string address = code_.spelling->address_of(place);
   if (place < kCommaC && calls(letter, value)) return bracketed(to, address, value);
   to += address;
   if (place < kCommaC && address.size() > 1) to += '=';

@@ -61,7 +61,6 @@ class WordWriter {
   bool takes(char letter, bool comma, double value, const NumberText& text, bool rounded) const;
   bool points(char letter, const NumberText& text) const;
   bool counts_increments(char letter, double value) const;
-  std::string address_of(int place) const;
 
   const Machine& machine_;
   const Code& code_;  // an empty one where the control is another one than the machine's

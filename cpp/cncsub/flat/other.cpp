@@ -261,17 +261,10 @@ double OtherWriter::value_of(const NcWords& words, int place) const {
   return in_units(view, words, letter);
 }
 
-std::string OtherWriter::address_of(int place) const {
-  if (place < kCommaC) return std::string(1, static_cast<char>('A' + place));
-  const std::string_view polar = from_.code().spelling->polar;
-  if (place < kRadius || polar.empty()) return ",";
-  return std::string(1, polar[static_cast<std::size_t>(place - kRadius)]);
-}
-
 bool OtherWriter::put_word(std::string& to, int place, double value) {
   if (!words_.computed(to, place, value))
-    return refuse("the value of " + address_of(place) + " cannot be written for " +
-                  control_of(to_).name);
+    return refuse("the value of " + from_.code().spelling->address_of(place) +
+                  " cannot be written for " + control_of(to_).name);
   to += ' ';
   return true;
 }

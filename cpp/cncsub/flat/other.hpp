@@ -41,7 +41,6 @@ class OtherWriter {
   bool put_values(std::string& to, const NcWords& words);
   bool put_m(std::string& to, const NcWords& words, bool ends);
   /// Return the address of a word here, for people.
-  std::string address_of(int place) const;
   bool put_word(std::string& to, int place, double value);
   bool put_dwell(std::string& to, double seconds);
   double value_of(const NcWords& words, int place) const;

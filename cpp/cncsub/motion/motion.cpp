@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "cncsub/code/fault_words.hpp"
 #include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/fast_path.hpp"
@@ -23,18 +22,8 @@ constexpr int kReferenceStep = 20;
 
 /// End the waiting of moves for the next one.
 Result end_waiting(MoveSink& sink) {
-  const LookaheadQueue& lookahead = sink.state.lookahead;
-  if (!lookahead.corner.empty())
-    return Fault{.cause = Cause::CornerNoMove,
-                 .at = lookahead.corner.back().at,
-                 .detail = {},
-                 .address = lookahead.corner.back().corner};
-  if (const PendingAngle& pending_angle = sink.state.pending_angle; pending_angle.waiting())
-    return Fault{.cause = Cause::AngleNoEnd,
-                 .at = pending_angle.line.front().at,
-                 .detail = {},
-                 .address = 'A'};
-  return flush_radius(sink);
+  const Result waiting = unfinished_move(sink);
+  return waiting ? waiting : flush_radius(sink);
 }
 
 }  // namespace
@@ -109,11 +98,6 @@ void Motion::reset() {
   if (std::exchange(state_.zero_is_held, false)) refresh_offset(state_);
   state_.moved_before = false;
   prepare_fast_path(*facts_, state_);
-}
-
-void Motion::point_at_word(const std::vector<WrittenWord>& words, std::uint32_t text,
-                           Fault& fault) const {
-  cncsub::point_at_word(facts_->codes, words, text, fault);
 }
 
 void Motion::write(Axes& values, int axis, double value) {

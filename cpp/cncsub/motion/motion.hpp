@@ -58,10 +58,6 @@ class Motion {
   /// Do what M02, M30 and the reset key do.
   void reset();
 
-  /// Point a fault of the motion at the word of its block, which is written as `block` and begins
-  /// at `text` in its file.
-  void point_at_word(const std::vector<WrittenWord>& words, std::uint32_t text, Fault& fault) const;
-
   /// Return what the queries of query.hpp look at.
   MotionView view() const { return {*facts_, state_}; }
   const MotionState& state() const { return state_; }

@@ -75,7 +75,7 @@ case("a radius or an angle alone is a hole", **{**RUN, "source": "LC g-code; rs2
          R Z2
      """)
 case("by a radius alone at the zero point too, where no other move goes", **RUN,
-     program="N10 G0 Z2\nN20 G81 @5 Z-1 R2 F100\nN30 G0 X0\nN40 @5\nN50 M2", runs="N10 N20 N30", alarm="polar-word", at="MAIN N40",
+     program="N10 G0 Z2\nN20 G81 @5 Z-1 R2 F100\nN30 G0 X0\nN40 @5\nN50 M2", runs="N10 N20 N30", alarm="polar-word", at="MAIN N40", word="@5",
      moves="R Z2\nR X5\nF Z-1\nR Z2\nR X0")
 case("a tool above R goes over the hole at its own height, though the cycle returns higher", **{**RUN, "source": "rs274 2.9"},
      program="N10 G0 Z5\nN20 G99 G81 X1 Z-1 R2 F100\nN30 G98 X2 R1\nN40 X3\nN50 G80\nN60 M2",

@@ -55,9 +55,9 @@ for _line in ("G[0+1] G[1+1] X1 I1", "G0 G[1+1] X1 I1", "G[1] G0 X1", "G17 G[9+9
 
 for _word in ("X1", "A1"):
     case(f"{_word} beside M98 stands where a motion is in force alone", **RUN,
-         program=f"N10 G80\nN20 M98 P1 {_word}\nN30 M2\nO1\nN40 M99", runs="N10", alarm="no-motion-code")
+         program=f"N10 G80\nN20 M98 P1 {_word}\nN30 M2\nO1\nN40 M99", runs="N10", alarm="no-motion-code", word=_word)
 case("no rotary axis stands beside M98 in a canned cycle", **RUN,
-     program="N10 G81 X1 Z-1 R1 F100\nN20 M98 P1 A3\nN30 M2\nO1\nN40 M99", runs="N10", alarm="rotary-axis-in-cycle")
+     program="N10 G81 X1 Z-1 R1 F100\nN20 M98 P1 A3\nN30 M2\nO1\nN40 M99", runs="N10", alarm="rotary-axis-in-cycle", word="A3")
 case("lengths of G43.1 stand beside M98 at any time", **RUN,
      program="N10 G80\nN20 M98 P1 G43.1 Z1\nN30 M2\nO1\nN40 M99", runs="N10 N20 N40 N30")
 
@@ -135,24 +135,24 @@ case("beside G41 it reads the one before", **RUN, setup=D1,
 
 for _code in ("G55", "G28", "G61", "G64", "G99", "G92 X1"):
     case(f"{_code} does not stand beside G41", pins="codes_not_compensated", **RUN, setup=D1,
-         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="code-in-offset", word="G41")
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="code-in-offset", word=_code.split()[0])
 for _code in ("G28.1", "G30.1"):
     case(f"{_code} stores no point beside G41", **RUN, setup=D1,
-         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word="G41")
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word=_code)
     case(f"{_code} stores one beside G40", **RUN, setup=D1,
          program=f"N10 G41 D1 G1 X5 F100\nN20 G40 {_code}\nN30 M2", runs="N10 N20 N30")
 for _code in ("G43", "G49"):
     case(f"{_code} neither", **RUN, setup=D1,
-         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word="G41")
+         program=f"N10 G1 X1 F100\nN20 G41 D1 {_code}\nN30 M2", runs="N10", alarm="shift-in-offset", word=_code)
 for _code in ("G55", "G61", "G99", "G49", "G92 X1", "G81 X9 Z-1 R1"):
     case(f"{_code} stands beside G40", **RUN, setup=D1,
          program=f"N10 G41 D1 G1 X5 F100\nN20 G40 {_code}\nN30 M2", runs="N10 N20 N30")
 case("M codes come before G40", pins="m_codes_not_compensated", **RUN, setup=D1,
-     program="N10 G41 D1 G1 X5 F100\nN20 G40 M48\nN30 M2", runs="N10", alarm="code-in-offset", word="G40")
+     program="N10 G41 D1 G1 X5 F100\nN20 G40 M48\nN30 M2", runs="N10", alarm="code-in-offset", word="M48")
 case("and before G41", **RUN, setup=D1, program="N10 G41 D1 M48\nN20 M2", runs="N10 N20")
 case("L of G41.1 is how a turning tool lies, in its plane", **RUN,
      program="N10 G41.1 D2 L1\nN20 M2", runs="", alarm="address-not-usable", word="L1")
-case("there it is not computed", **RUN, program="N10 G18\nN20 G41.1 D2 L1\nN30 M2", runs="N10", alarm="code-not-computed", word="G41.1")
+case("there it is not computed", **RUN, program="N10 G18\nN20 G41.1 D2 L1\nN30 M2", runs="N10", alarm="code-not-computed", word="L1")
 case("L0 lies no way", **RUN, program="N10 G18\nN20 G41.1 D2 L0\nN30 M2", runs="N10 N20 N30")
 for _line, _word in (("G19 G2 I1", "I1"), ("G18 G3 J1", "J1"), ("G17 G2 K1", "K1"), ("G19 G93 G2 I1 F5", "I1")):
     case(f"{_line} has a centre outside of its plane", **RUN,

@@ -13,11 +13,7 @@ namespace {
 
 /// Return the bit of a word's address in a mask.
 int place_of(const Token& token) {
-  if (!token.comma) return token.letter - 'A';
-  return token.letter == 'C'   ? kCommaC
-         : token.letter == 'R' ? kCommaR
-         : token.letter == 'A' ? kCommaA
-                               : kCommaD;
+  return token.comma ? comma_place(token.letter) : token.letter - 'A';
 }
 
 }  // namespace

@@ -117,8 +117,7 @@ Token& WordScanner::add(const Lexeme& read, Tokens& tokens) {
 }
 
 bool WordScanner::word(const Lexeme& read, Tokens& tokens) {
-  if (read.comma && std::string_view("CRAD").find(read.address) == std::string_view::npos)
-    return stray(read.at + 1);
+  if (read.comma && comma_place(read.address) < 0) return stray(read.at + 1);
   return value(read, add(read, tokens));
 }
 

@@ -115,6 +115,9 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 
 }  // namespace
 
+// The rules that the ISO family asks.
+const std::string_view iso_rules;  // empty: all rules, for they were made for it
+
 const std::span<const WordUse> iso_word_uses;
 const Spelling iso_spelling{.comment = {"(", ")"},
                             .value = {"[", "]"},

@@ -30,7 +30,6 @@ class Line {
   std::string_view rest() const { return std::string_view(text_).substr(next_); }
 
   std::size_t place() const { return next_; }
-  void go_back(std::size_t place) { next_ = place; }
   /// Return where in the file a place of the line is.
   std::uint32_t offset(std::size_t place) const;
   std::uint32_t offset() const { return offset(next_); }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cncsub/dialect/sinumerik/expression.hpp"
-#include "cncsub/dialect/sinumerik/groups.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
 
 namespace cncsub::sinumerik {
 

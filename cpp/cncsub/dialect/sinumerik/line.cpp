@@ -27,14 +27,6 @@ std::size_t before_comment(std::string_view text) {
   return quoted ? std::min(text.find(';'), text.size()) : text.size();
 }
 
-bool Line::take(std::string_view characters) {
-  peek();
-  for (std::size_t i = 0; i < characters.size(); ++i)
-    if (ahead(i) != characters[i]) return false;
-  pass(characters.size());
-  return true;
-}
-
 std::string_view Line::take_digits() {
   const std::string_view here = rest();
   const auto* const end = std::find_if_not(here.begin(), here.end(), is_digit);

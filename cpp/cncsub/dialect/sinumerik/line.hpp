@@ -49,8 +49,6 @@ class Line {
     return next_ + by < text_.size() ? upper(text_[next_ + by]) : '\0';
   }
   bool take(char c) { return peek() == c && (pass(1), true); }
-  /// Take these characters, which stand together.
-  bool take(std::string_view characters);
   void pass(std::size_t characters) { end_ = next_ += characters; }
   /// Return the name that stands here, which is not taken.
   std::string_view name() { return peek() == '\0' ? std::string_view() : name_in(rest()); }

@@ -84,8 +84,7 @@ bool cancel_modal(Run& run, const Block& block) {
   if (s.modals.empty() && run.control().macros.cancel_alone.value == CancelAlone::Alarm)
     return alarm(run, {.cause = Cause::ModalCallMissing,
                        .detail = "no modal macro call is active",
-                       .address = 'G',
-                       .code = 670});
+                       .word = {.code = 670}});
   if (!execute_words(run, block)) return false;
   if (!s.modals.empty() && run.frame().modal < 0) s.modals.pop_back();
   ++s.changes;

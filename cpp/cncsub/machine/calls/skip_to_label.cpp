@@ -105,7 +105,10 @@ bool uses_words_beside(Run& run, const OWord& own) {
   if (motion.no_motion && (own.beside & kAxisWords) != 0)
     return alarm_of_motion(run, {.cause = Cause::NoMotionCode, .at = run.state.pc, .detail = {}});
   if (in_cycle(motion) && (own.beside & kRotary) != 0)
-    return alarm_of_motion(run, {.cause = Cause::CycleRotary, .at = run.state.pc, .detail = {}});
+    return alarm_of_motion(run, {.cause = Cause::CycleRotary,
+                                 .at = run.state.pc,
+                                 .detail = {},
+                                 .word = {.addresses = kRotary}});
   NcWords words;
   words.mask = own.beside;
   words.at = run.state.pc;

@@ -194,7 +194,10 @@ bool carry_out(Run& run, const Block& block) {
     tell_dropped(run, block, words);
   run.block.words_done = true;
   if (outcome.missed_reference)
-    return alarm_of_motion(run, {.cause = Cause::NotAtReference, .at = run.state.pc, .detail = {}});
+    return alarm_of_motion(run, {.cause = Cause::NotAtReference,
+                                 .at = run.state.pc,
+                                 .detail = {},
+                                 .word = {.addresses = kAxisWords}});
   if (block.n >= 0) run.state.last_n = block.n;
   if (outcome.moved || words.has('T') || !words.codes->only_of_moves()) ++run.state.changes;
   if (is_words(block.op)) return after_words(run);

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "cncsub/code/fault_words.hpp"
+
 namespace cncsub {
 
 bool end_run(Run& run, Stop stop) {
@@ -30,11 +32,8 @@ bool alarm(Run& run, const Fault& fault) {
 }
 
 bool alarm_of_motion(Run& run, Fault fault) {
-  const Code& code = *run.code;
   fault.block = fault.at;
-  const Program& program = code.programs[static_cast<std::size_t>(code.program_at(fault.block))];
-  const Block& block = code.blocks[fault.block];
-  run.motion.point_at_word(code.words_of(block, program), block.text, fault);
+  point_at_word(*run.code, run.motion.view().facts.codes, fault);
   return alarm(run, fault);
 }
 

@@ -54,9 +54,7 @@ bool decode_codes(Run& run, const Block& block, Address of, const Cell*& cell, N
                          .at = place.at,
                          .width = place.width,
                          .detail = "the control has no such G code",
-                         .block = of,
-                         .address = 'G',
-                         .code = g});
+                         .block = of});
     if (g >= 0) list.add_g(g);
   }
   for (unsigned i = 0; i < block.m_count; ++i) {

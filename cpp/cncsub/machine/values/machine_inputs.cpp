@@ -20,7 +20,11 @@ std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
     case Op::ModalCall:
     case Op::Return:
     case Op::Select:
-      return Fault{Cause::ProfileCall, a, 1, "a call inside the blocks of the profile"};
+      return Fault{
+          .cause = Cause::ProfileCall,
+          .at = a,
+          .detail = "a call inside the blocks of the profile",
+          .word = {.addresses = bit('M'), .groups = bit(Group::OneShot) | bit(Group::Macro)}};
     default:
       return Fault{Cause::ProfileMacro, a, 1, "a macro statement inside the blocks of the profile"};
   }
@@ -39,7 +43,7 @@ std::optional<Fault> profile_blocks(Run& run, const ProfileNumbers& numbers, Pro
     return Fault{.cause = Cause::PqNotFound,
                  .at = run.state.pc,
                  .detail = run.code->no_block(n, program),
-                 .address = word};
+                 .word = {.addresses = bit(word)}};
   };
   Address first = run.code->next_of(program, ns, run.state.pc);
   if (first == kNowhere) first = run.code->first_of(program, ns);

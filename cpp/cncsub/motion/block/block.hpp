@@ -7,6 +7,9 @@
 
 namespace cncsub {
 
+/// The codes that turn the work coordinates.
+constexpr std::uint32_t kTurning = bit(Group::Rotation) | bit(Group::Scaling) | bit(Group::Mirror);
+
 /// Execute a block. `of_cycle`: it is a part of a cycle's profile.
 Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, bool of_cycle = false);
 

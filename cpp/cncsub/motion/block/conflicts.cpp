@@ -83,21 +83,16 @@ bool stops(const Block& b) {
 /// Return whether a block has codes that share none with rotation, scaling, mirror.
 /// [MDib 0150; TA 5 note 2]
 bool besides_turn(const Block& b) {
-  int turns = 0;
-  for (const Group group : {Group::Rotation, Group::Scaling, Group::Mirror})
-    turns += b.has(group) ? 1 : 0;
-  if (turns > 1) return true;
-  for (const Group group :
-       {Group::OneShot, Group::Motion, Group::Radius, Group::Length, Group::Macro, Group::Work})
-    if (b.has(group)) return true;
-  return false;
+  constexpr std::uint32_t kApart = bit(Group::OneShot) | bit(Group::Motion) | bit(Group::Radius) |
+                                   bit(Group::Length) | bit(Group::Macro) | bit(Group::Work);
+  const std::uint32_t groups = b.words.codes->groups;
+  return std::popcount(groups & kTurning) > 1 || (groups & kApart) != 0;
 }
-/// Return whether a block has codes that a rotated lathe does not take. [TA 5 note 3]
+/// The codes that a rotated lathe does not take. [TA 5 note 3]
+constexpr std::uint32_t kNotRotated = bit(Group::OneShot) | bit(Group::Radius) | bit(Group::Work) |
+                                      bit(Group::Units) | bit(Group::Macro) | bit(Group::Stroke);
 bool strange_in_rotation(const Block& b) {
-  for (const Group group :
-       {Group::OneShot, Group::Radius, Group::Work, Group::Units, Group::Macro, Group::Stroke})
-    if (b.has(group)) return true;
-  return b.meaning(Group::Motion) > Meaning::Ccw;
+  return (b.words.codes->groups & kNotRotated) != 0 || b.meaning(Group::Motion) > Meaning::Ccw;
 }
 
 /// Return whether the block names an axis of the compensated plane, absolute or by an increment.
@@ -138,23 +133,24 @@ enum class Compensated : std::uint8_t { Either, Before, Behind };
 
 struct Conflict {
   Cause cause;
+  WordName word;  // that may not stand there; a code of the lists is named where it is found
   bool (*applies)(const MotionState&, const BlockWords&);
   bool of_words = false;                         // a block without G codes may have it
   Rule<Codes> MotionRules::* codes = nullptr;    // and the block has one of these
   Rule<Codes> MotionRules::* m_codes = nullptr;  // or one of these
   Compensated compensated = Compensated::Either;
 
-  bool is_in(MotionView m, const BlockWords& block) const {
-    if (!is_met(m, block) || !applies(m.state, block)) return false;
+  /// Return the word of a block that may not stand there.
+  std::optional<WordName> find(MotionView m, const BlockWords& block) const {
+    if (!is_met(m, block) || !applies(m.state, block)) return std::nullopt;
     const MotionRules& rules = m.facts.control->motion;
-    if (codes != nullptr) {
-      const Codes& list = (rules.*codes).value;
-      if (any_code(block.words, [&list](int code) { return list.has(code); })) return true;
-    }
-    if (m_codes == nullptr) return codes == nullptr;
-    const auto ms = block.words.codes->m();
-    return std::any_of(ms.begin(), ms.end(),
-                       [&](int code) { return (rules.*m_codes).value.has(code * 10); });
+    if (codes != nullptr)
+      for (const int code : block.words.codes->g())
+        if ((rules.*codes).value.has(code)) return WordName{.code = code};
+    if (m_codes != nullptr)
+      for (const int code : block.words.codes->m())
+        if ((rules.*m_codes).value.has(code * 10)) return WordName{.addresses = bit('M')};
+    return codes == nullptr && m_codes == nullptr ? std::optional(word) : std::nullopt;
   }
 
   bool is_met(MotionView m, const BlockWords& block) const {
@@ -166,98 +162,103 @@ struct Conflict {
 
 namespace {
 
+constexpr WordName kActing{};  // the code by which the block acts
+constexpr WordName words(std::uint32_t addresses) { return {.addresses = addresses}; }
+constexpr WordName codes(std::uint32_t groups) { return {.groups = groups}; }
+
 constexpr Conflict kConflicts[] = {
-    {Cause::RigidMove,
+    {Cause::RigidMove, words(kAxisWords),
      [](const State& s, const Block& b) { return s.rigid_waits && moves_axes(b); }, true},
-    {Cause::RigidCodeInCycle,
+    {Cause::RigidCodeInCycle, words(bit('M')),
      [](const State&, const Block& b) { return taps(b) && b.words.has(Role::RigidTapping); }},
-    {Cause::RigidWordTwice,
+    {Cause::RigidWordTwice, words(bit('M') | bit('S')),
      [](const State& s, const Block& b) {
        return s.rigid_waits && (b.words.has('S') || b.words.has(Role::RigidTapping));
      },
      true},
-    {Cause::TapInSurfaceSpeed,
+    {Cause::TapInSurfaceSpeed, kActing,
      [](const State& s, const Block& b) {
        return taps(b) && (b.has(Group::Surface) ? b.meaning(Group::Surface) == Meaning::SurfaceSpeed
                                                 : s.surface);
      }},
-    {Cause::CycleAxisChanged,
+    {Cause::CycleAxisChanged, codes(bit(Group::Plane)),
      [](const State& s, const Block& b) {
        return in_cycle(b) && ((b.has(Group::Plane) && plane(s, b) != s.plane) ||
                               (cycles(b) && b.code(Group::Cycle).variant != s.cycle.code.variant));
      }},
-    {Cause::OneShotWithMotion,
+    {Cause::OneShotWithMotion, kActing,
      [](const State&, const Block& b) {
        return b.has(Group::OneShot) && !does(b, Meaning::ExactStop) && b.has(Group::Motion);
      }},
-    {Cause::LengthWithMotion,
+    {Cause::LengthWithMotion, codes(bit(Group::Length)),
      [](const State& s, const Block& b) {
        const Meaning m = motion(s, b);
        return b.has(Group::Length) && b.meaning(Group::Length) != Meaning::LengthOff &&
               (m == Meaning::Cw || m == Meaning::Ccw || does(b, Meaning::Dwell) ||
                does(b, Meaning::Skip) || does(b, Meaning::SetCoordinate));
      }},
-    {Cause::LocalWithLength,
+    {Cause::LocalWithLength, kActing,
      [](const State&, const Block& b) { return does(b, Meaning::Local) && length(b); }},
-    {Cause::LocalInExtraSystem,
+    {Cause::LocalInExtraSystem, kActing,
      [](const State& s, const Block& b) { return does(b, Meaning::Local) && s.work_system == 0; }},
-    {Cause::ToolWithSetting,
+    {Cause::ToolWithSetting, words(bit('T')),
      [](const State&, const Block& b) {
        return b.words.has('T') && (does(b, Meaning::SetCoordinate) || does(b, Meaning::SetData) ||
                                    does(b, Meaning::Dwell));
      }},
-    {Cause::StrokeWithCodes,
+    {Cause::StrokeWithCodes, codes(bit(Group::Stroke)),
      [](const State&, const Block& b) {
        return b.has(Group::Stroke) && (b.words.codes->g_count > 1 || b.words.codes->m_count > 0 ||
                                        b.words.ends || b.words.has('S') || b.words.has('T'));
      }},
-    {Cause::ReferenceWithEnd,
+    {Cause::ReferenceWithEnd, words(bit('M')),
      [](const State&, const Block& b) { return does(b, Meaning::CheckReference) && stops(b); }},
-    {Cause::ReferenceWithM,
+    {Cause::ReferenceWithM, words(bit('M')),
      [](const State&, const Block& b) {
        return does(b, Meaning::FromReference) && (b.words.codes->m_count > 0 || b.words.ends);
      }},
-    {Cause::ReferenceInCycle,
+    {Cause::ReferenceInCycle, kActing,
      [](const State&, const Block& b) {
        return in_cycle(b) && (returns(b) || does(b, Meaning::CheckReference));
      }},
-    {Cause::MachineMoveInCycle,
+    {Cause::MachineMoveInCycle, kActing,
      [](const State&, const Block& b) { return in_cycle(b) && does(b, Meaning::Machine); }},
-    {Cause::MachineMoveCode,
+    {Cause::MachineMoveCode, kActing,
      [](const State& s, const Block& b) { return does(b, Meaning::Machine) && !makes_line(s, b); }},
-    {Cause::PolarPlane,
+    {Cause::PolarPlane, codes(bit(Group::Plane)),
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Plane); }},
-    {Cause::PolarWorkSystem,
+    {Cause::PolarWorkSystem, codes(bit(Group::Work)),
      [](const State& s, const Block& b) { return polar(s) && b.has(Group::Work); }},
-    {Cause::PolarTool, [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); },
-     true},
-    {Cause::PolarCycle,
+    {Cause::PolarTool, words(bit('T')),
+     [](const State& s, const Block& b) { return polar(s) && b.words.has('T'); }, true},
+    {Cause::PolarCycle, kActing,
      [](const State& s, const Block& b) { return polar(s) && cycles(b) && s.plane != Plane::XY; }},
-    {Cause::TurnedUnits,
+    {Cause::TurnedUnits, codes(bit(Group::Units)),
      [](const State& s, const Block& b) {
        return (polar(s) || is_transformed(s)) && b.has(Group::Units);
      }},
-    {Cause::TurnedInCompensation,
+    {Cause::TurnedInCompensation, codes(kTurning),
      [](const State& s, const Block& b) { return compensating(s) && begins_turn(b); }},
-    {Cause::CompensationEndMode,
+    {Cause::CompensationEndMode, codes(bit(Group::Radius)),
      [](const State& s, const Block& b) {
        return compensating(s) && b.meaning(Group::Radius) == Meaning::RadiusOff &&
               !b.has(Group::Motion) && is_arc(motion(s, b));
      }},
-    {Cause::CompensationNoMove,
+    {Cause::CompensationNoMove, codes(bit(Group::Radius)),
      [](const State& s, const Block& b) {
        return begins_compensation(s, b) && !moves_in_plane(s, b);
      }},
     {Cause::CornerCodes,
+     {.addresses = bit('H'), .groups = bit(Group::Length) | bit(Group::Work) | bit(Group::OneShot)},
      [](const State& s, const Block& b) {
        return !s.lookahead.corner.empty() &&
               (length(b) || b.has(Group::Work) || does(b, Meaning::SetCoordinate) ||
                does(b, Meaning::Local));
      },
      true},
-    {Cause::CompensationCycle, [](const State&, const Block& b) { return cycles(b); }, false,
-     nullptr, nullptr, Compensated::Behind},
-    {Cause::CycleInverseTime,
+    {Cause::CompensationCycle, kActing, [](const State&, const Block& b) { return cycles(b); },
+     false, nullptr, nullptr, Compensated::Behind},
+    {Cause::CycleInverseTime, codes(bit(Group::Feed)),
      [](const State& s, const Block& b) {
        const Meaning feed =
            b.has(Group::Feed) ? b.meaning(Group::Feed) : s.modal[at(Group::Feed)].meaning;
@@ -265,64 +266,66 @@ constexpr Conflict kConflicts[] = {
        return drills && feed == Meaning::InverseTime && names_axis(b);
      },
      true},
-    {Cause::CompensationWrongPlane,
+    {Cause::CompensationWrongPlane, codes(bit(Group::Radius)),
      [](const State& s, const Block& b) {
        return b.has(Group::Radius) && b.meaning(Group::Radius) != Meaning::RadiusOff &&
               plane(s, b) == Plane::YZ;
      }},
-    {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false, nullptr,
-     &MotionRules::m_codes_not_compensated, Compensated::Before},
-    {Cause::CompensationCode, [](const State&, const Block&) { return true; }, false,
+    {Cause::CompensationCode, kActing, [](const State&, const Block&) { return true; }, false,
+     nullptr, &MotionRules::m_codes_not_compensated, Compensated::Before},
+    {Cause::CompensationCode, kActing, [](const State&, const Block&) { return true; }, false,
      &MotionRules::codes_not_compensated, nullptr, Compensated::Behind},
-    {Cause::TurnedWithCodes,
+    {Cause::TurnedWithCodes, codes(kTurning),
      [](const State&, const Block& b) { return turns(b) && besides_turn(b); }},
-    {Cause::TurnedMirror,
+    {Cause::TurnedMirror, codes(bit(Group::Mirror)),
      [](const State& s, const Block& b) {
        return (s.transform.rotation || s.transform.scaling) && b.has(Group::Mirror);
      }},
-    {Cause::ReferenceInRotation,
+    {Cause::ReferenceInRotation, kActing,
      [](const State& s, const Block& b) { return is_transformed(s) && returns(b); }},
-    {Cause::RotationPlane,
+    {Cause::RotationPlane, codes(bit(Group::Plane)),
      [](const State& s, const Block& b) { return s.transform.rotation && b.has(Group::Plane); }},
-    {Cause::TurnedPlane,
+    {Cause::TurnedPlane, codes(bit(Group::Plane)),
      [](const State& s, const Block& b) { return is_transformed(s) && b.has(Group::Plane); }},
-    {Cause::TurnedCoordinate,
+    {Cause::TurnedCoordinate, kActing,
      [](const State& s, const Block& b) {
        return is_transformed(s) && does(b, Meaning::SetCoordinate);
      }},
-    {Cause::TurnedWorkSystem,
+    {Cause::TurnedWorkSystem, codes(bit(Group::Work)),
      [](const State& s, const Block& b) {
        return is_transformed(s) &&
               (b.has(Group::Work) || does(b, Meaning::Local) || does(b, Meaning::Machine));
      }},
     {Cause::TurnedLength,
-     [](const State& s, const Block& b) { return is_transformed(s) && length(b); }, true},
-    {Cause::TurnedData,
+     {.addresses = bit('H'), .groups = bit(Group::Length)},
+     [](const State& s, const Block& b) { return is_transformed(s) && length(b); },
+     true},
+    {Cause::TurnedData, kActing,
      [](const State& s, const Block& b) {
        return s.transform.rotation && does(b, Meaning::SetData) &&
               (b.words['L'] == 2 || b.words['L'] == 20);
      }},
-    {Cause::TurnedCycle, [](const State& s, const Block&) { return is_transformed(s); }, false,
-     &MotionRules::codes_not_turned},
-    {Cause::RotatedCycle,
+    {Cause::TurnedCycle, kActing, [](const State& s, const Block&) { return is_transformed(s); },
+     false, &MotionRules::codes_not_turned},
+    {Cause::RotatedCycle, codes(bit(Group::Rotation)),
      [](const State& s, const Block& b) {
        return in_cycle(b) && s.plane != Plane::XY &&
               b.meaning(Group::Rotation) == Meaning::RotationOn;
      }},
-    {Cause::RotationCode,
+    {Cause::RotationCode, codes(kNotRotated),
      [](const State& s, const Block& b) { return s.transform.rotation && strange_in_rotation(b); }},
-    {Cause::CyclePlane,
+    {Cause::CyclePlane, kActing,
      [](const State& s, const Block& b) { return repeats_cuts(b) && plane(s, b) != Plane::ZX; }},
-    {Cause::CycleAxis,
+    {Cause::CycleAxis, words(bit('Y') | bit('V')),
      [](const State&, const Block& b) { return repeats_cuts(b) && other_axis(b); }},
-    {Cause::TurningPlane,
+    {Cause::TurningPlane, kActing,
      [](const State& s, const Block& b) {
        return turning(s, b) && (names_xz(b) || b.has(Group::Motion)) && plane(s, b) != Plane::ZX;
      },
      true},
-    {Cause::TurningAxis,
+    {Cause::TurningAxis, words(bit('Y') | bit('V')),
      [](const State& s, const Block& b) { return turning(s, b) && other_axis(b); }, true},
-    {Cause::PatternWithoutCycle,
+    {Cause::PatternWithoutCycle, kActing,
      [](const State&, const Block& b) { return !in_cycle(b) && !cycles(b); }, false,
      &MotionRules::pattern_codes},
 };
@@ -347,7 +350,7 @@ std::optional<Fault> check_conflicts(MotionView m, const BlockWords& block) {
                      : codes.only_of_moves() ? m.facts.conflicts_of_moves
                                              : m.facts.conflicts;
   for (const Conflict* conflict : list)
-    if (conflict->is_in(m, block)) return fault(conflict->cause, block);
+    if (const auto word = conflict->find(m, block)) return fault_at(*word, conflict->cause, block);
   return std::nullopt;
 }
 

@@ -48,7 +48,8 @@ Result measuring_axis(MotionView m, const BlockWords& block, int& axis) {
   for (int i = 0; i < kAxes; ++i)
     if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) axis = i, ++count;
   const bool increments = m.facts.machine == MachineType::LatheA && axis > 5;
-  if (increments || m.state.incremental) return fault(Cause::MeasuringIncremental, block);
+  if (increments || m.state.incremental)
+    return fault_at({.addresses = kAxisWords}, Cause::MeasuringIncremental, block);
   const bool other = lathe ? axis != (block.code(Group::OneShot).variant == 1 ? 0 : 2) : axis > 2;
   const bool z_alone = m.facts.control->motion.measuring.value == Measuring::Of5040;
   if (count != 1 || other || (z_alone && (axis != 2 || m.state.plane != Plane::XY)))
@@ -68,7 +69,8 @@ Result measuring_words(MotionView m, const BlockWords& block, MeasuringMove& how
 Result check_measuring(MotionView m, const BlockWords& block, int& axis, MeasuringMove& how) {
   const bool lathe = m.facts.lathe();
   if (compensating(m.state)) return fault(Cause::MeasuringInCompensation, block);
-  if (block.words.has(lathe ? 'T' : 'H')) return fault(Cause::MeasuringWithOffset, block);
+  if (block.words.has(lathe ? 'T' : 'H'))
+    return fault_at(lathe ? 'T' : 'H', Cause::MeasuringWithOffset, block);
   if (auto wrong = measuring_axis(m, block, axis)) return wrong;
   if ((lathe ? m.state.tool_offset : m.state.h) == 0) return fault(Cause::MeasuringOffset, block);
   how = measuring_move(*m.facts.control, lathe && axis == 2);
@@ -77,7 +79,7 @@ Result check_measuring(MotionView m, const BlockWords& block, int& axis, Measuri
   const bool inside =
       z_alone ? how.near <= how.zone : how.near < how.zone;  // [MDib 0282; Talm 054]
   if (inside && m.facts.refuses(Cause::MeasuringZone)) return fault(Cause::MeasuringZone, block);
-  if (how.feed <= 0) return fault(Cause::NoMeasuringFeed, block);
+  if (how.feed <= 0) return fault_at('F', Cause::NoMeasuringFeed, block);
   return std::nullopt;
 }
 

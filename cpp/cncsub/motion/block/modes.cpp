@@ -72,15 +72,15 @@ Result check_block(MotionView m, const BlockWords& block) {
     const bool shares =
         c.motion.unit_change.value == UnitChange::Alone && block.words.codes->g_count > 1;
     if (m.state.moved_before || shares || (block.words.mask & ~bit('N')) != 0)
-      return fault(Cause::UnitChangeLate, block);
+      return fault_at({.groups = bit(Group::Units)}, Cause::UnitChangeLate, block);
   }
   if ((block.words.mask & kPolarWords) != 0)
     if (auto wrong = check_polar_words(m, block)) return wrong;
   if (!m.state.lookahead.corner.empty() && block.has(Group::Plane))
-    return fault(Cause::CornerPlane, block);
+    return fault_at({.groups = bit(Group::Plane)}, Cause::CornerPlane, block);
   if (compensating(m.state) && block.has(Group::Plane) &&
       plane_of(block.meaning(Group::Plane)) != m.state.plane)
-    return fault(Cause::CompensationPlane, block);
+    return fault_at({.groups = bit(Group::Plane)}, Cause::CompensationPlane, block);
   return check_conflicts(m, block);
 }
 
@@ -135,8 +135,6 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     m.state.modal[at(Group::Polar)] = block.code(Group::Polar);
     m.state.polar_known = false;
   }
-  constexpr std::uint32_t kTurning =
-      bit(Group::Rotation) | bit(Group::Scaling) | bit(Group::Mirror);
   return (block.words.codes->groups & kTurning) != 0 ? set_turned(m, block) : std::nullopt;
 }
 

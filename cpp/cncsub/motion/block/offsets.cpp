@@ -31,7 +31,9 @@ namespace {
 /// is begun only once.
 Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
   if (block.meaning(Group::Radius) != Meaning::RadiusOff)
-    return compensating(m.state) ? Result(fault(Cause::CompensationTwice, block)) : std::nullopt;
+    return compensating(m.state)
+               ? Result(fault_at({.groups = bit(Group::Radius)}, Cause::CompensationTwice, block))
+               : std::nullopt;
   m.state.lookahead.ended = m.state.lookahead.engaged;
   return flush_radius(m.sink);
 }
@@ -40,7 +42,8 @@ Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
 Result check_orientation(MotionView m, const BlockWords& block) {
   if (!block.words.has('L')) return std::nullopt;
   if (m.state.plane != Plane::ZX) return fault_at('L', Cause::AddressNotUsable, block, "L");
-  return block.words['L'] == 0 ? Result{} : fault(Cause::CodeNotComputed, block, "L of a tool");
+  return block.words['L'] == 0 ? Result{}
+                               : fault_at('L', Cause::CodeNotComputed, block, "L of a tool");
 }
 
 }  // namespace
@@ -50,13 +53,14 @@ Result set_radius(MotionContext& m, BlockWords& block) {
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone
   const bool given = block.has(Group::Radius) && block.code(Group::Radius).variant == 1;
   if (given) {
-    if (!block.words.has('D')) return fault(Cause::RadiusOffsetNumber, block);
+    if (!block.words.has('D'))
+      return fault_at({.groups = bit(Group::Radius)}, Cause::RadiusOffsetNumber, block);
     if (auto wrong = check_orientation(m, block)) return wrong;
     m.state.given_radius = number(m, block, 'D') / 2;
   } else if (block.words.has('D') && !m.facts.lathe() && !measures) {
     const double number = counted(m, block.words, 'D');
     if (number < 0 || number >= static_cast<double>(m.state.tables.radius.size()))
-      return fault(Cause::RadiusOffsetNumber, block);
+      return fault_at('D', Cause::RadiusOffsetNumber, block);
     m.state.d = to_whole<int>(number);
   }
   if (!block.has(Group::Radius)) return std::nullopt;
@@ -68,7 +72,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     m.state.d = offset_of_tool(m.state, m.state.tables.radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
       c.motion.missing_radius_offset.value == MissingOffset::Alarm)
-    return fault(Cause::RadiusOffsetNumber, block);
+    return fault_at({.groups = bit(Group::Radius)}, Cause::RadiusOffsetNumber, block);
   return std::nullopt;
 }
 

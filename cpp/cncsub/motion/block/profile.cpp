@@ -3,6 +3,7 @@
 #include "cncsub/motion/cycle/contour.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
@@ -47,14 +48,17 @@ bool allowed(Meaning meaning) {
   }
 }
 
+/// The words by which a block calls, or ends.
+constexpr WordName kCallWords{.addresses = bit('M'),
+                              .groups = bit(Group::OneShot) | bit(Group::Macro)};
+
 /// Check what may stand in a profile that is cut in levels.
 Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   if (calls(facts.control->calls.roles.value, words))
-    return Fault{Cause::ProfileCall, words.at, 1, {}};
+    return fault_at(kCallWords, Cause::ProfileCall, words.at);
   for (const int g : words.codes->g())
     if (!allowed(facts.codes.find(g).meaning))
-      return Fault{
-          .cause = Cause::ProfileCode, .at = words.at, .detail = {}, .address = 'G', .code = g};
+      return fault_at({.code = g}, Cause::ProfileCode, words.at);
   return std::nullopt;
 }
 
@@ -73,16 +77,7 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
     state.modal[at(Group::Radius)] = radius_off;
     if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
-  if (state.pending_angle.waiting())
-    return Fault{.cause = Cause::AngleNoEnd,
-                 .at = state.pending_angle.line.front().at,
-                 .detail = {},
-                 .address = 'A'};
-  if (!state.lookahead.corner.empty())
-    return Fault{.cause = Cause::CornerNoMove,
-                 .at = state.lookahead.corner.back().at,
-                 .detail = {},
-                 .address = state.lookahead.corner.back().corner};
+  if (auto wrong = unfinished_move(trial)) return wrong;
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
   static_cast<ModalState&>(state) = before;
   return std::nullopt;
@@ -93,8 +88,8 @@ Result finish_contour(MotionContext& m, BlockWords& block, const std::vector<NcW
   const Axes start = m.state.work;
   for (const NcWords& words : blocks) {
     if (calls(m.facts.control->calls.roles.value, words))
-      return Fault{Cause::ProfileCall, words.at, 1, {}};
-    if (follows_profile(words)) return Fault{Cause::ProfileCode, words.at, 1, {}};
+      return fault_at(kCallWords, Cause::ProfileCall, words.at);
+    if (follows_profile(words)) return fault_at({}, Cause::ProfileCode, words.at);
     if (auto wrong = run_block(m, words, block.step, block.cycle)) return wrong;
   }
   const GCode radius = m.state.modal[at(Group::Radius)];
@@ -121,14 +116,14 @@ Result contour(MotionContext& m, BlockWords& block, Meaning meaning) {
     return take_first_block(m, block, meaning);
   if (!w.has('P') || !w.has('Q')) return fault(Cause::PqMissing, block);
   if (std::round(w['P']) == std::round(w['Q']) && m.facts.refuses(Cause::PqSame))
-    return fault(Cause::PqSame, block);
-  if (m.inputs.profile == nullptr) return fault(Cause::PqNotFound, block);
+    return fault_at('Q', Cause::PqSame, block);
+  if (m.inputs.profile == nullptr) return fault_at('P', Cause::PqNotFound, block);
   const Profile& profile = *m.inputs.profile;
   if (profile.fault) return profile.fault;
   const int most = m.facts.control->turning.max_profile_blocks.value;
   if (most > 0 && profile.blocks.size() > static_cast<std::size_t>(most))
-    return fault(Cause::ProfileTooLong, block);
-  if (profile.blocks.empty()) return fault(Cause::PqNotFound, block);
+    return fault_at('Q', Cause::ProfileTooLong, block);
+  if (profile.blocks.empty()) return fault_at('P', Cause::PqNotFound, block);
   if (meaning == Meaning::Finish) return finish_contour(m, block, profile.blocks);
   take_one_block(m, block, meaning);
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;

@@ -71,7 +71,7 @@ Result machine_move(MotionContext& m, BlockWords& block) {
 Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
   if (number_of_point == 2) {
     const double p = block.words.has('P') ? counted(m, block.words, 'P') : 2;
-    if (p < 2 || p > 4) return fault(Cause::ReferenceNumber, block);
+    if (p < 2 || p > 4) return fault_at('P', Cause::ReferenceNumber, block);
     if (!m.facts.homed && m.facts.refuses(Cause::ReferenceNotHomed))
       return fault(Cause::ReferenceNotHomed, block);
     number_of_point = to_whole<int>(p);

@@ -15,15 +15,16 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
   const Control& c = *m.facts.control;
   if (const int most = c.motion.max_skip_signals.value; most > 0 && block.words.has('P'))
     if (const double p = block.words['P']; p < 1 || p > most)
-      return fault(Cause::ValueOutOfRange, block, "P of G31 is 1 to " + std::to_string(most));
+      return fault_at('P', Cause::ValueOutOfRange, block,
+                      "P of G31 is 1 to " + std::to_string(most));
   if (!c.motion.skip_own_feed.value) return need_feed(m, block, Meaning::Line);
   // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
   const int form = block.code(Group::OneShot).variant;
   feed = c.parameter(std::to_string(1174 + 2 * form));
   if (block.words.has('F'))
     if (auto wrong = feed_of(m, block, feed)) return wrong;
-  if (feed <= 0) return fault(Cause::NoSkipFeed, block);
-  return lacks_speed(m) ? Result(fault(Cause::NoSpeed, block)) : std::nullopt;
+  if (feed <= 0) return fault_at('F', Cause::NoSkipFeed, block);
+  return lacks_speed(m) ? Result(fault_at('S', Cause::NoSpeed, block)) : std::nullopt;
 }
 
 /// Return where on the path to `end` a reported signal comes.

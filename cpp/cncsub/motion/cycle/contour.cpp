@@ -24,8 +24,8 @@ Result take_first_block(MotionContext& m, const BlockWords& block, Meaning meani
     if (w.has(depth)) data.depth = std::fabs(number(m, block, depth)), data.has_depth = true;
     if (w.has('R')) data.escape = number(m, block, 'R'), data.has_escape = true;
   }
-  if (data.passes < 1) return fault(Cause::PatternPasses, block);
-  return data.escape < 0 ? Result(fault(Cause::CycleEscape, block)) : std::nullopt;
+  if (data.passes < 1) return fault_at('R', Cause::PatternPasses, block);
+  return data.escape < 0 ? Result(fault_at('R', Cause::CycleEscape, block)) : std::nullopt;
 }
 
 void take_one_block(MotionContext& m, const BlockWords& block, Meaning meaning) {
@@ -48,9 +48,9 @@ namespace {
 Result rough_pattern(MotionContext& m, BlockWords& block, Contour& contour) {
   const MultipleData data = m.state.multiple;
   if (data.shift_x * contour.shift[0] < 0 && m.facts.refuses(Cause::PatternX))
-    return fault(Cause::PatternX, block);
+    return fault_at('U', Cause::PatternX, block);
   if (data.shift_z * contour.shift[2] < 0 && m.facts.refuses(Cause::PatternZ))
-    return fault(Cause::PatternZ, block);
+    return fault_at('W', Cause::PatternZ, block);
   int passes = data.passes;
   if (passes == 1 && m.facts.control->turning.single_pattern.value != PatternPasses::One)
     passes = 2;
@@ -110,7 +110,7 @@ Result rough_contour(MotionContext& m, BlockWords& block, Meaning meaning, const
   if (profile.right_behind || c.turning.after_contour.value == AfterContour::BehindProfile)
     m.outcome.behind = profile.behind;
   if (meaning == Meaning::RoughPattern) return rough_pattern(m, block, contour);
-  if (contour.depth <= 0) return fault(Cause::CycleDepth, block);
+  if (contour.depth <= 0) return fault_at('D', Cause::CycleDepth, block);
   if (auto wrong = contour.check()) return wrong;
   return contour.pockets ? contour.rough_pockets() : contour.rough();
 }
@@ -183,7 +183,7 @@ Fault Contour::turns_back(int axis) const {
   return {.cause = Cause::ProfileNotMonotone,
           .at = (piece != nullptr ? *piece : pieces.back()).at,
           .detail = {},
-          .address = axis == 0 ? 'X' : 'Z'};
+          .word = {.addresses = bit(axis == 0 ? 'X' : 'Z')}};
 }
 
 Result Contour::check() const {

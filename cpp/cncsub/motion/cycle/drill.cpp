@@ -81,16 +81,16 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   for (const char letter : c.motion.cycle_repeats.value)
     if (w.has(letter)) repeats = whole(counted(m, w, letter));
   if (w.has('K') && w.has('L') && m.facts.refuses(Cause::CycleRepeatsTwice))
-    return fault(Cause::CycleRepeatsTwice, block);
+    return fault_at({.addresses = bit('K') | bit('L')}, Cause::CycleRepeatsTwice, block);
   const int most = c.motion.max_cycle_repeats.value;
   if (repeats < 0 || (most > 0 && repeats > most) ||
       (repeats == 0 && c.motion.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
-    return fault(Cause::CycleRepeats, block);
+    return fault_at({.addresses = bit('K') | bit('L')}, Cause::CycleRepeats, block);
   const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   if (pecks && !m.facts.lathe() && cycle.q == 0 && m.facts.refuses(Cause::NoPeck))
-    return fault(Cause::NoPeck, block);
+    return fault_at('Q', Cause::NoPeck, block);
   if (pecks && w.has('Q') && w['Q'] < 0 && m.facts.refuses(Cause::PeckNegative))
-    return fault(Cause::PeckNegative, block);
+    return fault_at('Q', Cause::PeckNegative, block);
   return std::nullopt;
 }
 
@@ -123,9 +123,11 @@ Result check_tap(MotionView m, const BlockWords& block) {
   if (m.state.cycle.cycle != Meaning::Tap && m.state.cycle.cycle != Meaning::LeftTap)
     return std::nullopt;
   if (m.state.speed <= 0 && m.state.rigid && m.facts.refuses(Cause::RigidSpeed))
-    return fault(Cause::RigidSpeed, block);
-  if (m.state.speed <= 0 && m.facts.refuses(Cause::TapSpeed)) return fault(Cause::TapSpeed, block);
-  if (m.state.feed <= 0 && m.facts.refuses(Cause::TapLead)) return fault(Cause::TapLead, block);
+    return fault_at('S', Cause::RigidSpeed, block);
+  if (m.state.speed <= 0 && m.facts.refuses(Cause::TapSpeed))
+    return fault_at('S', Cause::TapSpeed, block);
+  if (m.state.feed <= 0 && m.facts.refuses(Cause::TapLead))
+    return fault_at('F', Cause::TapLead, block);
   return std::nullopt;
 }
 

@@ -25,7 +25,7 @@ struct DriveLine {
 
 Result read(MotionContext& m, BlockWords& block, const Axes& end, DriveLine& t) {
   const NcWords& w = block.words;
-  if (!w.has('P')) return fault(Cause::ThreadLead, block);
+  if (!w.has('P')) return fault_at('P', Cause::ThreadLead, block);
   for (const char name : std::string_view("IJK"))
     if (!w.has(name)) return fault(Cause::ThreadHeight, block);
   const double share = m.state.diameter ? 0.5 : 1;

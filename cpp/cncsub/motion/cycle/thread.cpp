@@ -74,17 +74,17 @@ Result set_thread_data(MotionContext& m, BlockWords& block) {
   if (w.has('P')) {
     const int p = whole(block.words['P']);
     const bool all = !m.facts.control->turning.thread_digits_apart.value;
-    if (p < 0 || p > 999999) return fault(Cause::ThreadPasses, block);
+    if (p < 0 || p > 999999) return fault_at('P', Cause::ThreadPasses, block);
     if (all && p / 10000 == 0 && m.facts.refuses(Cause::ThreadPasses))
-      return fault(Cause::ThreadPasses, block);
+      return fault_at('P', Cause::ThreadPasses, block);
     if (all || p > 9999) data.finish_passes = p / 10000;
     if (all || p > 99) data.chamfer = p / 100 % 100;
     data.angle = p % 100;
   }
   if (w.has('Q')) data.least_cut = cycle_length(m, block, 'Q');
   if (w.has('R')) data.allowance = number(m, block, 'R');
-  if (data.least_cut < 0) return fault(Cause::ThreadLeastCut, block);
-  if (data.allowance < 0) return fault(Cause::ThreadAllowance, block);
+  if (data.least_cut < 0) return fault_at('Q', Cause::ThreadLeastCut, block);
+  if (data.allowance < 0) return fault_at('R', Cause::ThreadAllowance, block);
   return std::nullopt;
 }
 
@@ -106,15 +106,15 @@ Result read_thread(MotionContext& m, const BlockWords& block, const Axes& end, T
   if (one_block && w.has('A')) data.angle = whole(block.words['A']);
   const Axes& start = m.state.work;
   const double x = (end[0] - start[0]) * m.facts.share(0), z = end[2] - start[2];
-  if (form.height <= 0) return fault(Cause::ThreadHeightValue, block);
-  if (form.first <= 0) return fault(Cause::ThreadCut, block);
+  if (form.height <= 0) return fault_at(height, Cause::ThreadHeightValue, block);
+  if (form.first <= 0) return fault_at(first, Cause::ThreadCut, block);
   if (data.least_cut > form.height) return fault_at(height, Cause::ThreadLeastCut, block);
   if (data.allowance >= form.height) return fault_at(height, Cause::ThreadAllowance, block);
   if (std::fabs(x) < kStanding || std::fabs(z) < kStanding)
-    return fault(Cause::ThreadTravel, block);
-  if (std::fabs(form.taper) > std::fabs(z)) return fault(Cause::ThreadSteep, block);
+    return fault_at({.addresses = kEndWords | bit('U') | bit('W')}, Cause::ThreadTravel, block);
+  if (std::fabs(form.taper) > std::fabs(z)) return fault_at(taper, Cause::ThreadSteep, block);
   if (form.taper * x < 0 && std::fabs(form.taper) > std::fabs(x))
-    return fault(Cause::ThreadTaper, block);
+    return fault_at(taper, Cause::ThreadTaper, block);
   return std::nullopt;
 }
 
@@ -164,7 +164,8 @@ void set_lead(MotionContext& m, const BlockWords& block) {
 }
 
 Result need_lead(MotionView m, const BlockWords& block) {
-  if (m.state.lead <= 0) return fault(Cause::ThreadLead, block);
+  if (m.state.lead <= 0)
+    return fault_at({.addresses = bit('F') | bit('I')}, Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) &&
       (!m.state.turns || (m.state.surface ? m.state.surface_speed : m.state.speed) <= 0))
     return fault(Cause::SpindleStands, block);
@@ -193,7 +194,8 @@ Result cut_thread(MotionContext& m, BlockWords& block, const Axes& end, std::uin
   };
   if (out.across == 0) return cut(end, named, length);
   if (out.along > length + 1e-9)
-    return fault(Cause::ThreadRunOut, block, "the run-out is longer than the thread");
+    return fault_at(block.words.has('K') ? 'K' : 'J', Cause::ThreadRunOut, block,
+                    "the run-out is longer than the thread");
   Axes leave = end;
   if (length > 0)
     for (const int i : {0, 2}) leave[i] -= (end[i] - start[i]) * out.along / length;
@@ -236,7 +238,7 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
   const double way = level - end[0];
   if (block.words.has('J') && out.across > std::fabs(way) * m.facts.share(0) + 1e-9 &&
       m.facts.refuses(Cause::ThreadRunOutAcross))
-    return fault(Cause::ThreadRunOutAcross, block);
+    return fault_at('J', Cause::ThreadRunOutAcross, block);
   out.across = std::min(out.across, std::fabs(way) * m.facts.share(0));
   return cut_thread(m, block, end, axis_bit(0) | axis_bit(2), out, sign_of(way), 0);
 }
@@ -246,7 +248,7 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   std::uint32_t named = 0;
   const Axes end = end_point(m, block, named);
   if (named == 0) return std::nullopt;
-  if (!block.words.has('K')) return fault(Cause::ThreadLead, block);
+  if (!block.words.has('K')) return fault_at('K', Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
     return fault(Cause::SpindleStands, block);
   if (compensating(m.state) && radius_value(m) != 0) return fault(Cause::CompensationCode, block);

@@ -13,7 +13,7 @@ namespace {
 /// Refuse a taper against the cut that is larger than the cut. [TA 6, 7]
 Result check_taper(const TurnData& turn, double depth, bool face, const BlockWords& block) {
   if (turn.r * depth >= 0 || std::fabs(turn.r) <= std::fabs(depth)) return std::nullopt;
-  return fault(face ? Cause::FaceTaper : Cause::Taper, block);
+  return fault_at('R', face ? Cause::FaceTaper : Cause::Taper, block);
 }
 
 Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
@@ -146,7 +146,7 @@ struct GrooveWords {
 Result set_peck_retract(MotionContext& m, const BlockWords& block) {
   double& retract = m.state.multiple.retract;
   if (block.words.has('R')) retract = number(m, block, 'R');
-  return retract < 0 ? Result(fault(Cause::GrooveRetract, block)) : std::nullopt;
+  return retract < 0 ? Result(fault_at('R', Cause::GrooveRetract, block)) : std::nullopt;
 }
 
 Groove groove_of(MotionView m, const GrooveWords& words, bool face, const Axes& end) {
@@ -219,7 +219,7 @@ Result grooving(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (auto wrong = check_groove(m, block, face, words.p, words.q)) return wrong;
   const std::size_t wide = face ? 0 : 2;
   if (words.slip < 0 && m.state.work[wide] != end[wide] && m.facts.refuses(Cause::GrooveEscape))
-    return fault(Cause::GrooveEscape, block);
+    return fault_at('R', Cause::GrooveEscape, block);
   return cut_groove(m, block, groove_of(m, words, face, end));
 }
 

@@ -80,7 +80,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
     const int own = block.code(Group::Work).variant;
     const double p = own > 0 ? own : block.words.has('P') ? counted(m, block.words, 'P') : 1;
     if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
-      return fault(Cause::WorkSystem, block);
+      return fault_at('P', Cause::WorkSystem, block);
     m.state.extra_system = to_whole<int>(p);
     system = 0;
   }

@@ -12,7 +12,7 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 /// Execute G10 L10 to L13: H and D, geometry and wear.
 Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
   if (p < 0 || p >= static_cast<double>(m.state.tables.length.size()))
-    return fault(Cause::G10Offset, block);
+    return fault_at('P', Cause::G10Offset, block);
   if (!block.words.has('R')) return fault(Cause::G10Value, block);
   OffsetTables& tables = m.state.tables;
   auto& table = l == 10   ? tables.length
@@ -37,7 +37,7 @@ Result set_tool_data(MotionContext& m, BlockWords& block) {
   const int p = whole(block.words['P']);
   const int tool = p % 10000;
   if (p < 0 || p >= 20000 || tool > m.facts.control->motion.max_offset_number.value)
-    return fault(Cause::G10Offset, block);
+    return fault_at('P', Cause::G10Offset, block);
   OffsetTables& tables = m.state.tables;
   ToolOffsets* const entry = p == 0 ? nullptr : &m.log.change(m.state.tables.tools, tool);
   Axes& values = p == 0 ? tables.work[0] : entry->value;
@@ -69,9 +69,9 @@ Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) 
   }
   const double last = extra ? static_cast<double>(m.state.tables.extra.size()) : 6;
   if (p >= (extra ? 1 : 0) && p <= last && p == std::floor(p)) return std::nullopt;
-  if (extra) return fault(Cause::G10System, block);
+  if (extra) return fault_at('P', Cause::G10System, block);
   if (m.facts.control->motion.other_system.value != OtherSystem::First)
-    return fault(Cause::G10P, block);
+    return fault_at('P', Cause::G10P, block);
   p = 1;
   return std::nullopt;
 }
@@ -113,7 +113,7 @@ Result set_data(MotionContext& m, BlockWords& block) {
   const bool others =
       l == 3 || l == 50 || (l == 52 && m.facts.control->motion.data_forms.value.has(DataForm::L52));
   if (others) return std::nullopt;
-  if (!systems && !offsets) return fault(Cause::G10L, block);
+  if (!systems && !offsets) return fault_at('L', Cause::G10L, block);
   if (!w.has('P') && l != 2) return fault(Cause::G10Word, block);
   // A computed P that misses a whole number by rounding alone is that number.
   const double written = w.has('P') ? w['P'] : m.state.work_system;

@@ -96,10 +96,6 @@ Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named);
 /// Set the end by polar words: the first axis of the plane is the radius, the second the angle.
 void polar_target(MotionContext& m, const BlockWords& block, bool incremental, Axes& end,
                   std::uint32_t& named);
-/// The words @ and ^: the radius and the angle of a point in G17.
-constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
-constexpr std::uint32_t kAxisWords =
-    kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
 Result check_polar_words(MotionView m, const BlockWords& block);
 void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
                  std::uint32_t& named);

@@ -74,7 +74,7 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   const int active = system_in_force(s);
   if (p == 0) p = active;
   if (p < 1 || p != std::floor(p) || p > 6 + static_cast<double>(s.tables.extra.size()))
-    return fault(Cause::G10P, block);
+    return fault_at('P', Cause::G10P, block);
   const int system = whole(p);
   if (system == active && compensating(s)) return fault(Cause::CompensationShift, block);
   const double turn = radians_of(s, system);
@@ -90,7 +90,7 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
 Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p) {
   OffsetTables& tables = m.state.tables;
   if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length.size()))
-    return fault(Cause::G10Offset, block);
+    return fault_at('P', Cause::G10Offset, block);
   const bool fixture = l == 11;
   const int tool = whole(p);
   const auto place = static_cast<std::size_t>(tool);

@@ -19,7 +19,7 @@ Result set_rotation(MotionContext& m, BlockWords& block) {
     }
     m.outcome.drop(block.words.mask & others);
     if (c.motion.max_rotation.value > 0 && std::fabs(transform.angle) > c.motion.max_rotation.value)
-      return fault(Cause::RotationAngle, block);
+      return fault_at('R', Cause::RotationAngle, block);
     transform.plane = m.state.plane;
     transform.frame = m.facts.lathe();
     for (int i = 0; i < 3; ++i) {
@@ -63,9 +63,10 @@ Result set_scaling(MotionContext& m, BlockWords& block) {
     // The centre is absolute under G91, as that of rotation. [B-63682EN p.117]
     m.state.transform.scale_centre[i] = w.has(name) ? number(m, block, name) : m.state.work[i];
     double scale = w.has('P') ? scale_of(m, block, 'P') : w.has(own) ? scale_of(m, block, own) : 1;
-    if (scale == 0) return fault(Cause::ScaleZero, block);
+    if (scale == 0)
+      return fault_at({.addresses = bit('P') | kCentreWords}, Cause::ScaleZero, block);
     if (scale < 0 && m.facts.refuses(Cause::ScaleNegative))
-      return fault(Cause::ScaleNegative, block);
+      return fault_at({.addresses = bit('P') | kCentreWords}, Cause::ScaleNegative, block);
     m.state.transform.scale[i] = scale;
   }
   return std::nullopt;

@@ -21,7 +21,7 @@ Result length_axis(MotionView m, BlockWords& block, int& axis) {
           axis = i;
           return std::nullopt;
         }
-      return fault(Cause::LengthAxis, block);
+      return fault_at({.groups = bit(Group::Length)}, Cause::LengthAxis, block);
   }
   return std::nullopt;
 }
@@ -49,7 +49,7 @@ Result take_h(MotionContext& m, const BlockWords& block) {
   if (block.words.has('H')) {
     const double number = counted(m, block.words, 'H');
     if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
-      return fault(Cause::OffsetNumber, block);
+      return fault_at('H', Cause::OffsetNumber, block);
     m.state.h = to_whole<int>(number);
   }
   if (is_of_tool(m, block, 'H')) m.state.h = offset_of_tool(m.state, m.state.tables.length);
@@ -59,7 +59,8 @@ Result take_h(MotionContext& m, const BlockWords& block) {
 /// Take the length where it shifts the work coordinates: H does nothing without its code.
 Result take_shifting_length(MotionContext& m, BlockWords& block) {
   if (!block.has(Group::Length)) return std::nullopt;
-  if (compensates_behind(m, block)) return fault(Cause::CompensationShift, block);
+  if (compensates_behind(m, block))
+    return fault_at({.groups = bit(Group::Length)}, Cause::CompensationShift, block);
   if (auto wrong = take_h(m, block)) return wrong;
   const GCode& code = block.code(Group::Length);
   m.state.modal[at(Group::Length)] = code;
@@ -133,7 +134,7 @@ Result set_tool(MotionContext& m, BlockWords& block) {
                                                               : 100;
   const int number = t % split;
   if (number > c.motion.max_offset_number.value)
-    return fault(Cause::OffsetNumber, block, "T" + std::to_string(t));
+    return fault_at('T', Cause::OffsetNumber, block, "T" + std::to_string(t));
   m.state.t = t;
   if (t / split != 0) m.state.tool = t / split;
   m.state.tool_offset = number;

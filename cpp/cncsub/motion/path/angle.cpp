@@ -22,7 +22,8 @@ Result meet_angles(MotionContext& m, BlockWords& block, Piece second, double ang
       v{cosine(angle), sine(angle)};
   const Axes start = m.state.work + second.offset;
   const Point p = view.point(start), q = view.point(second.end);
-  if (std::fabs(cross(u, v)) < sine(kLeastAngle)) return fault(Cause::AngleParallel, block);
+  if (std::fabs(cross(u, v)) < sine(kLeastAngle))
+    return fault_at({.addresses = m.facts.angles.mask}, Cause::AngleParallel, block);
   first.end = start;
   view.set(first.end, p + cross(q - p, v) / cross(u, v) * u);
   m.state.pending_angle = {};
@@ -60,7 +61,7 @@ Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, doubl
   const double a_share = m.facts.share(plane.a), b_share = m.facts.share(plane.b);
   if (!m.state.pending_angle.waiting() && has_a != has_b) {
     if (std::fabs(has_a ? cosine(angle) : sine(angle)) < sine(kLeastAngle))
-      return fault(Cause::AngleParallel, block);
+      return fault_at({.addresses = m.facts.angles.mask}, Cause::AngleParallel, block);
     const double slope = sine(angle) / cosine(angle);
     if (has_a)
       end[plane.b] += (end[plane.a] - m.state.work[plane.a]) * a_share * slope / b_share;
@@ -74,7 +75,8 @@ Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, doubl
     const auto absolute = [&](int axis) {
       return block.words.has(kAxisNames[static_cast<std::size_t>(axis)]) && !m.state.incremental;
     };
-    if (!absolute(plane.a) || !absolute(plane.b)) return fault(Cause::AngleEnd, block);
+    if (!absolute(plane.a) || !absolute(plane.b))
+      return fault_at({.addresses = kAxisWords}, Cause::AngleEnd, block);
     return meet_angles(m, block, piece, angle);
   }
   // With both coordinates the angle does not count. [TDi 13]
@@ -89,11 +91,12 @@ Result check_angle(MotionContext& m, const BlockWords& block, bool waited) {
   if ((block.words.mask >> kCommaA & 1) != 0) {
     const bool taken = (m.facts.angles.mask >> kCommaA & 1) != 0 &&
                        (m.facts.lathe() || m.facts.control->motion.angles_on_mills.value);
-    if (!taken) return fault(Cause::AddressNotUsable, block, ",A");
+    if (!taken) return fault_at('A', Cause::AddressNotUsable, block, ",A");
   }
   if (!waited || !m.state.pending_angle.waiting()) return std::nullopt;
-  if (block.submitted) return fault(Cause::AngleEnd, block);
-  if (++m.state.pending_angle.idle > 1) return fault(Cause::AngleNoEnd, block);
+  if (block.submitted) return fault_at({.addresses = kAxisWords}, Cause::AngleEnd, block);
+  if (++m.state.pending_angle.idle > 1)
+    return fault_at({.addresses = m.facts.angles.mask}, Cause::AngleNoEnd, block);
   return std::nullopt;
 }
 

@@ -22,6 +22,11 @@ bool has_centre(const BlockWords& block, const PlaneAxes& plane) {
   return block.words.has(centre_name(plane.a)) || block.words.has(centre_name(plane.b));
 }
 
+/// Return the first letter of a centre that the block has.
+char centre_word(const BlockWords& block) {
+  return block.words.has('I') ? 'I' : block.words.has('J') ? 'J' : 'K';
+}
+
 PlaneAxes axes_of(const Piece& piece) { return arc_axes(piece.plane, piece.state.parallel); }
 
 /// Check an arc with G45 to G48, which change the radius of quarters and three quarters of a circle
@@ -49,7 +54,8 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   double radius = number(m, block, 'R');
   if (m.state.transform.scaling)
     radius *= std::fabs(m.state.transform.scale[static_cast<std::size_t>(plane.a)]);
-  if (radius < 0 && !takes_negative_radius(m.facts)) return fault(Cause::NegativeRadius, block);
+  if (radius < 0 && !takes_negative_radius(m.facts))
+    return fault_at('R', Cause::NegativeRadius, block);
   const Axes start = m.state.work + piece.offset;
   const double a0 = start[plane.a] * m.facts.share(plane.a),
                b0 = start[plane.b] * m.facts.share(plane.b);
@@ -57,7 +63,7 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   const double db = piece.end[plane.b] * m.facts.share(plane.b) - b0;
   const double chord = std::hypot(da, db);
   if (chord < kStanding)
-    return m.facts.refuses(Cause::NoArcTravel) ? Result(fault(Cause::NoArcTravel, block))
+    return m.facts.refuses(Cause::NoArcTravel) ? Result(fault_at('R', Cause::NoArcTravel, block))
                                                : std::nullopt;
   double size = std::fabs(radius);
   if (const double miss = chord / 2 - size; miss > 0) {
@@ -65,7 +71,7 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
     if (miss >
         std::max({m.facts.increment / 2 + 1e-9, half ? c.motion.arc_tolerance.value * 1e-3 : 0,
                   c.motion.arc_rounding.value > 0 ? kRadiusSlack : 0}))
-      return fault(Cause::RadiusTooSmall, block);
+      return fault_at('R', Cause::RadiusTooSmall, block);
     size = chord / 2;
   }
   const bool clockwise = piece.kind == MoveKind::Cw;
@@ -104,7 +110,8 @@ Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Poin
   char text[64];
   std::snprintf(text, sizeof text, "radius %.4f at the start, %.4f at the end",
                 size(start - centre), size(end - centre));
-  Fault wrong = fault(Cause::RadiusTolerance, block, text);
+  Fault wrong =
+      fault_at({.addresses = kEndWords | kCentreWords}, Cause::RadiusTolerance, block, text);
   wrong.name = arc_in_numbers(m, piece, start, centre, end);
   return wrong;
 }
@@ -128,16 +135,18 @@ Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
                b1 = piece.end[plane.b] * m.facts.share(plane.b);
   const double ca = a0 + i, cb = b0 + j;
   const double first = std::hypot(i, j), last = std::hypot(a1 - ca, b1 - cb);
-  if (piece.radius != 0 && first == 0) return fault(Cause::CompensationArcStart, block);
+  if (piece.radius != 0 && first == 0)
+    return fault_at(centre_word(block), Cause::CompensationArcStart, block);
   if (has_no_radius(c.motion, first, last) && m.facts.refuses(Cause::NoRadius))
-    return fault(Cause::NoRadius, block);
+    return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block);
   if (is_off_circle(c.motion, first, last, m.state.unit != 1))
     return off_circle(m, block, piece, {a0, b0}, {ca, cb}, {a1, b1});
   if (first == 0) {
     piece.kind = MoveKind::Feed;
     return std::nullopt;
   }
-  if (piece.radius != 0 && last < kStanding) return fault(Cause::CompensationArcEnd, block);
+  if (piece.radius != 0 && last < kStanding)
+    return fault_at(centre_word(block), Cause::CompensationArcEnd, block);
   piece.centre[centre_place(plane.a)] = ca / m.facts.share(plane.a);
   piece.centre[centre_place(plane.b)] = cb / m.facts.share(plane.b);
   const bool clockwise = piece.kind == MoveKind::Cw;
@@ -217,14 +226,15 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
   }
   if (centre) {
     if (centre_is_absolute(m.state) && lacks_centre(m, block))
-      return fault(Cause::NoRadius, block, "the centre has two words");
+      return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block,
+                      "the centre has two words");
     if (polar(m.state) && m.facts.refuses(Cause::PolarCentre))
-      return fault(Cause::PolarCentre, block);
+      return fault_at({.addresses = kCentreWords}, Cause::PolarCentre, block);
     if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
     return more_turns(m, block, piece);
   }
   if (m.facts.control->motion.no_radius.value == NoRadius::Alarm)
-    return fault(Cause::NoRadius, block);
+    return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block);
   piece.kind = MoveKind::Feed;
   return std::nullopt;
 }
@@ -239,7 +249,7 @@ Result check_form(MotionView m, const BlockWords& block) {
   if ((block.words.mask & kCentreWords) == 0 || !block.words.has('R') ||
       !m.facts.refuses(Cause::RadiusAndCentre))
     return std::nullopt;
-  return fault(Cause::RadiusAndCentre, block);
+  return fault_at('R', Cause::RadiusAndCentre, block);
 }
 
 bool has_radius(const BlockWords& block) { return block.words.has('R') && block.words['R'] != 0; }
@@ -275,7 +285,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   // R with the end at the start is no arc: only the move across the plane is left. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))
-    return fault(Cause::CornerHelix, block);
+    return fault_at(m.facts.corner_name(piece), Cause::CornerHelix, block);
   if (piece.turn == 0 && piece.kind != MoveKind::Feed) {
     if (goes_across && m.facts.refuses(Cause::HelixTravel)) return fault(Cause::HelixTravel, block);
     piece.kind = MoveKind::Feed;
@@ -291,7 +301,8 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes end = target(m, block, named);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
-  if (!has_centre(block, plane)) return fault(Cause::ThreePoints, block, "neither I nor K");
+  if (!has_centre(block, plane))
+    return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block, "neither I nor K");
   Piece piece = make_piece(m, block, MoveKind::Cw, end, named);
   const PlaneView view{plane, m.facts.share(0)};
   const Axes start = m.state.work + piece.offset;
@@ -306,7 +317,8 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   }
   const Point p = view.point(start), u = view.point(middle) - p, v = view.point(piece.end) - p;
   const double area = 2 * cross(u, v);
-  if (std::fabs(area) < 1e-9) return fault(Cause::ThreePoints, block);
+  if (std::fabs(area) < 1e-9)
+    return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block);
   const Point centre = p + Point{(v.b * dot(u, u) - u.b * dot(v, v)) / area,
                                  (u.a * dot(v, v) - v.a * dot(u, u)) / area};
   const bool clockwise = area < 0;

@@ -19,27 +19,27 @@ Result right_angle_chamfer(MotionView m, const BlockWords& block, Piece& piece) 
   const auto goes = [&](std::size_t axis) {
     return std::fabs(end[axis] - m.state.work[axis]) > least_length(m) / 2;
   };
-  if (goes(0) && goes(2)) return fault(Cause::CornerTaper, block);
-  if (w.has('I') && w.has('K')) return fault(Cause::CornerFormat, block);
+  if (goes(0) && goes(2))
+    return fault_at({.addresses = bit('I') | bit('K')}, Cause::CornerTaper, block);
+  if (w.has('I') && w.has('K')) return fault_at('K', Cause::CornerFormat, block);
   piece.corner_size = std::fabs(number(m, block, w.has('I') ? 'I' : 'K'));
   if (piece.corner_size > 0) piece.corner = 'C';
   return std::nullopt;
 }
 
 /// Refuse a corner where none may be.
-Result check_corner(MotionView m, const BlockWords& block) {
+Result check_corner(MotionView m, const BlockWords& block, const Piece& piece) {
   if (polar(m.state) && m.facts.refuses(Cause::PolarCorner))
-    return fault(Cause::PolarCorner, block);
+    return fault_at(m.facts.corner_name(piece), Cause::PolarCorner, block);
   if (block.has(Group::Radius) && m.facts.refuses(Cause::CornerOffset))
-    return fault(Cause::CornerOffset, block);
+    return fault_at(m.facts.corner_name(piece), Cause::CornerOffset, block);
   return std::nullopt;
 }
 
 }  // namespace
 
 bool may_have_corner(MotionView m, const BlockWords& block) {
-  const std::uint32_t old = m.facts.lathe() ? bit('I') | bit('K') : 0;
-  return (block.words.mask & (m.facts.chamfers.mask | m.facts.rounds.mask | old)) != 0;
+  return (block.words.mask & m.facts.corner_words()) != 0;
 }
 
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
@@ -50,11 +50,21 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   if (chamfer < 0 && round < 0) return right_angle_chamfer(m, block, piece);
   const bool comma = chamfer >= kCommaC || round >= kCommaC;
   if (piece.kind == MoveKind::Rapid || piece.kind == MoveKind::Thread)
-    return comma ? Result(fault(Cause::CornerInRapid, block)) : std::nullopt;
-  if (auto wrong = check_corner(m, block)) return wrong;
-  if (chamfer >= 0 && round >= 0) return fault(Cause::CornerFormat, block);
+    return comma ? Result(fault_at(m.facts.corner_name(piece), Cause::CornerInRapid, block))
+                 : std::nullopt;
+  if (auto wrong = check_corner(m, block, piece)) return wrong;
+  if (chamfer >= 0 && round >= 0)
+    return fault_at({.addresses = 1u << round}, Cause::CornerFormat, block);
   piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
   if (piece.corner_size != 0) piece.corner = chamfer >= 0 ? 'C' : 'R';
+  return std::nullopt;
+}
+
+Result unfinished_move(MotionView m) {
+  if (const auto& corner = m.state.lookahead.corner; !corner.empty())
+    return fault_at(m.facts.corner_name(corner.back()), Cause::CornerNoMove, corner.back().at);
+  if (const PendingAngle& angle = m.state.pending_angle; angle.waiting())
+    return fault_at({.addresses = m.facts.angles.mask}, Cause::AngleNoEnd, angle.line.front().at);
   return std::nullopt;
 }
 
@@ -74,14 +84,14 @@ Result end_corner(MoveSink& sink, const Piece& piece) {
   const Piece first = lookahead.corner.back();
   lookahead.corner.clear();
   if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
-    return Fault{Cause::CornerNextMove, piece.at, 1, {}};
+    return fault_at({}, Cause::CornerNextMove, piece.at);
   CornerPieces corner;
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
   const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, lookahead.corner_from, first, piece, chamfer_side, corner))
     return corner.second_short && sink.facts.refuses(Cause::CornerNextShort)
-               ? Fault{Cause::CornerNextShort, piece.at, 1, {}}
-               : Fault{Cause::CornerTooShort, first.at, 1, {}};
+               ? fault_at({.addresses = kAxisWords}, Cause::CornerNextShort, piece.at)
+               : fault_at(sink.facts.corner_name(first), Cause::CornerTooShort, first.at);
   if (auto wrong = through_radius(sink, corner.first, lookahead.corner_from)) return wrong;
   if (corner.has_between)
     if (auto wrong = through_radius(sink, corner.between, corner.at_first)) return wrong;

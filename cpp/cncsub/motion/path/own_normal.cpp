@@ -38,13 +38,13 @@ std::string kind_name(const Piece& piece) {
 }
 
 Fault cut_short(const Piece& waiting, std::uint32_t at) {
-  Fault wrong{Cause::CompensationInterference, at, 1, {}};
+  Fault wrong = fault_at({.addresses = kAxisWords}, Cause::CompensationInterference, at);
   wrong.name = kind_name(waiting);
   return wrong;
 }
 
 Fault no_corner(const Piece& first, const Piece& second) {
-  Fault wrong{Cause::CompensationNoIntersection, second.at, 1, {}};
+  Fault wrong = fault_at({.addresses = kAxisWords}, Cause::CompensationNoIntersection, second.at);
   wrong.kind = {is_arc(first) ? 'A' : 'L', is_arc(second) ? 'A' : 'L'};
   wrong.name = is_arc(second) ? "Arc to arc motion" : "Arc to straight motion";
   return wrong;
@@ -155,7 +155,7 @@ void OwnNormal::wait(const Piece& piece, Point to, Point way) const {
 Result OwnNormal::begin(Piece piece, Point start) const {
   const double offset = offset_of(piece), radius = std::fabs(offset);
   const Point end = view.point(piece.end);
-  Fault too_short{Cause::CompensationEntry, piece.at, 1, {}};
+  Fault too_short = fault_at({.groups = bit(Group::Radius)}, Cause::CompensationEntry, piece.at);
   too_short.name = is_arc(piece) ? "Radius of cutter compensation entry arc"
                                  : "Length of cutter compensation entry move";
   if (size(end - start) <= radius) return too_short;
@@ -166,14 +166,13 @@ Result OwnNormal::begin(Piece piece, Point start) const {
     return std::nullopt;
   }
   const Point centre = view.point(piece.centre);
-  if (goes_inside(piece) && size(start - centre) <= radius)
-    return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  if (goes_inside(piece) && size(start - centre) <= radius) return arc_too_small(piece.at);
   // The arc's end moves, and its centre on the line between them, until both ends are on it.
   const double inwards = direction(centre - end);
   const Point to = end + radius * unit_of(goes_inside(piece) ? inwards : inwards + kPi);
   const Point towards = unit_of(direction(centre - to));
   const double cosine = dot(start - to, towards) / size(start - to);
-  if (std::fabs(cosine) < 1e-4) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  if (std::fabs(cosine) < 1e-4) return arc_too_small(piece.at);
   const Point moved = to + (size(start - to) / 2 / cosine) * towards;
   piece.turn = turn_of(piece, start, moved, to);
   view.set(piece.centre, moved);
@@ -281,8 +280,7 @@ Result OwnNormal::arc(Piece piece) const {
   const Point start = corner(), end = view.point(piece.end), centre = view.point(piece.centre);
   const double radius = std::fabs(offset_of(piece));
   const bool inside = goes_inside(piece);
-  if (inside && size(centre - end) <= radius)
-    return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  if (inside && size(centre - end) <= radius) return arc_too_small(piece.at);
   const double inwards = direction(centre - start);
   const Point v = unit_of(inwards - quarter(piece.turn > 0));
   const double away = away_from_tool(piece, v);

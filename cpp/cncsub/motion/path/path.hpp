@@ -56,6 +56,9 @@ Result check_angle(MotionContext& m, const BlockWords& block, bool waited);
 /// Return whether the words of a block may say a chamfer or a corner round, and read what they say.
 bool may_have_corner(MotionView m, const BlockWords& block);
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
+/// Return the fault of a move that waits for a next one, where none comes: before its corner, or
+/// because only its angle is known.
+Result unfinished_move(MotionView m);
 /// Pass a piece on to the table: through a corner, which waits for the next piece, and through
 /// radius compensation, which does too.
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);

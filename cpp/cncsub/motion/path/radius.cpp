@@ -93,10 +93,9 @@ Result RadiusPath::join(const Curve& a, const Curve& b, const Curve* behind, dou
 Fault RadiusPath::no_meeting(const Curve& a, const Curve& b, double offset,
                              std::uint32_t at) const {
   if (!a.straight() && moved_radius(a, a.to, offset) < -least)
-    return {Cause::CompensationArcTooSmall, sink.state.lookahead.radius.front().at, 1, {}};
-  if (!b.straight() && moved_radius(b, b.from, offset) < -least)
-    return {Cause::CompensationArcTooSmall, at, 1, {}};
-  Fault wrong{Cause::CompensationNoIntersection, at, 1, {}};
+    return arc_too_small(sink.state.lookahead.radius.front().at);
+  if (!b.straight() && moved_radius(b, b.from, offset) < -least) return arc_too_small(at);
+  Fault wrong = fault_at({.addresses = kAxisWords}, Cause::CompensationNoIntersection, at);
   wrong.kind = {a.straight() ? 'L' : 'A', b.straight() ? 'L' : 'A'};
   return wrong;
 }
@@ -113,11 +112,13 @@ Result RadiusPath::check_direction(const Curve& curve, Piece& piece, Point& v, P
     const double before = sharpness({lookahead.entered[0], lookahead.entered[1]}, u);
     return back * std::max(before, sharpness(w, next)) > least;
   };
-  const auto interference = [&] { return Fault{Cause::CompensationInterference, piece.at, 1, {}}; };
+  const auto interference = [&] {
+    return fault_at({.addresses = kAxisWords}, Cause::CompensationInterference, piece.at);
+  };
   if (curve.straight()) return cuts(-dot(stop - start, u)) ? Result(interference()) : std::nullopt;
   const double first = moved_radius(curve, curve.from, offset_of(piece)),
                last = moved_radius(curve, curve.to, offset_of(piece));
-  if (first + last < -2 * least) return Fault{Cause::CompensationArcTooSmall, piece.at, 1, {}};
+  if (first + last < -2 * least) return arc_too_small(piece.at);
   const double radius = std::max(first, last);
   if (radius <= least) {  // around the centre there is no direction
     straighten(piece);

@@ -7,6 +7,11 @@
 
 namespace cncsub {
 
+/// Return the fault of an arc that is smaller than the tool: its radius or its centre is wrong.
+inline Fault arc_too_small(Address block) {
+  return fault_at({.addresses = bit('R') | kCentreWords}, Cause::CompensationArcTooSmall, block);
+}
+
 /// Return the offset of a piece, plus to the left, minus to the right. A negative radius swaps the
 /// sides.
 inline double offset_of(const Piece& piece) {

@@ -131,7 +131,7 @@ Result check_travel(MotionView m, const Piece& piece, const Axes& machine) {
                  .at = piece.at,
                  .detail = std::string(1, axis) + " would go to " + number,
                  .kind = {axis, exceeded < limit.low ? '-' : '+'},
-                 .address = axis};
+                 .word = {.addresses = bit(axis)}};
   }
   return std::nullopt;
 }
@@ -146,7 +146,7 @@ Result set_area(MotionContext& m, BlockWords& block) {
   }
   block.consumed = true;
   if (area_is_empty(m) && m.facts.refuses(Cause::StrokeArea))
-    return fault(Cause::StrokeArea, block);
+    return fault_at({.addresses = kEndWords | kCentreWords}, Cause::StrokeArea, block);
   return std::nullopt;
 }
 
@@ -181,9 +181,9 @@ Result check_area(MotionView m, const Piece& piece, const Axes& machine) {
       return value > area.low[i] + margin && value < area.high[i] - margin;
     });
     if (inside != must_stay_inside)
-      return Fault{
-          Cause::OverTravel, piece.at, 1,
-          must_stay_inside ? "the move leaves the area of G22" : "the move enters the area of G22"};
+      return fault_at(
+          {.addresses = kAxisWords}, Cause::OverTravel, piece.at,
+          must_stay_inside ? "the move leaves the area of G22" : "the move enters the area of G22");
   }
   return std::nullopt;
 }

@@ -6,19 +6,23 @@
 namespace cncsub {
 
 Fault fault(Cause cause, const BlockWords& block, std::string detail) {
-  return {cause, block.words.at, 1, std::move(detail)};
+  return fault_at(WordName{}, cause, block.words.at, std::move(detail));
 }
 
 Fault fault_at(char address, Cause cause, const BlockWords& block, std::string detail) {
-  Fault wrong = fault(cause, block, std::move(detail));
-  wrong.address = address;
-  return wrong;
+  return fault_at(WordName{.addresses = bit(address)}, cause, block, std::move(detail));
+}
+
+Fault fault_at(const WordName& word, Cause cause, const BlockWords& block, std::string detail) {
+  return fault_at(word, cause, block.words.at, std::move(detail));
+}
+
+Fault fault_at(const WordName& word, Cause cause, Address block, std::string detail) {
+  return {.cause = cause, .at = block, .detail = std::move(detail), .word = word};
 }
 
 Fault fault_of(int code, Cause cause, const BlockWords& block) {
-  Fault wrong = fault_at('G', cause, block, code_name(code));
-  wrong.code = code;
-  return wrong;
+  return fault_at(WordName{.code = code}, cause, block, code_name(code));
 }
 
 }  // namespace cncsub

@@ -1,7 +1,6 @@
 // A block that is carried out, and what each part of the motion may touch.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -32,12 +31,6 @@ struct BlockWords {
   Meaning meaning(Group group) const { return words.codes->meaning(group); }
 };
 
-/// Return whether one of the G codes of a block, ten times its number, passes the test.
-template <class Test>
-bool any_code(const NcWords& words, const Test& test) {
-  return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);
-}
-
 /// The sink of moves: they change the state, and leave rows in a table.
 struct MoveSink {
   const MotionFacts& facts;
@@ -60,9 +53,12 @@ struct MotionContext {
   operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
 };
 
-// Faults of a block: of the whole, of a word, of a G code (ten times its number).
+// The faults of a block: of the code by which it acts, of a word, of a G code (ten times its
+// number).
 Fault fault(Cause cause, const BlockWords& block, std::string detail = {});
 Fault fault_at(char address, Cause cause, const BlockWords& block, std::string detail = {});
+Fault fault_at(const WordName& word, Cause cause, const BlockWords& block, std::string detail = {});
+Fault fault_at(const WordName& word, Cause cause, Address block, std::string detail = {});
 Fault fault_of(int code, Cause cause, const BlockWords& block);
 
 }  // namespace cncsub

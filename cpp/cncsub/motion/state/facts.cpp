@@ -18,11 +18,7 @@ void number_groups(MotionFacts& facts) {
 
 /// Return the place of a corner word in a block's mask, -1 where the machine has none of that name.
 int place_of(CornerLetters::Entry word, bool lathe) {
-  if (word.comma)
-    return word.letter == 'C'   ? kCommaC
-           : word.letter == 'R' ? kCommaR
-           : word.letter == 'A' ? kCommaA
-                                : -1;
+  if (word.comma) return comma_place(word.letter);
   const bool of_lathes = word.letter == 'A' || word.letter == 'C' || word.letter == 'R';
   return of_lathes && !lathe ? -1 : word.letter - 'A';
 }

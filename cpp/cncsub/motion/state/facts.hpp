@@ -134,6 +134,15 @@ struct MotionFacts {
   bool refuses(Cause cause) const { return control->common.refuses.value.has(cause); }
   void list_conflicts();
   bool lathe() const { return machine != MachineType::Mill; }
+  /// Return the words that may say a corner: those of its rules, and I and K of a lathe.
+  std::uint32_t corner_words() const {
+    return chamfers.mask | rounds.mask | (lathe() ? bit('I') | bit('K') : 0);
+  }
+  /// Return the words of which one says the corner of a move. The R of an arc is its radius.
+  WordName corner_name(const Piece& piece) const {
+    const bool arc = piece.kind == MoveKind::Cw || piece.kind == MoveKind::Ccw;
+    return {.addresses = corner_words() & ~(arc ? bit('R') : 0)};
+  }
   /// Return what a length of this axis counts in a path: half on a diameter axis.
   double share(int axis) const { return (diameters >> axis & 1) != 0 ? 0.5 : 1; }
 };

@@ -19,7 +19,8 @@ Result feed_of(MotionView m, const BlockWords& block, double& feed) {
       m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
     unit *= feed_increment(m.state);
   const int most = m.facts.control->motion.max_feed.value;
-  if (value < 0 || (most > 0 && value * unit > most)) return fault(Cause::FeedOutOfRange, block);
+  if (value < 0 || (most > 0 && value * unit > most))
+    return fault_at('F', Cause::FeedOutOfRange, block);
   feed = value * unit;
   return std::nullopt;
 }
@@ -39,9 +40,9 @@ Result need_feed(MotionView m, const BlockWords& block, Meaning meaning) {
   if (m.state.feed <= 0) {
     const bool zero = block.words.has('F') && m.facts.refuses(Cause::ArcFeedZero);
     const bool arc = meaning == Meaning::Cw || meaning == Meaning::Ccw;
-    return fault(zero && arc ? Cause::ArcFeedZero : Cause::NoFeed, block);
+    return fault_at('F', zero && arc ? Cause::ArcFeedZero : Cause::NoFeed, block);
   }
-  if (lacks_speed(m)) return fault(Cause::NoSpeed, block);
+  if (lacks_speed(m)) return fault_at('S', Cause::NoSpeed, block);
   return std::nullopt;
 }
 

@@ -211,7 +211,6 @@ struct ModalValues {
   int length_axis = 2;
   Axes skip{};  // skip position: work coordinates, tool included
   std::array<GCode, kGroups> modal{};
-  Meaning motion_before_cycle = Meaning::Rapid;
   Plane plane = Plane::XY;
   int work_system = 1;                                 // 1 to 6, 0 = extra
   int extra_system = 0;                                // G54.1 P

@@ -400,7 +400,7 @@ case(
         N20 G03 Y30 I-40 J30 F100
         N30 M30
     """,
-    runs="N10", alarm="over-travel", at="O1 N20", word="Y30",
+    runs="N10", alarm="over-travel", at="O1 N20", word="G03",
     number={"fanuc-0i-f": "OT0500", "mitsubishi-m700": "M01 0007", "hnc-21m": None},
 )
 case(

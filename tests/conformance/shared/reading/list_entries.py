@@ -39,6 +39,8 @@ def stands(block, controls, setup=MILL, alarm=None, number=None, **outcome):
         outcome.setdefault("runs", " ".join([*blocks, "N30"]))
     else:
         outcome = {"runs": " ".join(blocks[:-1]), "at": f"O1 {blocks[-1]}"} | outcome
+        if alarm == "code-not-computed":
+            outcome.setdefault("word", re.findall(r"G[0-9.]+", block)[-1])
     where = f"{'a lathe' if setup is LATHE else 'a mill'} of {controls[0]} and {len(controls) - 1} more"
     case(
         f"{' / '.join(block.split(chr(10)))} {what} on {where}",
@@ -329,10 +331,10 @@ stands("G136", "gsk-980mdi", alarm="code-not-computed")
 stands("G137", "gsk-980mdi", alarm="code-not-computed")
 stands("G138", "gsk-980mdi", alarm="code-not-computed")
 stands("G139", "gsk-980mdi", alarm="code-not-computed")
-stands("G141", "gsk-980mdi", alarm="pattern-without-cycle", number={"gsk-980mdi": "0216"})
-stands("G142", "gsk-980mdi", alarm="pattern-without-cycle", number={"gsk-980mdi": "0216"})
-stands("G143", "gsk-980mdi", alarm="pattern-without-cycle", number={"gsk-980mdi": "0216"})
-stands("G144", "gsk-980mdi", alarm="pattern-without-cycle", number={"gsk-980mdi": "0216"})
+stands("G141", "gsk-980mdi", alarm="pattern-without-cycle", word="G141", number={"gsk-980mdi": "0216"})
+stands("G142", "gsk-980mdi", alarm="pattern-without-cycle", word="G142", number={"gsk-980mdi": "0216"})
+stands("G143", "gsk-980mdi", alarm="pattern-without-cycle", word="G143", number={"gsk-980mdi": "0216"})
+stands("G144", "gsk-980mdi", alarm="pattern-without-cycle", word="G144", number={"gsk-980mdi": "0216"})
 stands("G150", "fanuc-16i fanuc-0i-d fanuc-0i-f fanuc-30i")
 stands("G151", "fanuc-16i fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")
 stands("G152", "fanuc-16i fanuc-0i-d fanuc-0i-f fanuc-30i", alarm="code-not-computed")

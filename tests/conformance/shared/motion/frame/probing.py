@@ -515,21 +515,21 @@ case(
     pins="max_skip_signals", control=MITSUBISHI, source="M7 p.555 (2), (5)", evidence="secondary",
     replace=MM, setup=MILL | START,
     program="O1\nN10 G90 G31 X10. P255 F100\nN20 G31 X20. P0 F100\nN30 M30",
-    runs="N10", alarm="value-out-of-range", number="P35", at="O1 N20",
+    runs="N10", alarm="value-out-of-range", word="P0", number="P35", at="O1 N20",
 )
 case(
     "P256 of G31 is out of range on a Mitsubishi",
     pins="max_skip_signals", control=MITSUBISHI, source="M7 p.555 (2), (5)", evidence="secondary",
     replace=MM, setup=MILL | START,
     program="O1\nN10 G90 G31 X10. P255 F100\nN20 G31 X20. P256 F100\nN30 M30",
-    runs="N10", alarm="value-out-of-range", number="P35", at="O1 N20",
+    runs="N10", alarm="value-out-of-range", word="P256", number="P35", at="O1 N20",
 )
 case(
     "P500 of G31 is out of range on a Mitsubishi",
     pins="max_skip_signals", control=MITSUBISHI, source="M7 p.555 (2), (5)", evidence="secondary",
     replace=MM, setup=MILL | START,
     program="O1\nN10 G90 G31 X10. P255 F100\nN20 G31 X20. P500 F100\nN30 M30",
-    runs="N10", alarm="value-out-of-range", number="P35", at="O1 N20",
+    runs="N10", alarm="value-out-of-range", word="P500", number="P35", at="O1 N20",
 )
 case(
     "what is told of every signal stops a G31 whatever its P",
@@ -718,14 +718,14 @@ case(
     pins="max_skip_signals", control=["gsk-980tdi"],
     source="TDi p.93: P is 1 to 6; MDipar 5431 to 5434", evidence="secondary", setup=START,
     program="O1\nN10 G31 Z-10. P1 F100\nN20 G31 Z-20. P7 F100\nN30 M30",
-    runs="N10", alarm="value-out-of-range", number="0012", at="O1 N20",
+    runs="N10", alarm="value-out-of-range", word="P7", number="0012", at="O1 N20",
 )
 case(
     "G31 P5 is out of range on the 980mdi",
     pins="max_skip_signals", control=["gsk-980mdi"],
     source="TDi p.93: P is 1 to 6; MDipar 5431 to 5434", evidence="secondary", setup=START,
     program="O1\nN10 G31 Z-10. P1 F100\nN20 G31 Z-20. P5 F100\nN30 M30",
-    runs="N10", alarm="value-out-of-range", number="0012", at="O1 N20",
+    runs="N10", alarm="value-out-of-range", word="P5", number="0012", at="O1 N20",
 )
 case(
     "a solid with a signal stops those G31 alone that watch it",

@@ -219,68 +219,68 @@ ARC_SOURCE = "ALM 021; Talm 033; MDib 0022"
 one(
     "G2 X10. Y10. R20. A5. F100 in G17 names an axis that no helix moves",
     [*FANUC, *MITSUBISHI, HNC], "G2 X10. Y10. R20. A5. F100", before="G90 G17 G0 X0 Y0 Z0",
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="A5.",
     number=on_fanuc("021") | dict.fromkeys(MITSUBISHI, "P113") | {HNC: None},
 )
 one(
     "G2 X10. Y10. R20. A5. F100 in G17 names an axis beyond X, Y and Z on the 980MDi",
     MDI, "G2 X10. Y10. R20. A5. F100", before="G90 G17 G0 X0 Y0 Z0", source="MDib 0022",
-    evidence="maker's manual", alarm="helix-axis", number="0022",
+    evidence="maker's manual", alarm="helix-axis", word="A5.", number="0022",
 )
 one(
     "G3 X10. Z10. R20. A5. F100 in G18 names an axis that no helix moves",
     [*FANUC, *MITSUBISHI, HNC], "G3 X10. Z10. R20. A5. F100", before="G90 G18 G0 X0 Y0 Z0",
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="A5.",
     number=on_fanuc("021") | dict.fromkeys(MITSUBISHI, "P113") | {HNC: None},
 )
 one(
     "G3 X10. Z10. R20. A5. F100 in G18 names an axis beyond X, Y and Z on the 980MDi",
     MDI, "G3 X10. Z10. R20. A5. F100", before="G90 G18 G0 X0 Y0 Z0", source="MDib 0022",
-    evidence="maker's manual", alarm="helix-axis", number="0022",
+    evidence="maker's manual", alarm="helix-axis", word="A5.", number="0022",
 )
 one(
     "G2 Y10. Z10. R20. B5. F100 in G19 names an axis that no helix moves",
     [*FANUC, *MITSUBISHI, HNC], "G2 Y10. Z10. R20. B5. F100", before="G90 G19 G0 X0 Y0 Z0",
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="B5.",
     number=on_fanuc("021") | dict.fromkeys(MITSUBISHI, "P113") | {HNC: None},
 )
 one(
     "G2 Y10. Z10. R20. B5. F100 in G19 names an axis beyond X, Y and Z on the 980MDi",
     MDI, "G2 Y10. Z10. R20. B5. F100", before="G90 G19 G0 X0 Y0 Z0", source="MDib 0022",
-    evidence="maker's manual", alarm="helix-axis", number="0022",
+    evidence="maker's manual", alarm="helix-axis", word="B5.", number="0022",
 )
 one(
     "G3 X10. Y0 I5. J0 A5. F100 in G17 names an axis that no helix moves",
     [*FANUC, *MITSUBISHI, HNC], "G3 X10. Y0 I5. J0 A5. F100", before="G90 G17 G0 X0 Y0 Z0",
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="A5.",
     number=on_fanuc("021") | dict.fromkeys(MITSUBISHI, "P113") | {HNC: None},
 )
 one(
     "G3 X10. Y0 I5. J0 A5. F100 in G17 names an axis beyond X, Y and Z on the 980MDi",
     MDI, "G3 X10. Y0 I5. J0 A5. F100", before="G90 G17 G0 X0 Y0 Z0", source="MDib 0022",
-    evidence="maker's manual", alarm="helix-axis", number="0022",
+    evidence="maker's manual", alarm="helix-axis", word="A5.", number="0022",
 )
 one(
     "G2 X10. Z10. R20. B5. F100 of a lathe names an axis outside its plane",
     [*FANUC, *GSK_988, TDI], "G2 X10. Z10. R20. B5. F100", before="G18 G0 X0 Z0", setup=LATHE,
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="B5.",
     number=on_fanuc("021") | dict.fromkeys(GSK_988, "033") | {TDI: None},
 )
 one(
     "G3 X10. Z10. I0 K10. B5. F100 of a lathe names an axis outside its plane",
     [*FANUC, *GSK_988, TDI], "G3 X10. Z10. I0 K10. B5. F100", before="G18 G0 X0 Z0", setup=LATHE,
-    source=ARC_SOURCE, alarm="arc-axis-not-in-plane",
+    source=ARC_SOURCE, alarm="arc-axis-not-in-plane", word="B5.",
     number=on_fanuc("021") | dict.fromkeys(GSK_988, "033") | {TDI: None},
 )
 one(
     "G2 X10. Z10. R20. Y5. F100 moves Y across the plane of a lathe",
     FANUC, "G2 X10. Z10. R20. Y5. F100", before="G18 G0 X0 Z0", setup=LATHE, source="ALM 021",
-    evidence="secondary", alarm="arc-axis-not-in-plane", number=on_fanuc("021"),
+    evidence="secondary", alarm="arc-axis-not-in-plane", word="Y5.", number=on_fanuc("021"),
 )
 one(
     "G3 X10. Z10. I0 K10. Y5. F100 moves Y across the plane of a lathe",
     FANUC, "G3 X10. Z10. I0 K10. Y5. F100", before="G18 G0 X0 Z0", setup=LATHE, source="ALM 021",
-    evidence="secondary", alarm="arc-axis-not-in-plane", number=on_fanuc("021"),
+    evidence="secondary", alarm="arc-axis-not-in-plane", word="Y5.", number=on_fanuc("021"),
 )
 one("a lathe with helices moves Y across G18", [*MITSUBISHI, MDI, HNC],
     "G2 X10. Z10. R20. Y5. F100", before="G18 G0 X0 Z0", setup=LATHE, final_machine="X10 Y5 Z10")
