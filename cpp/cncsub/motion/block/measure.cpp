@@ -88,13 +88,12 @@ void take_measure(MotionContext& m, int axis, double off) {
   if (c.motion.measured.value == Measured::Subtracted) off = -off;
   OffsetTables& tables = m.state.tables;
   if (m.facts.lathe()) {
-    m.log.change(m.state.tables.tools, m.state.tool_offset).value[static_cast<std::size_t>(axis)] +=
-        off;
+    tables.change_tool(m.state.tool_offset).value[static_cast<std::size_t>(axis)] += off;
     return;
   }
   const bool at_once = c.motion.measuring.value == Measuring::Words;
   auto& table = at_once ? tables.length_wear : tables.length;
-  m.log.change(table[static_cast<std::size_t>(m.state.h)]) += off;
+  table.change()[static_cast<std::size_t>(m.state.h)] += off;
   if (!at_once || m.state.modal[at(Group::Length)].meaning == Meaning::LengthOff) return;
   m.state.length[static_cast<std::size_t>(axis)] += off;
   m.state.work[static_cast<std::size_t>(axis)] -= off;

@@ -3,6 +3,7 @@
 #include "cncsub/motion/cycle/contour.hpp"
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
@@ -58,12 +59,12 @@ Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   return std::nullopt;
 }
 
-/// Collect what the blocks do, as pieces. The blocks are tried out: nothing else comes of them.
+/// Collect the pieces that the blocks make. The blocks run on a plan of their own that is never
+/// committed.
 Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector<Piece>& pieces) {
-  MotionState& state = m.state;
-  const ModalState before = state;  // of the offset tables the blocks change nothing
+  MotionState state = m.state;
   MotionOutcome outcome;
-  MotionContext trial{m.facts, state, m.log, {m.facts, state, nullptr, &pieces}, outcome, m.inputs};
+  MotionContext trial{{m.facts, state, nullptr, &pieces}, outcome, m.inputs};
   end_cycles(m.facts, state);
   const GCode radius_off = m.facts.codes.of(Meaning::RadiusOff);
   for (const NcWords& words : blocks) {
@@ -73,18 +74,8 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
     state.modal[at(Group::Radius)] = radius_off;
     if (auto wrong = run_block(trial, words, 0)) return wrong;
   }
-  if (state.pending_angle.waiting())
-    return Fault{.cause = Cause::AngleNoEnd,
-                 .at = state.pending_angle.line.front().at,
-                 .detail = {},
-                 .address = 'A'};
-  if (!state.lookahead.corner.empty())
-    return Fault{.cause = Cause::CornerNoMove,
-                 .at = state.lookahead.corner.back().at,
-                 .detail = {},
-                 .address = state.lookahead.corner.back().corner};
+  if (auto wrong = missing_move(state)) return wrong;
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
-  static_cast<ModalState&>(state) = before;
   return std::nullopt;
 }
 

@@ -78,7 +78,6 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
   }
   std::uint32_t named = 0;
   const Axes middle = linear_target(m, block, named);
-  const auto found = m.state.tables.reference.find(number_of_point);
   if (named == 0) {
     if (block.code(Group::OneShot).variant == 0) return std::nullopt;
     named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
@@ -86,8 +85,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     return wrong;
   }
   m.state.middle_known |= named;
-  const Axes point =
-      in_frame(m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
+  const Axes point = in_frame(m.state, m.state.tables.point(number_of_point));
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
@@ -99,9 +97,8 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
 
 Result store_reference(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationShift, block);
-  const Axes machine = in_machine(m.state, machine_point(m.state));
-  Axes& point = m.state.tables.reference[block.code(Group::OneShot).variant];
-  for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
+  m.state.tables.reference.change()[block.code(Group::OneShot).variant] =
+      in_machine(m.state, machine_point(m.state));
   return std::nullopt;
 }
 
@@ -124,14 +121,10 @@ Result check_reference(MotionContext& m, BlockWords& block) {
   const Axes end = linear_target(m, block, named);
   if (named == 0) return std::nullopt;
   if (auto wrong = move(m, block, MoveKind::Rapid, end, named)) return wrong;
-  const auto& points = m.state.tables.reference;
-  const auto found = points.find(1);
-  const Axes machine = machine_point(m.state);
-  for (int i = 0; i < kAxes; ++i) {
-    const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
-    if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
+  const Axes away = machine_point(m.state) - m.state.tables.point(1);
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0 && std::fabs(away[i]) > m.facts.increment / 2)
       m.outcome.missed_reference = true;
-  }
   return std::nullopt;
 }
 

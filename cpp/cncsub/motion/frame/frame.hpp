@@ -55,7 +55,6 @@ void refresh_offset(MotionState& state);
 inline int system_in_force(const MotionState& state) {
   return state.work_system > 0 ? state.work_system : 6 + state.extra_system;
 }
-const Axes& zero_of(const MotionState& state, int system);
 /// Keep the zero point that is in force, whatever its variables become.
 void hold_zero(MotionState& state);
 Result select_work(MotionContext& m, BlockWords& block);

@@ -90,6 +90,19 @@ Result end_corner(MoveSink& sink, const Piece& piece) {
 
 }  // namespace
 
+Result missing_move(const MotionState& state) {
+  const auto& corner = state.lookahead.corner;
+  const auto& line = state.pending_angle.line;
+  if (!corner.empty())
+    return Fault{.cause = Cause::CornerNoMove,
+                 .at = corner.back().at,
+                 .detail = {},
+                 .address = corner.back().corner};
+  if (!line.empty())
+    return Fault{.cause = Cause::AngleNoEnd, .at = line.front().at, .detail = {}, .address = 'A'};
+  return std::nullopt;
+}
+
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
   return sink.state.lookahead.corner.empty() ? wait_for_corner(sink, piece, from)
                                              : end_corner(sink, piece);

@@ -61,6 +61,8 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece);
 Result through_corner(MoveSink& sink, const Piece& piece, const Axes& from);
 Result through_radius(MoveSink& sink, const Piece& piece, const Axes& from);
 Result flush_radius(MoveSink& sink);
+/// Return the fault where a corner or a line by its angle still waits for the move after it.
+Result missing_move(const MotionState& state);
 /// Do the same where moves end on their own normals, and end their waiting.
 Result by_own_normal(MoveSink& sink, const Piece& piece, const Axes& from);
 Result end_own_normal(MoveSink& sink);

@@ -10,7 +10,6 @@
 #include "cncsub/motion/state/facts.hpp"
 #include "cncsub/motion/state/machine_inputs.hpp"
 #include "cncsub/motion/state/state.hpp"
-#include "cncsub/motion/state/undo.hpp"
 
 namespace cncsub {
 
@@ -38,10 +37,10 @@ bool any_code(const NcWords& words, const Test& test) {
   return std::any_of(words.codes->g().begin(), words.codes->g().end(), test);
 }
 
-/// The sink of moves: they change the state, and leave rows in a table.
+/// The sink of moves: they change the planned state, and leave rows in a table.
 struct MoveSink {
   const MotionFacts& facts;
-  MotionState& state;
+  MotionState& state;  // a plan: the state after the block, if the block has no fault
   Moves* table = nullptr;
   std::vector<Piece>* captured = nullptr;  // keeps the pieces of a profile that is tried out
 
@@ -49,15 +48,9 @@ struct MoveSink {
 };
 
 /// Everything that the words of a block may touch.
-struct MotionContext {
-  const MotionFacts& facts;
-  MotionState& state;
-  OffsetLog& log;  // the offset tables are changed through it
-  MoveSink sink;
+struct MotionContext : MoveSink {
   MotionOutcome& outcome;
   MachineInputs& inputs;
-
-  operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
 };
 
 // Faults of a block: of the whole, of a word, of a G code (ten times its number).
