@@ -35,8 +35,7 @@ Result multiple_cycle(MotionContext& m, BlockWords& block) {
 
 Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (double angle = 0; angle_word(m, block, angle)) return pending_angle(m, block, meaning, angle);
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   const bool bare = named == 0;
   if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
@@ -119,7 +118,7 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (lacks_motion(m, block)) return fault(Cause::NoMotionCode, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
-  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  if (in_cycle(m.state)) return canned_cycle(m, block);
   if (is_simple_cycle(meaning)) return turning_cycle(m, block, meaning);
   switch (meaning) {
     case Meaning::Cw:

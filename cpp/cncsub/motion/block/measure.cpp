@@ -106,8 +106,7 @@ Result measure_tool(MotionContext& m, BlockWords& block) {
   int number = -1;
   if (auto wrong = check_measuring(m, block, number, how)) return wrong;
   const auto axis = static_cast<std::size_t>(number);
-  std::uint32_t named = 0;
-  const double point = linear_target(m, block, named)[axis];
+  const double point = linear_target(m, block).point[axis];
   const double ahead = point < m.state.work[axis] ? -1 : 1;
   if (std::fabs(point - m.state.work[axis]) > how.near)
     if (auto wrong = move_axis(m, block, MoveKind::Rapid, number, point - ahead * how.near))

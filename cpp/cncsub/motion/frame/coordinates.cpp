@@ -92,10 +92,8 @@ Result select_work(MotionContext& m, BlockWords& block) {
 }
 
 Result set_coordinate(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  PointForm form = point_form(m.state);
-  form.incremental = false;  // also under G91 a setting
-  const Axes given = target(m, block, form, named);
+  // Also under G91 it is a setting.
+  const auto [given, named] = target(m, block, {.incremental = false, .polar = polar(m.state)});
   if (named == 0) return std::nullopt;
   if (m.facts.lathe() && m.facts.refuses(Cause::CoordinateSettingRefused))
     return fault(Cause::CoordinateSettingRefused, block);

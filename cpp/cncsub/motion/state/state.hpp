@@ -50,6 +50,8 @@ struct Pieces : std::vector<Piece> {
   using std::vector<Piece>::vector;
   Pieces() = default;
   Pieces(const Pieces&) = default;
+  Pieces(Pieces&&) = default;
+  Pieces& operator=(Pieces&&) = default;
   Pieces& operator=(const Pieces& other) {
     if (!empty() || !other.empty()) std::vector<Piece>::operator=(other);
     return *this;
