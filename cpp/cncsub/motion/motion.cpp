@@ -27,18 +27,17 @@ Result end_waiting(MoveSink& sink) {
   return flush_radius(sink);
 }
 
-std::array<MotionState, 2> twice(const MotionState& state) { return {state, state}; }
-
 }  // namespace
 
 Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
                std::shared_ptr<const CodeMeanings> meanings, bool general_only)
     : facts_(std::make_shared<MotionFacts>(std::move(control), setup, std::move(meanings),
                                            general_only)),
-      states_(twice(state_of(*facts_, setup))) {}
+      state_(1, state_of(*facts_, setup)),
+      plan_(state_) {}
 
 MotionState& Motion::begin_plan() {
-  MotionState& plan = states_[1 - committed_];
+  MotionState& plan = plan_.front();
   plan = state();
   if (plan.plain) plan.tool_at = machine_point(plan);
   plan.plain = false;  // from here on tool_at is kept
@@ -50,7 +49,7 @@ std::optional<Fault> Motion::commit(Result wrong, Moves* moves, std::size_t rows
     if (moves != nullptr) moves->truncate(rows);
     return wrong;
   }
-  committed_ = 1 - committed_;
+  state_.swap(plan_);
   prepare_fast_path(*facts_, now());
   return std::nullopt;
 }

@@ -2,11 +2,11 @@
 // table of moves.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
@@ -64,7 +64,7 @@ class Motion {
 
   /// Return what the queries of query.hpp look at. It holds until the next block.
   MotionView view() const { return {*facts_, state()}; }
-  const MotionState& state() const { return states_[committed_]; }
+  const MotionState& state() const { return state_.front(); }
   double time() const { return state().time; }
 
   // What variables write. `system` and `axis` count as in query.hpp.
@@ -75,7 +75,7 @@ class Motion {
   void forget_table() { now().row_moves = nullptr; }
 
  private:
-  MotionState& now() { return states_[committed_]; }
+  MotionState& now() { return state_.front(); }
   /// Begin the plan of a block: the state after it, which begins as the one before it.
   MotionState& begin_plan();
   /// Commit the plan, or drop it where it has a fault. The table of moves had so many `rows`.
@@ -83,8 +83,9 @@ class Motion {
   void write(Axes& values, int axis, double value);
 
   std::shared_ptr<const MotionFacts> facts_;
-  std::array<MotionState, 2> states_;  // what is committed, and the plan of the running block
-  std::size_t committed_ = 0;          // the place of the first
+  // The state and the plan of the running block, one each: a commit swaps the two vectors, and that
+  // is two pointers.
+  std::vector<MotionState> state_, plan_;
 };
 
 /// Return how many pieces of path wait for the moves after them, and the memory that they take.

@@ -20,7 +20,7 @@ class Shared {
   Shared() : value_(std::make_shared<T>()) {}
   Shared(const Shared&) = default;
   /// Nearly always both share one value already, and nothing is counted then.
-  Shared& operator=(const Shared& other) {
+  Shared& operator=(const Shared& other) {  // NOLINT(bugprone-unhandled-self-assignment): as said
     if (value_ != other.value_) value_ = other.value_;
     return *this;
   }
