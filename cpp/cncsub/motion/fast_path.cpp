@@ -25,17 +25,7 @@ bool tool_waits(const MotionState& state) {
 
 /// Return whether a code that is no plain path leaves nothing to a move after it with its own code.
 bool leaves_nothing(Meaning motion) {
-  switch (motion) {
-    case Meaning::Thread:
-    case Meaning::VariableThread:
-    case Meaning::TurnCycle:
-    case Meaning::ThreadCycle:
-    case Meaning::FaceCycle:
-    case Meaning::TapCycle:
-      return true;
-    default:
-      return false;
-  }
+  return motion == Meaning::Thread || motion == Meaning::VariableThread || is_simple_cycle(motion);
 }
 
 /// Set the seconds per mm, zero while there is no feed.
@@ -170,7 +160,7 @@ CNCSUB_ALWAYS_INLINE inline void go_along(const MotionFacts& facts, MotionState&
 }  // namespace
 
 bool Motion::arc(std::uint32_t mask, const Cell* values, int g, std::uint32_t step, Moves* moves) {
-  MotionState& s = state_;
+  MotionState& s = now();
   const int code = g >= 0 ? g : s.motion_code;
   if (!s.plain || (code != 2 && code != 3) || facts_->lathe()) return false;
   const bool has_feed = (mask & bit('F')) != 0;

@@ -32,7 +32,7 @@ inline double feed_seconds(const ModalState& s, double dx, double dy, double dz)
 
 inline bool Motion::linear(std::uint32_t mask, const Cell* values, int g, std::uint32_t step,
                            Moves* moves, bool& moved) {
-  MotionState& s = state_;
+  MotionState& s = now();
   const int code = g >= 0 ? g : s.motion_code;
   if (!s.plain || code > 1) return false;
   const bool has_feed = (mask & bit('F')) != 0;

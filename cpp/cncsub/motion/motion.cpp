@@ -32,32 +32,36 @@ Motion::Motion(std::shared_ptr<const Control> control, const Setup& setup,
                std::shared_ptr<const CodeMeanings> meanings, bool general_only)
     : facts_(std::make_shared<MotionFacts>(std::move(control), setup, std::move(meanings),
                                            general_only)),
-      state_(state_of(*facts_, setup)) {}
+      state_(1, state_of(*facts_, setup)),
+      plan_(state_) {}
 
-/// Roll everything back when the work ends in a fault.
-template <class Work>
-std::optional<Fault> Motion::whole_or_nothing(Moves* moves, const Work& work) {
-  Undo undo(state_, before_, log_, moves);
-  state_.plain = false;  // from here on tool_at is kept
-  auto wrong = work();
-  if (wrong)
-    undo.put_back();
-  else
-    prepare_fast_path(*facts_, state_);
-  return wrong;
+MotionState& Motion::begin_plan() {
+  MotionState& plan = plan_.front();
+  plan = state();
+  if (plan.plain) plan.tool_at = machine_point(plan);
+  plan.plain = false;  // from here on tool_at is kept
+  return plan;
+}
+
+std::optional<Fault> Motion::commit(Result wrong, Moves* moves, std::size_t rows) {
+  if (wrong) {
+    if (moves != nullptr) moves->truncate(rows);
+    return wrong;
+  }
+  state_.swap(plan_);
+  prepare_fast_path(*facts_, now());
+  return std::nullopt;
 }
 
 std::optional<Fault> Motion::execute(const NcWords& words, std::uint32_t step, Moves* moves,
                                      Outcome& outcome, MachineInputs& inputs) {
-  if (state_.plain) state_.tool_at = machine_point(state_);
+  const std::size_t rows = moves != nullptr ? moves->size() : 0;
   outcome = {};
-  MotionContext context{*facts_, state_, log_, {*facts_, state_, moves}, outcome, inputs};
-  auto wrong = whole_or_nothing(moves, [&] {
-    auto fault = run_block(context, words, step);
-    return fault || !words.stops ? fault : end_waiting(context.sink);
-  });
+  MotionContext plan{{*facts_, begin_plan(), moves}, outcome, inputs};
+  auto wrong = run_block(plan, words, step);
+  if (!wrong && words.stops) wrong = end_waiting(plan);
   if (wrong) outcome = {};
-  return wrong;
+  return commit(std::move(wrong), moves, rows);
 }
 
 std::int64_t held_pieces(const MotionState& state) {
@@ -77,64 +81,60 @@ std::vector<std::uint32_t> held_steps(const MotionState& state) {
 }
 
 std::optional<Fault> Motion::finish(Moves* moves) {
-  if (state_.plain) return std::nullopt;
-  MoveSink sink{*facts_, state_, moves};
-  return whole_or_nothing(moves, [&] { return end_waiting(sink); });
+  if (state().plain) return std::nullopt;
+  const std::size_t rows = moves != nullptr ? moves->size() : 0;
+  MoveSink plan{*facts_, begin_plan(), moves};
+  return commit(end_waiting(plan), moves, rows);
 }
 
 void Motion::reset() {
   const Control& c = *facts_->control;
-  if (c.common.reset_clears.value.has(Cleared::Codes)) power_on(*facts_, state_, true);
-  state_.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
-  end_cycles(*facts_, state_);
-  state_.lookahead = {};
-  state_.pending_angle = {};
-  state_.rigid_waits = state_.data_set = false;
-  state_.transform = {};
+  MotionState& state = now();
+  if (c.common.reset_clears.value.has(Cleared::Codes)) power_on(*facts_, state, true);
+  state.modal[at(Group::Radius)] = facts_->codes.of(Meaning::RadiusOff);
+  end_cycles(*facts_, state);
+  state.lookahead = {};
+  state.pending_angle = {};
+  state.rigid_waits = state.data_set = false;
+  state.transform = {};
   if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
-    state_.local = {};
-    refresh_offset(state_);
+    state.local = {};
+    refresh_offset(state);
   }
-  if (std::exchange(state_.zero_is_held, false)) refresh_offset(state_);
-  state_.moved_before = false;
-  prepare_fast_path(*facts_, state_);
+  if (std::exchange(state.zero_is_held, false)) refresh_offset(state);
+  state.moved_before = false;
+  prepare_fast_path(*facts_, state);
 }
 
 void Motion::write(Axes& values, int axis, double value) {
+  MotionState& state = now();
   const int i = axis_number(view(), axis);
   if (i < 0) return;
-  values[static_cast<std::size_t>(i)] = is_rotary(i) || !g20(state_) ? value : value * kInch;
-  refresh_offset(state_);
-  prepare_fast_path(*facts_, state_);
-}
-
-void Motion::write_zero(int system, Axes& values, int axis, double value) {
-  const bool waits = facts_->control->motion.written_offset.value == WrittenOffset::WhenSelected;
-  if (waits && system == system_in_force(state_)) hold_zero(state_);
-  if (axis == kTurn && waits) state_.tables.system_angles[system] = value;
-  write(values, axis, value);
+  values[static_cast<std::size_t>(i)] = is_rotary(i) || !g20(state) ? value : value * kInch;
+  refresh_offset(state);
+  prepare_fast_path(*facts_, state);
 }
 
 void Motion::set_work_offset(int system, int axis, double value) {
-  if (system >= 0 && system <= 6)
-    write_zero(system, state_.tables.work[static_cast<std::size_t>(system)], axis, value);
-}
-
-void Motion::set_extra_offset(int p, int axis, double value) {
-  if (p >= 1 && p <= static_cast<int>(state_.tables.extra.size()))
-    write_zero(6 + p, state_.tables.extra[static_cast<std::size_t>(p - 1)], axis, value);
+  MotionState& state = now();
+  if (system < 0 || system > state.tables.last_system()) return;
+  const bool waits = facts_->control->motion.written_offset.value == WrittenOffset::WhenSelected;
+  if (waits && system == system_in_force(state)) hold_zero(state);
+  if (axis == kTurn && waits) state.tables.angles.change()[system] = value;
+  write(state.tables.change_zero(system), axis, value);
 }
 
 void Motion::set_offset(VariableKind kind, int number, double value) {
-  if (kind == VariableKind::Shift) return write(state_.kept_shift, number - 1, value);
+  MotionState& state = now();
+  if (kind == VariableKind::Shift) return write(state.kept_shift, number - 1, value);
   if (kind == VariableKind::ReferencePoint) {
     const int point = number / kReferenceStep + 1;
-    return write(state_.tables.reference[point], number % kReferenceStep, value);
+    return write(state.tables.reference.change()[point], number % kReferenceStep, value);
   }
-  std::vector<double>* table = state_.tables.of(kind);
-  if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return;
-  state_.row_moves = nullptr;  // compensation may use the offset
-  (*table)[static_cast<std::size_t>(number)] = value * (g20(state_) ? kInch : 1);
+  auto* table = state.tables.of(kind);
+  if (table == nullptr || number < 0 || number >= static_cast<int>((*table)->size())) return;
+  state.row_moves = nullptr;  // compensation may use the offset
+  table->change()[static_cast<std::size_t>(number)] = value * (g20(state) ? kInch : 1);
 }
 
 }  // namespace cncsub

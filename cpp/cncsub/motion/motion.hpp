@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/control/control.hpp"
@@ -14,7 +15,6 @@
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/setup.hpp"
 #include "cncsub/motion/state/state.hpp"
-#include "cncsub/motion/state/undo.hpp"
 #include "cncsub/trace/moves.hpp"
 
 namespace cncsub {
@@ -49,39 +49,39 @@ class Motion {
   /// When it returns a fault nothing has changed.
   std::optional<Fault> finish(Moves* moves);
   /// Set whether the spindle turns.
-  void set_turning(bool turns) { state_.turns = turns; }
+  void set_turning(bool turns) { now().turns = turns; }
   /// Note that a program writes over what the control has set, see MotionState::set_anew.
   void write_over(std::size_t kind, double value) {
-    state_.set_anew[kind] = false;
-    if (kind == 2) state_.shifted = value != 0;
+    now().set_anew[kind] = false;
+    if (kind == 2) now().shifted = value != 0;
   }
   /// Do what M02, M30 and the reset key do.
   void reset();
 
-  /// Return what the queries of query.hpp look at.
-  MotionView view() const { return {*facts_, state_}; }
-  const MotionState& state() const { return state_; }
-  double time() const { return state_.time; }
+  /// Return what the queries of query.hpp look at. It holds until the next block.
+  MotionView view() const { return {*facts_, state()}; }
+  const MotionState& state() const { return state_.front(); }
+  double time() const { return state().time; }
 
-  // What variables write. `axis` counts as in query.hpp.
+  // What variables write. `system` and `axis` count as in query.hpp.
   void set_work_offset(int system, int axis, double value);
-  void set_extra_offset(int p, int axis, double value);
   void set_offset(VariableKind kind, int number, double value);
 
   /// Let the rows go to another table from now on.
-  void forget_table() { state_.row_moves = nullptr; }
+  void forget_table() { now().row_moves = nullptr; }
 
  private:
-  template <class Work>
-  std::optional<Fault> whole_or_nothing(Moves* moves, const Work& work);
+  MotionState& now() { return state_.front(); }
+  /// Begin the plan of a block: the state after it, which begins as the one before it.
+  MotionState& begin_plan();
+  /// Commit the plan, or drop it where it has a fault. The table of moves had so many `rows`.
+  std::optional<Fault> commit(std::optional<Fault> wrong, Moves* moves, std::size_t rows);
   void write(Axes& values, int axis, double value);
-  /// Write the zero point of a work system, which may be in force.
-  void write_zero(int system, Axes& values, int axis, double value);
 
   std::shared_ptr<const MotionFacts> facts_;
-  MotionState state_;
-  ModalState before_;  // before the running block
-  OffsetLog log_;
+  // The state and the plan of the running block, one each: a commit swaps the two vectors, and that
+  // is two pointers.
+  std::vector<MotionState> state_, plan_;
 };
 
 /// Return how many pieces of path wait for the moves after them, and the memory that they take.

@@ -28,27 +28,25 @@ OffsetTables tables_of(const Setup& setup, const Control& control,
   const auto rows = [](std::int32_t most) {
     return static_cast<std::size_t>(std::min(most, kLargestOffset));
   };
-  tables.extra.resize(rows(control.motion.max_extra_systems.value));
-  for (const auto& [name, values] : setup.work_offsets) {
-    const int system = system_of(name);
-    if (system >= 0 && system < 7) fill(tables.work[static_cast<std::size_t>(system)], values);
-    if (system > 100 && system - 101 < static_cast<int>(tables.extra.size()))
-      fill(tables.extra[static_cast<std::size_t>(system - 101)], values);
-  }
+  tables.extra.change().resize(rows(control.motion.max_extra_systems.value));
+  for (const auto& [name, values] : setup.work_offsets)
+    if (const int system = system_of(name); system >= 0 && system <= tables.last_system())
+      fill(tables.change_zero(system), values);
   const auto numbers = rows(control.motion.max_offset_number.value) + 1;
   for (auto* table : {&tables.length, &tables.length_wear, &tables.radius, &tables.radius_wear})
-    table->resize(numbers);
-  fill_table(tables.length, setup.length_offsets);
-  fill_table(tables.radius, setup.radius_offsets);
-  tables.length_wear.resize(tables.length.size());
-  tables.radius_wear.resize(tables.radius.size());
+    table->change().resize(numbers);
+  fill_table(tables.length.change(), setup.length_offsets);
+  fill_table(tables.radius.change(), setup.radius_offsets);
+  tables.length_wear.change().resize(tables.length->size());
+  tables.radius_wear.change().resize(tables.radius->size());
   for (const auto& [number, tool] : setup.tools) {
-    ToolOffsets& entry = tables.tools[number];
+    if (number < 0 || number > kLargestOffset) continue;
+    ToolOffsets& entry = tables.change_tool(number);
     fill(entry.value, tool.values);
     entry.tip = tool.tip;
     entry.radius = tool.radius;
   }
-  tables.reference = reference;
+  tables.reference.change() = reference;
   return tables;
 }
 

@@ -114,9 +114,9 @@ double tool_length(MotionView m, int axis) {
 }
 
 double work_offset(MotionView m, int system, int axis) {
-  if (system < 0 || system > 6) return 0;
+  if (system < 0 || system > m.state.tables.last_system()) return 0;
   if (axis == kTurn) return turn_of_system(m.state, system);
-  return shown(m, axis, m.state.tables.work[static_cast<std::size_t>(system)]);
+  return shown(m, axis, m.state.tables.zero(system));
 }
 
 double kept_shift(MotionView m, int axis) {
@@ -124,35 +124,13 @@ double kept_shift(MotionView m, int axis) {
 }
 
 double reference_point(MotionView m, int number, int axis) {
-  const auto found = m.state.tables.reference.find(number);
-  return found == m.state.tables.reference.end() ? 0 : shown(m, axis, found->second);
-}
-
-double extra_offset(MotionView m, int p, int axis) {
-  if (p < 1 || p > static_cast<int>(m.state.tables.extra.size())) return 0;
-  if (axis == kTurn) return turn_of_system(m.state, 6 + p);
-  return shown(m, axis, m.state.tables.extra[static_cast<std::size_t>(p - 1)]);
+  return shown(m, axis, m.state.tables.point(number));
 }
 
 double offset(MotionView m, VariableKind kind, int number) {
-  const std::vector<double>* table = m.state.tables.of(kind);
-  if (table == nullptr || number < 0 || number >= static_cast<int>(table->size())) return 0;
-  return (*table)[static_cast<std::size_t>(number)] / (g20(m.state) ? kInch : 1);
-}
-
-const std::vector<double>* OffsetTables::of(VariableKind kind) const {
-  switch (kind) {
-    case VariableKind::LengthWear:
-      return &length_wear;
-    case VariableKind::LengthGeometry:
-      return &length;
-    case VariableKind::RadiusWear:
-      return &radius_wear;
-    case VariableKind::RadiusGeometry:
-      return &radius;
-    default:
-      return nullptr;
-  }
+  const auto* table = m.state.tables.of(kind);
+  if (table == nullptr || number < 0 || number >= static_cast<int>((*table)->size())) return 0;
+  return (**table)[static_cast<std::size_t>(number)] / (g20(m.state) ? kInch : 1);
 }
 
 double scaled(MotionView m, char address, double value) {
@@ -207,10 +185,8 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
 
 Workpiece placed(MotionView m, Workpiece workpiece) {
   Axes zero{};
-  if (const int system = system_of(workpiece.system); system > 100)
-    zero = m.state.tables.work[0] + m.state.tables.extra[static_cast<std::size_t>(system - 101)];
-  else if (system > 0)
-    zero = m.state.tables.work[0] + m.state.tables.work[static_cast<std::size_t>(system)];
+  if (const int system = system_of(workpiece.system); system > 0)
+    zero = m.state.tables.zero(0) + m.state.tables.zero(system);
   for (Solid& solid : workpiece.solids)
     for (std::size_t i = 0; i < 3; ++i) {
       const double share = m.facts.share(static_cast<int>(i));

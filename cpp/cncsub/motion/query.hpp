@@ -20,11 +20,12 @@ double skip_position(MotionView m, int axis);
 /// Return the length of the tool in the spindle.
 double tool_length(MotionView m, int axis);
 double active_length(MotionView m, int axis);
+/// Return a number of the zero point of a work system: 0 is the external one, 7 the first extra
+/// one.
 double work_offset(MotionView m, int system, int axis);
 /// Return what the shift of G92 becomes when it is restored; of axis -1 whether it counts, 1 or 0.
 double kept_shift(MotionView m, int axis);
 double reference_point(MotionView m, int number, int axis);
-double extra_offset(MotionView m, int p, int axis);
 double offset(MotionView m, VariableKind kind, int number);
 
 std::vector<std::pair<std::string, double>> position(MotionView m);

@@ -9,9 +9,10 @@ namespace cncsub {
 namespace {
 
 bool is_extended(const MotionState& state) { return state.length != Axes{}; }
-double feed_of(const MotionFacts& facts, const MotionState& state) {
+double feed_of(MotionView m) {
+  const MotionState& state = m.state;
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
-  if (times && facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed)
+  if (times && m.facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed)
     return state.feed_before / state.unit;
   return times ? state.feed : state.feed / state.unit;
 }
@@ -27,38 +28,37 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 }  // namespace
 
-SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
-  return {state.modal,   feed_of(facts, state), speed_of(state),
-          state.shifted, is_extended(state),    state.turns};
+SavedModes modes_of(MotionView m) {
+  return {m.state.modal,   feed_of(m),           speed_of(m.state),
+          m.state.shifted, is_extended(m.state), m.state.turns};
 }
 
-ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
-                       const SavedModes& saved) {
+ReturnToModes units_to(MotionView m, const SavedModes& saved) {
   ReturnToModes block;
   const GCode units = saved.codes[at(Group::Units)];
-  if (units.code >= 0 && units.code != state.modal[at(Group::Units)].code)
+  if (units.code >= 0 && units.code != m.state.modal[at(Group::Units)].code)
     block.codes.add_g(units.code);
   return block;
 }
 
-ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
-                       const SavedModes& saved) {
+ReturnToModes modes_to(MotionView m, const SavedModes& saved) {
+  const MotionState& state = m.state;
   ReturnToModes block;
   for (const Group group :
        {Group::Plane, Group::Radius, Group::Distance, Group::Feed, Group::Work, Group::Return,
         Group::Surface, Group::Centre, Group::Diameter, Group::Path}) {
-    const int code = code_of(facts, saved.codes[at(group)]);
-    if (code >= 0 && code != code_of(facts, state.modal[at(group)])) block.codes.add_g(code);
+    const int code = code_of(m.facts, saved.codes[at(group)]);
+    if (code >= 0 && code != code_of(m.facts, state.modal[at(group)])) block.codes.add_g(code);
   }
   const auto add = [&](Meaning meaning) {
-    if (const GCode code = facts.codes.of(meaning); code.code >= 0) block.codes.add_g(code.code);
+    if (const GCode code = m.facts.codes.of(meaning); code.code >= 0) block.codes.add_g(code.code);
   };
   if (saved.extended != is_extended(state))
     add(saved.extended ? Meaning::LengthPlus : Meaning::LengthOff);
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
   // F is written with one decimal, S with none.
-  block.has_feed = saved.feed != feed_of(facts, state);
+  block.has_feed = saved.feed != feed_of(m);
   block.has_speed = saved.speed != speed_of(state);
   return block;
 }

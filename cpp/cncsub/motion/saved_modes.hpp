@@ -4,11 +4,9 @@
 #include <array>
 
 #include "cncsub/code/block_codes.hpp"
+#include "cncsub/motion/state/state.hpp"
 
 namespace cncsub {
-
-struct MotionState;
-struct MotionFacts;
 
 /// The modes that M70 and M73 keep. [LC m-code, M70]
 struct SavedModes {
@@ -19,7 +17,7 @@ struct SavedModes {
   bool turns = false;
 };
 
-SavedModes modes_of(const MotionFacts& facts, const MotionState& state);
+SavedModes modes_of(MotionView m);
 /// The block by which a control returns to saved modes: its codes, and F and S where they differ.
 struct ReturnToModes {
   CodeList codes;
@@ -28,7 +26,7 @@ struct ReturnToModes {
 /// Return the block for the unit of lengths, in which F is written, and the one for the other
 /// modes. A control writes both blocks itself and executes them: what it refuses in one it refuses
 /// here too. [rs274 2.9]
-ReturnToModes units_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
-ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state, const SavedModes& saved);
+ReturnToModes units_to(MotionView m, const SavedModes& saved);
+ReturnToModes modes_to(MotionView m, const SavedModes& saved);
 
 }  // namespace cncsub

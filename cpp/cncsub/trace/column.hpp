@@ -15,6 +15,15 @@
 
 namespace cncsub {
 
+/// Return whether nobody else holds this. What another thread did with its copy before it let go of
+/// it then comes before what is done here.
+template <class T>
+bool is_sole_owner(const std::shared_ptr<T>& pointer) {
+  if (pointer.use_count() != 1) return false;
+  std::atomic_thread_fence(std::memory_order_acquire);
+  return true;
+}
+
 /// The chunks of a column. Copies share them; whoever writes asks for a chunk of its own.
 template <class Chunk>
 class Chunks {
@@ -25,7 +34,8 @@ class Chunks {
   /// Return a chunk to write to. It is copied first where a copy of the column holds it as well.
   Chunk& own(std::size_t index) {
     std::shared_ptr<Chunk>& chunk = own_list()[index];
-    if (!alone(chunk)) chunk = std::allocate_shared<Chunk>(system::ChunkMemory<Chunk>(), *chunk);
+    if (!is_sole_owner(chunk))
+      chunk = std::allocate_shared<Chunk>(system::ChunkMemory<Chunk>(), *chunk);
     return *chunk;
   }
   Chunk& add() {
@@ -40,18 +50,10 @@ class Chunks {
  private:
   using List = std::vector<std::shared_ptr<Chunk>>;
 
-  /// Return whether nobody else holds this. What another thread did with its copy before it let go
-  /// of it then comes before what is done here.
-  template <class Shared>
-  static bool alone(const Shared& pointer) {
-    if (pointer.use_count() != 1) return false;
-    std::atomic_thread_fence(std::memory_order_acquire);
-    return true;
-  }
   List& own_list() {
     if (!list_)
       list_ = std::make_shared<List>();
-    else if (!alone(list_))
+    else if (!is_sole_owner(list_))
       list_ = std::make_shared<List>(*list_);
     return *list_;
   }

@@ -7,7 +7,6 @@
 
 #include "cncsub/code/target.hpp"
 #include "cncsub/machine/calls/modal.hpp"
-#include "cncsub/machine/calls/modal_stack.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/calls/words.hpp"
 #include "cncsub/machine/state/limits.hpp"

@@ -9,6 +9,8 @@ namespace cncsub {
 /// which waits for the macro of a modal call that follows the block's move.
 bool call(Run& run, const Block& block);
 bool macro_call(Run& run, const Block& block);
+/// Execute an O word: a subprogram, a branch or a loop.
+bool run_labelled(Run& run, const Block& block);
 /// Execute what is left of a call after the words; the arguments lie in the running block.
 bool call_now(Run& run, std::uint32_t aux, Target& target);
 

@@ -1,5 +1,4 @@
-#include "cncsub/machine/calls/modal_stack.hpp"
-
+// Modes that a program saves for itself and for its caller.
 #include <algorithm>
 #include <cmath>
 
@@ -41,9 +40,8 @@ bool carry_out(Run& run, const ReturnToModes& block, const SavedModes& modes) {
 
 /// Restore modes by two blocks.
 bool restore_modes(Run& run, const SavedModes& modes) {
-  const MotionView now = run.motion.view();
-  if (!carry_out(run, units_to(now.facts, now.state, modes), modes)) return false;
-  if (!carry_out(run, modes_to(now.facts, now.state, modes), modes)) return false;
+  if (!carry_out(run, units_to(run.motion.view(), modes), modes)) return false;
+  if (!carry_out(run, modes_to(run.motion.view(), modes), modes)) return false;
   run.motion.set_turning(modes.turns);
   return true;
 }
@@ -56,7 +54,7 @@ void save(Run& run, bool for_return) {
   }
   saved->valid = true;
   saved->for_return = saved->for_return || for_return;
-  saved->modes = modes_of(run.motion.view().facts, run.motion.state());
+  saved->modes = modes_of(run.motion.view());
 }
 
 }  // namespace

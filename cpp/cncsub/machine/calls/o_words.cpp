@@ -2,7 +2,6 @@
 //
 // Nothing is nested here: a statement asks what its label was met with. A part that is not executed
 // is skipped, to the next statement of the label.
-#include "cncsub/machine/calls/o_words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "cncsub/machine/calls/modal.hpp"
-#include "cncsub/machine/calls/modal_stack.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/output.hpp"
-#include "cncsub/machine/statements/parallel_assign.hpp"
 #include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/decode.hpp"
 #include "cncsub/machine/values/expressions.hpp"
@@ -27,7 +25,7 @@ constexpr std::uint32_t role_bit(Role role) { return 1u << static_cast<unsigned>
 constexpr std::uint32_t kSavingRoles = role_bit(Role::SaveModes) | role_bit(Role::ForgetModes) |
                                        role_bit(Role::RestoreModes) | role_bit(Role::KeepModes);
 
-// To keep so many moves of the lookahead queue for a rollback takes as long as to make one move.
+// To copy so many moves of the lookahead queue into a plan takes as long as to make one move.
 constexpr std::int64_t kHeldPieces = 8;
 
 /// Return the role of an M code on the control.

@@ -24,6 +24,10 @@ inline bool execute_words(Run& run, const Block& block) {
   run.state.pc = run.block.next;
   return true;
 }
+/// Execute codes that save the modes, forget them or restore them. Return false where that alarms.
+bool change_saved_modes(Run& run, const NcWords& words);
+/// Restore, after a return, the modes that were to come back.
+bool come_back_to_modes(Run& run);
 /// Finish a block whose words are executed and that has nothing else. It is a step, and the run
 /// goes on after it, or with the macro that follows its move.
 bool after_words(Run& run);

@@ -4,12 +4,10 @@
 
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/modal.hpp"
-#include "cncsub/machine/calls/o_words.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/calls/words.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
-#include "cncsub/machine/statements/parallel_assign.hpp"
 #include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/watch.hpp"
 #include "cncsub/system/compiler.hpp"

@@ -1,5 +1,4 @@
-#include "cncsub/machine/statements/h_codes.hpp"
-
+// The statements of the GSK controls: G65 H.
 #include <algorithm>
 #include <cmath>
 #include <string>

@@ -1,5 +1,4 @@
-#include "cncsub/machine/statements/parallel_assign.hpp"
-
+// Blocks that assign and say something besides executing words.
 #include <utility>
 #include <vector>
 

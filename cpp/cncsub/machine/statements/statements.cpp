@@ -6,7 +6,6 @@
 
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
-#include "cncsub/machine/statements/h_codes.hpp"
 #include "cncsub/machine/statements/output.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/machine/values/variables.hpp"

@@ -12,6 +12,12 @@ bool run_statements(Run& run, bool one, const Block*& instead);
 /// Execute one statement, of any kind.
 bool run_statement(Run& run, const Block& block, const Block*& instead);
 
+/// Execute G65 H1 P#100 Q#101 R#102: assign, calculate, jump or raise an alarm. `holds`: what the
+/// comparison of a jump gave.
+bool h_code(Run& run, const HCode& h, bool& holds);
+/// Execute the assignments of a block that does something else too, all with the values from
+/// before, and its message. The words have their values already, and are executed after it.
+bool assign_in_parallel(Run& run);
 /// Give the variable of an assignment its value.
 bool store(Run& run, const Statement& statement, double value);
 /// Give a variable a value; #3000 and #3006 raise an alarm and show a message instead.

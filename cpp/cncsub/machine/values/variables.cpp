@@ -82,7 +82,7 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
     case VariableKind::AxisWorkOffset:
       return work_offset(motion, index, axis_of(*place.range));
     case VariableKind::ExtraWorkOffset:
-      return extra_offset(motion, index / kSystems + 1, index % kSystems);
+      return work_offset(motion, kFirstExtra + index / kSystems, index % kSystems);
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
     case VariableKind::RadiusWear:
@@ -189,7 +189,7 @@ bool write_offset(Motion& motion, const VariablePlace& place, double value) {
       motion.set_work_offset(index, axis_of(*place.range), value);
       return true;
     case VariableKind::ExtraWorkOffset:
-      motion.set_extra_offset(index / kSystems + 1, index % kSystems, value);
+      motion.set_work_offset(kFirstExtra + index / kSystems, index % kSystems, value);
       return true;
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:

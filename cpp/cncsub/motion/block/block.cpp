@@ -13,17 +13,7 @@ namespace cncsub {
 namespace {
 
 /// Return whether a code stands for a cycle of moves.
-bool makes_cycle(Meaning meaning) {
-  switch (meaning) {
-    case Meaning::TurnCycle:
-    case Meaning::ThreadCycle:
-    case Meaning::FaceCycle:
-    case Meaning::TapCycle:
-      return true;
-    default:
-      return is_multiple_cycle(meaning);
-  }
-}
+bool makes_cycle(Meaning meaning) { return is_simple_cycle(meaning) || is_multiple_cycle(meaning); }
 
 /// Execute G70 to G76 of a lathe.
 Result multiple_cycle(MotionContext& m, BlockWords& block) {
@@ -45,8 +35,7 @@ Result multiple_cycle(MotionContext& m, BlockWords& block) {
 
 Result straight(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (double angle = 0; angle_word(m, block, angle)) return pending_angle(m, block, meaning, angle);
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   const bool bare = named == 0;
   if (bare && !(block.has(Group::Motion) && m.facts.refuses(Cause::NoFeed))) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
@@ -129,7 +118,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   if (lacks_motion(m, block)) return fault(Cause::NoMotionCode, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
-  if (in_cycle(m.state)) return m.facts.lathe() ? drilling_cycle(m, block) : canned_cycle(m, block);
+  if (in_cycle(m.state)) return canned_cycle(m, block);
+  if (is_simple_cycle(meaning)) return turning_cycle(m, block, meaning);
   switch (meaning) {
     case Meaning::Cw:
     case Meaning::Ccw:
@@ -137,11 +127,6 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::ThreePoints:
     case Meaning::ThreePointsAbsolute:
       return arc_by_points(m, block, meaning);
-    case Meaning::TurnCycle:
-    case Meaning::ThreadCycle:
-    case Meaning::FaceCycle:
-    case Meaning::TapCycle:
-      return turning_cycle(m, block, meaning);
     case Meaning::Thread:
       if (m.state.modal[at(Group::Motion)].variant != 0) return thread_by_k(m, block);
       [[fallthrough]];
@@ -242,7 +227,7 @@ Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, 
       once == Meaning::Local)
     m.state.moved_before = true;
   if (!in_range) return out_of_range(block.words.at);
-  return count_idle(m.sink, block.words.at);
+  return count_idle(m, block.words.at);
 }
 
 }  // namespace

@@ -90,13 +90,12 @@ void take_measure(MotionContext& m, int axis, double off) {
   if (c.motion.measured.value == Measured::Subtracted) off = -off;
   OffsetTables& tables = m.state.tables;
   if (m.facts.lathe()) {
-    m.log.change(m.state.tables.tools, m.state.tool_offset).value[static_cast<std::size_t>(axis)] +=
-        off;
+    tables.change_tool(m.state.tool_offset).value[static_cast<std::size_t>(axis)] += off;
     return;
   }
   const bool at_once = c.motion.measuring.value == Measuring::Words;
   auto& table = at_once ? tables.length_wear : tables.length;
-  m.log.change(table[static_cast<std::size_t>(m.state.h)]) += off;
+  table.change()[static_cast<std::size_t>(m.state.h)] += off;
   if (!at_once || m.state.modal[at(Group::Length)].meaning == Meaning::LengthOff) return;
   m.state.length[static_cast<std::size_t>(axis)] += off;
   m.state.work[static_cast<std::size_t>(axis)] -= off;
@@ -109,8 +108,7 @@ Result measure_tool(MotionContext& m, BlockWords& block) {
   int number = -1;
   if (auto wrong = check_measuring(m, block, number, how)) return wrong;
   const auto axis = static_cast<std::size_t>(number);
-  std::uint32_t named = 0;
-  const double point = linear_target(m, block, named)[axis];
+  const double point = linear_target(m, block).point[axis];
   const double ahead = point < m.state.work[axis] ? -1 : 1;
   if (std::fabs(point - m.state.work[axis]) > how.near)
     if (auto wrong = move_axis(m, block, MoveKind::Rapid, number, point - ahead * how.near))

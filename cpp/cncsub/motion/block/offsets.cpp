@@ -35,7 +35,7 @@ Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
                ? Result(fault_at({.groups = bit(Group::Radius)}, Cause::CompensationTwice, block))
                : std::nullopt;
   m.state.lookahead.ended = m.state.lookahead.engaged;
-  return flush_radius(m.sink);
+  return flush_radius(m);
 }
 
 /// Check L beside G41.1 and G42.1: how a turning tool lies in its plane.
@@ -59,7 +59,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
     m.state.given_radius = number(m, block, 'D') / 2;
   } else if (block.words.has('D') && !m.facts.lathe() && !measures) {
     const double number = counted(m, block.words, 'D');
-    if (number < 0 || number >= static_cast<double>(m.state.tables.radius.size()))
+    if (number < 0 || number >= static_cast<double>(m.state.tables.radius->size()))
       return fault_at('D', Cause::RadiusOffsetNumber, block);
     m.state.d = to_whole<int>(number);
   }
@@ -69,7 +69,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
   if (given) return std::nullopt;
   if (compensating(m.state) && is_of_tool(m, block, 'D'))
-    m.state.d = offset_of_tool(m.state, m.state.tables.radius);
+    m.state.d = offset_of_tool(m.state, *m.state.tables.radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&
       c.motion.missing_radius_offset.value == MissingOffset::Alarm)
     return fault_at({.groups = bit(Group::Radius)}, Cause::RadiusOffsetNumber, block);

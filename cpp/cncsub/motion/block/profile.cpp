@@ -62,12 +62,12 @@ Result check_profile_block(const MotionFacts& facts, const NcWords& words) {
   return std::nullopt;
 }
 
-/// Collect what the blocks do, as pieces. The blocks are tried out: nothing else comes of them.
+/// Collect the pieces that the blocks make. The blocks run on a plan of their own that is never
+/// committed.
 Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector<Piece>& pieces) {
-  MotionState& state = m.state;
-  const ModalState before = state;  // of the offset tables the blocks change nothing
+  MotionState state = m.state;
   MotionOutcome outcome;
-  MotionContext trial{m.facts, state, m.log, {m.facts, state, nullptr, &pieces}, outcome, m.inputs};
+  MotionContext trial{{m.facts, state, nullptr, &pieces}, outcome, m.inputs};
   end_cycles(m.facts, state);
   const GCode radius_off = m.facts.codes.of(Meaning::RadiusOff);
   for (const NcWords& words : blocks) {
@@ -79,7 +79,6 @@ Result capture(MotionContext& m, const std::vector<NcWords>& blocks, std::vector
   }
   if (auto wrong = unfinished_move(trial)) return wrong;
   std::erase_if(pieces, [](const Piece& piece) { return piece.kind == MoveKind::Dwell; });
-  static_cast<ModalState&>(state) = before;
   return std::nullopt;
 }
 

@@ -34,7 +34,8 @@ Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
 }
 
 /// Return where G53 leads without a rotated frame, along the axes that it names.
-Axes machine_target(MotionContext& m, const BlockWords& block, std::uint32_t& named) {
+NamedPoint machine_target(MotionContext& m, const BlockWords& block) {
+  std::uint32_t named = 0;
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
@@ -43,7 +44,7 @@ Axes machine_target(MotionContext& m, const BlockWords& block, std::uint32_t& na
     end[i] = number(m, block, name) +
              (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
   }
-  return end;
+  return {end, named};
 }
 
 }  // namespace
@@ -58,8 +59,7 @@ Result machine_move(MotionContext& m, BlockWords& block) {
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
   if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
-  std::uint32_t named = 0;
-  const Axes end = machine_target(m, block, named);
+  const auto [end, named] = machine_target(m, block);
   if (named == 0) return std::nullopt;
   if (kind == MoveKind::Feed)
     if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
@@ -76,9 +76,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
       return fault(Cause::ReferenceNotHomed, block);
     number_of_point = to_whole<int>(p);
   }
-  std::uint32_t named = 0;
-  const Axes middle = linear_target(m, block, named);
-  const auto found = m.state.tables.reference.find(number_of_point);
+  auto [middle, named] = linear_target(m, block);
   if (named == 0) {
     if (block.code(Group::OneShot).variant == 0) return std::nullopt;
     named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
@@ -86,8 +84,7 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     return wrong;
   }
   m.state.middle_known |= named;
-  const Axes point =
-      in_frame(m.state, found == m.state.tables.reference.end() ? Axes{} : found->second);
+  const Axes point = in_frame(m.state, m.state.tables.point(number_of_point));
   Axes end = m.state.work;
   for (int i = 0; i < kAxes; ++i) {
     if ((named >> i & 1) == 0) continue;
@@ -99,15 +96,13 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
 
 Result store_reference(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationShift, block);
-  const Axes machine = in_machine(m.state, machine_point(m.state));
-  Axes& point = m.state.tables.reference[block.code(Group::OneShot).variant];
-  for (std::size_t i = 0; i < machine.size(); ++i) m.log.change(point[i]) = machine[i];
+  m.state.tables.reference.change()[block.code(Group::OneShot).variant] =
+      in_machine(m.state, machine_point(m.state));
   return std::nullopt;
 }
 
 Result from_reference(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  linear_target(m, block, named);
+  const std::uint32_t named = linear_target(m, block).named;
   if (m.state.middle_known == 0) return fault(Cause::NoIntermediate, block);
   if (named == 0) return std::nullopt;
   Axes middle = m.state.work;
@@ -115,31 +110,25 @@ Result from_reference(MotionContext& m, BlockWords& block) {
     if ((named >> i & 1) != 0 && (m.state.middle_known >> i & 1) != 0)
       middle[i] = m.state.middle[i] - m.state.offset[i];
   if (auto wrong = move(m, block, MoveKind::Rapid, middle, named)) return wrong;
-  const Axes end = linear_target(m, block, named);
+  const Axes end = linear_target(m, block).point;
   return move(m, block, MoveKind::Rapid, end, named);
 }
 
 Result check_reference(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  const Axes end = linear_target(m, block, named);
+  const auto [end, named] = linear_target(m, block);
   if (named == 0) return std::nullopt;
   if (auto wrong = move(m, block, MoveKind::Rapid, end, named)) return wrong;
-  const auto& points = m.state.tables.reference;
-  const auto found = points.find(1);
-  const Axes machine = machine_point(m.state);
-  for (int i = 0; i < kAxes; ++i) {
-    const double wanted = found == points.end() ? 0 : found->second[static_cast<std::size_t>(i)];
-    if ((named >> i & 1) != 0 && std::fabs(machine[i] - wanted) > m.facts.increment / 2)
+  const Axes away = machine_point(m.state) - m.state.tables.point(1);
+  for (int i = 0; i < kAxes; ++i)
+    if ((named >> i & 1) != 0 && std::fabs(away[i]) > m.facts.increment / 2)
       m.outcome.missed_reference = true;
-  }
   return std::nullopt;
 }
 
 Result one_way(MotionContext& m, BlockWords& block) {
   if (block.has(Group::Motion)) m.state.modal[at(Group::Motion)] = block.code(Group::Motion);
   end_cycles(m.facts, m.state);
-  std::uint32_t named = 0;
-  const Axes end = target(m, block, named);
+  const auto [end, named] = target(m, block);
   if (named == 0) return std::nullopt;
   const double overrun = m.facts.control->motion.one_way_overrun.value * 1e-3;
   Axes past = end;

@@ -116,8 +116,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   if (m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution &&
       m.facts.refuses(Cause::SkipPerRevolution))
     return fault(Cause::SkipPerRevolution, block);
-  std::uint32_t named = 0;
-  Axes end = linear_target(m, block, named);
+  auto [end, named] = linear_target(m, block);
   if (named == 0) return std::nullopt;
   if (must_probe(m) && end == m.state.work) return fault(Cause::SameProbePoint, block);
   double feed = m.state.feed;

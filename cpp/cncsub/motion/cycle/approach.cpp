@@ -11,8 +11,7 @@ namespace {
 /// Move over the hole, then to R.
 Result approach(MotionContext& m, BlockWords& block, int axis, double r) {
   const auto along = static_cast<std::size_t>(axis);
-  std::uint32_t named = 0;
-  Axes place = target(m, block, named);
+  auto [place, named] = target(m, block);
   place[along] = m.state.work[along];
   named &= ~axis_bit(axis);
   if (named != 0)
@@ -27,8 +26,7 @@ Result approach(MotionContext& m, BlockWords& block, int axis, double r) {
 Result approach_above(MotionContext& m, BlockWords& block, int axis, double r, bool first) {
   const auto along = static_cast<std::size_t>(axis);
   const double initial = m.state.cycle.initial;
-  std::uint32_t named = 0;
-  Axes place = target(m, block, named);
+  auto [place, named] = target(m, block);
   if (first && initial < r)
     if (auto wrong = move_axis(m, block, MoveKind::Rapid, axis, r)) return wrong;
   named &= ~axis_bit(axis);

@@ -7,13 +7,11 @@
 
 namespace cncsub {
 
-// Canned cycles: drilling, boring, tapping.
+// Canned cycles: drilling, boring, tapping. Those of a lathe count R from the initial level, to
+// which the tool returns. [TA 24]
 Result enter_cycle(MotionContext& m, BlockWords& block);
 void end_cycles(const MotionFacts& facts, MotionState& state);
 Result canned_cycle(MotionContext& m, BlockWords& block);
-/// Execute a drilling cycle of a lathe: R counts from the initial level, the tool returns to it.
-/// [TA 24]
-Result drilling_cycle(MotionContext& m, BlockWords& block);
 
 // Cycles of lathes: G90 G92 G94, grooving G74 G75.
 /// Execute G90, G92 or G94. A thread of several starts is cut start by start. [TDi 24.9, TA 18: L]

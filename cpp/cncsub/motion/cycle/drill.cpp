@@ -14,6 +14,13 @@ int drill_axis(MotionView m, const GCode& code) {
   return code.variant == 1 ? 0 : 2;
 }
 
+bool taps(const CycleData& cycle) {
+  return cycle.cycle == Meaning::Tap || cycle.cycle == Meaning::LeftTap;
+}
+bool pecks(const CycleData& cycle) {
+  return cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
+}
+
 /// Return whether a cycle waits at the bottom of its hole.
 bool dwells(Meaning cycle) {
   switch (cycle) {
@@ -62,11 +69,10 @@ Result check_first_words(MotionView m, const BlockWords& block) {
   if (!goes_to_r_first(m.facts) || !first) return std::nullopt;
   const bool dwells = cycle.cycle == Meaning::DrillDwell || cycle.cycle == Meaning::BoreManual ||
                       cycle.cycle == Meaning::BoreDwell;
-  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   const char depth = kAxisNames[static_cast<std::size_t>(drill_axis(m, cycle.code))];
   const NcWords& w = block.words;
   const bool missing =
-      !w.has('R') || !w.has(depth) || (dwells && !w.has('P')) || (pecks && !w.has('Q'));
+      !w.has('R') || !w.has(depth) || (dwells && !w.has('P')) || (pecks(cycle) && !w.has('Q'));
   return missing ? Result(fault(Cause::MotionWordMissing, block)) : std::nullopt;
 }
 
@@ -86,10 +92,9 @@ Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
   if (repeats < 0 || (most > 0 && repeats > most) ||
       (repeats == 0 && c.motion.zero_cycle_repeats.value == ZeroCycleRepeats::Alarm))
     return fault_at({.addresses = bit('K') | bit('L')}, Cause::CycleRepeats, block);
-  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
-  if (pecks && !m.facts.lathe() && cycle.q == 0 && m.facts.refuses(Cause::NoPeck))
+  if (pecks(cycle) && !m.facts.lathe() && cycle.q == 0 && m.facts.refuses(Cause::NoPeck))
     return fault_at('Q', Cause::NoPeck, block);
-  if (pecks && w.has('Q') && w['Q'] < 0 && m.facts.refuses(Cause::PeckNegative))
+  if (pecks(cycle) && w.has('Q') && w['Q'] < 0 && m.facts.refuses(Cause::PeckNegative))
     return fault_at('Q', Cause::PeckNegative, block);
   return std::nullopt;
 }
@@ -109,7 +114,7 @@ Result check_rotary(MotionView m, const BlockWords& block) {
 Result check_spindle(MotionView m, const BlockWords& block) {
   if (!goes_to_r_first(m.facts) || !m.facts.refuses(Cause::SpindleStands)) return std::nullopt;
   const Meaning cycle = m.state.cycle.cycle;
-  const bool tap = cycle == Meaning::Tap || cycle == Meaning::LeftTap;
+  const bool tap = taps(m.state.cycle);
   if (!tap && cycle != Meaning::BoreStop && cycle != Meaning::BackBore &&
       cycle != Meaning::BoreManual)
     return std::nullopt;
@@ -120,8 +125,7 @@ Result check_spindle(MotionView m, const BlockWords& block) {
 }
 
 Result check_tap(MotionView m, const BlockWords& block) {
-  if (m.state.cycle.cycle != Meaning::Tap && m.state.cycle.cycle != Meaning::LeftTap)
-    return std::nullopt;
+  if (!taps(m.state.cycle)) return std::nullopt;
   if (m.state.speed <= 0 && m.state.rigid && m.facts.refuses(Cause::RigidSpeed))
     return fault_at('S', Cause::RigidSpeed, block);
   if (m.state.speed <= 0 && m.facts.refuses(Cause::TapSpeed))
@@ -171,15 +175,10 @@ Result feed_tap(MotionContext& m, BlockWords& block, int axis, double level) {
   return wrong;
 }
 
-bool taps(const CycleData& cycle) {
-  return cycle.cycle == Meaning::Tap || cycle.cycle == Meaning::LeftTap;
-}
-
 Result drill_down(MotionContext& m, BlockWords& block, int axis, double r, double z) {
   const CycleData& cycle = m.state.cycle;
-  const bool pecks = cycle.cycle == Meaning::Peck || cycle.cycle == Meaning::PeckFast;
   const bool plain = m.facts.control->turning.drill_retract.value && cycle.r == 0;
-  if (pecks && cycle.q != 0 && !plain) return peck(m, block, axis, r, z);
+  if (pecks(cycle) && cycle.q != 0 && !plain) return peck(m, block, axis, r, z);
   if (auto wrong =
           taps(cycle) ? feed_tap(m, block, axis, z) : move_axis(m, block, MoveKind::Feed, axis, z))
     return wrong;
@@ -283,8 +282,7 @@ Result drill_lathe(MotionContext& m, BlockWords& block) {
   CycleData& cycle = m.state.cycle;
   const int axis = drill_axis(m, cycle.code);
   const auto along = static_cast<std::size_t>(axis);
-  std::uint32_t named = 0;
-  Axes place = target(m, block, named);
+  auto [place, named] = target(m, block);
   const double level = m.state.work[along];
   const double r = has_r_plane(m) ? level + cycle.r * (axis == 0 ? 2 : 1) : level;
   const char increment = axis == 0 ? 'U' : 'W';
@@ -337,34 +335,21 @@ void end_cycles(const MotionFacts& facts, MotionState& state) {
 }
 
 Result canned_cycle(MotionContext& m, BlockWords& block) {
-  const NcWords& w = block.words;
-  bool position = w.has('R') || (w.mask & kPolarWords) != 0;
-  for (const char axis : kAxisNames) position = position || w.has(axis);
+  constexpr std::uint32_t kOfMills = kAxisWords | bit('R');
+  constexpr std::uint32_t kOfLathes =
+      kEndWords | bit('C') | bit('U') | bit('V') | bit('W') | bit('H') | bit('R');
+  const bool lathe = m.facts.lathe();
+  const bool position = (block.words.mask & (lathe ? kOfLathes : kOfMills)) != 0;
   int repeats = 1;
-  if (auto wrong = check_rotary(m, block)) return wrong;
+  if (auto wrong = lathe ? Result() : check_rotary(m, block)) return wrong;
   if (position || block.has(Group::Cycle))
     if (auto wrong = cycle_words(m, block, repeats)) return wrong;
   if (!position || repeats == 0) return std::nullopt;
   if (auto wrong = check_tap(m, block)) return wrong;
-  if (auto wrong = check_spindle(m, block)) return wrong;
+  if (auto wrong = lathe ? Result() : check_spindle(m, block)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
   for (int i = 0; i < repeats; ++i)
-    if (auto wrong = drill(m, block, i == 0)) return wrong;
-  return std::nullopt;
-}
-
-Result drilling_cycle(MotionContext& m, BlockWords& block) {
-  const NcWords& w = block.words;
-  bool position = false;
-  for (const char letter : std::string_view("XYZCUVWHR")) position = position || w.has(letter);
-  int repeats = 1;
-  if (position || block.has(Group::Cycle))
-    if (auto wrong = cycle_words(m, block, repeats)) return wrong;
-  if (!position || repeats == 0) return std::nullopt;
-  if (auto wrong = check_tap(m, block)) return wrong;
-  if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;
-  for (int i = 0; i < repeats; ++i)
-    if (auto wrong = drill_lathe(m, block)) return wrong;
+    if (auto wrong = lathe ? drill_lathe(m, block) : drill(m, block, i == 0)) return wrong;
   return std::nullopt;
 }
 

@@ -87,8 +87,7 @@ struct Pass {
 }  // namespace
 
 Result drive_line_thread(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   if (named == 0) return std::nullopt;
   if (compensating(m.state)) return fault(Cause::CompensationCycle, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)

@@ -208,8 +208,7 @@ Result cut_thread(MotionContext& m, BlockWords& block, const Axes& end, std::uin
 
 Result thread(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Control& c = *m.facts.control;
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   if (auto wrong = take_run_out(m, block, false)) return wrong;
   if (named == 0) return std::nullopt;
   if (auto wrong = need_lead(m, block)) return wrong;
@@ -245,8 +244,7 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
 
 Result thread_by_k(MotionContext& m, BlockWords& block) {
   const Axes start = m.state.work;
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   if (named == 0) return std::nullopt;
   if (!block.words.has('K')) return fault_at('K', Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
@@ -270,8 +268,7 @@ Result multiple_thread(MotionContext& m, BlockWords& block) {
     if (w.has(letter) && block.words[letter] != (letter == 'L' ? 1 : 0))
       return fault(Cause::CodeNotComputed, block, std::string("G76 with ") + letter);
   if (!w.has('X') && !w.has('Z') && !w.has('U') && !w.has('W')) return set_thread_data(m, block);
-  std::uint32_t named = 0;
-  const Axes end = target(m, block, named);
+  const auto [end, named] = target(m, block);
   ThreadForm form;
   if (auto wrong = read_thread(m, block, end, form)) return wrong;
   if (auto wrong = need_lead(m, block)) return wrong;

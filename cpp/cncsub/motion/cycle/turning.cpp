@@ -18,8 +18,7 @@ Result check_taper(const TurnData& turn, double depth, bool face, const BlockWor
 
 Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
   TurnData& turn = m.state.turn;
-  std::uint32_t named = 0;
-  const Axes end = target(m, block, named);
+  const auto [end, named] = target(m, block);
   if (named & axis_bit(0)) turn.x = end[0], turn.has_x = true;
   if (named & axis_bit(2)) turn.z = end[2], turn.has_z = true;
   if (block.words.has('R')) turn.r = number(m, block, 'R');
@@ -50,8 +49,8 @@ Result turn_once(MotionContext& m, BlockWords& block, Meaning meaning) {
 
 /// Cut in at the lead, and out again. [TDi 24.5]
 Result tap_cycle(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  const Axes start = m.state.work, end = target(m, block, named);
+  const Axes start = m.state.work;
+  const auto [end, named] = target(m, block);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_lead(m, block)) return wrong;
   if (auto wrong = cut_thread(m, block, end, named, {}, 1, 0)) return wrong;
@@ -208,8 +207,7 @@ Result grooving(MotionContext& m, BlockWords& block, Meaning meaning) {
   const bool one_block =
       m.facts.control->turning.one_block_cycles.value && (w.has('I') || w.has('K'));
   if (!has_end(w) && !w.has('P') && !w.has('Q') && !one_block) return set_peck_retract(m, block);
-  std::uint32_t named = 0;
-  const Axes end = target(m, block, named);
+  const auto [end, named] = target(m, block);
   // The cycle is not done without the axis along which it pecks. [TDi 23.5; TA 12, 13]
   if ((named & axis_bit(face ? 2 : 0)) == 0)
     return !face && m.facts.refuses(Cause::GrooveAxis) ? Result(fault(Cause::GrooveAxis, block))

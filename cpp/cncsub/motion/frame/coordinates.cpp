@@ -6,26 +6,21 @@
 #include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
-const Axes& zero_of(const MotionState& state, int system) {
-  return system > 6 ? state.tables.extra[static_cast<std::size_t>(system - 7)]
-                    : state.tables.work[static_cast<std::size_t>(system)];
-}
-
 void hold_zero(MotionState& state) {
   if (std::exchange(state.zero_is_held, true)) return;
-  state.zero = zero_of(state, system_in_force(state));
+  state.zero = state.tables.zero(system_in_force(state));
   state.zero_turn = turn_of_system(state, system_in_force(state));
 }
 
 Axes zero_offset(const MotionState& state) {
-  const Axes& system = state.zero_is_held ? state.zero : zero_of(state, system_in_force(state));
-  return in_frame(state, state.tables.work[0] + system) + state.shift + state.local +
+  const Axes& system = state.zero_is_held ? state.zero : state.tables.zero(system_in_force(state));
+  return in_frame(state, state.tables.zero(0) + system) + state.shift + state.local +
          state.tool_shift;
 }
 
 double turn_of_system(const MotionState& state, int system) {
-  const auto found = state.tables.system_angles.find(system);
-  return found == state.tables.system_angles.end() ? 0 : found->second;
+  const auto found = state.tables.angles->find(system);
+  return found == state.tables.angles->end() ? 0 : found->second;
 }
 
 namespace {
@@ -49,7 +44,7 @@ void turn_frame(MotionState& state) {
 }  // namespace
 
 void refresh_offset(MotionState& state) {
-  if (!state.tables.system_angles.empty()) turn_frame(state);
+  if (!state.tables.angles->empty()) turn_frame(state);
   const Axes now = zero_offset(state);
   if (now == state.offset) return;
   state.work = state.work + (state.offset - now);
@@ -79,7 +74,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   if (meaning == Meaning::WorkExtra) {
     const int own = block.code(Group::Work).variant;
     const double p = own > 0 ? own : block.words.has('P') ? counted(m, block.words, 'P') : 1;
-    if (p < 1 || p > static_cast<double>(m.state.tables.extra.size()))
+    if (p < 1 || p > static_cast<double>(m.state.tables.extra->size()))
       return fault_at('P', Cause::WorkSystem, block);
     m.state.extra_system = to_whole<int>(p);
     system = 0;
@@ -97,10 +92,8 @@ Result select_work(MotionContext& m, BlockWords& block) {
 }
 
 Result set_coordinate(MotionContext& m, BlockWords& block) {
-  std::uint32_t named = 0;
-  PointForm form = point_form(m.state);
-  form.incremental = false;  // also under G91 a setting
-  const Axes given = target(m, block, form, named);
+  // Also under G91 it is a setting.
+  const auto [given, named] = target(m, block, {.incremental = false, .polar = polar(m.state)});
   if (named == 0) return std::nullopt;
   if (m.facts.lathe() && m.facts.refuses(Cause::CoordinateSettingRefused))
     return fault(Cause::CoordinateSettingRefused, block);

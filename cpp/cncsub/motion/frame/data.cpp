@@ -11,7 +11,7 @@ void put(double& place, double value, bool add) { place = add ? place + value : 
 
 /// Execute G10 L10 to L13: H and D, geometry and wear.
 Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
-  if (p < 0 || p >= static_cast<double>(m.state.tables.length.size()))
+  if (p < 0 || p >= static_cast<double>(m.state.tables.length->size()))
     return fault_at('P', Cause::G10Offset, block);
   if (!block.words.has('R')) return fault(Cause::G10Value, block);
   OffsetTables& tables = m.state.tables;
@@ -19,15 +19,14 @@ Result set_offset_data(MotionContext& m, BlockWords& block, int l, double p) {
                 : l == 12 ? tables.radius
                 : l == 13 ? tables.radius_wear
                           : tables.length_wear;
-  put(m.log.change(table[to_whole<std::size_t>(p)]), number(m, block, 'R'), m.state.incremental);
+  put(table.change()[to_whole<std::size_t>(p)], number(m, block, 'R'), m.state.incremental);
   return std::nullopt;
 }
 
 /// Add U V W of a lathe to the values.
-void add_increments(MotionContext& m, const BlockWords& block, Axes& values) {
+void add_increments(MotionView m, const BlockWords& block, Axes& values) {
   for (const auto& [letter, axis] : {std::pair{'U', 0}, {'V', 1}, {'W', 2}})
-    if (block.words.has(letter))
-      m.log.change(values[static_cast<std::size_t>(axis)]) += number(m, block, letter);
+    if (block.words.has(letter)) values[static_cast<std::size_t>(axis)] += number(m, block, letter);
 }
 
 /// Execute G10 P X Z R Q of a lathe. P over 10000 names the geometry, P0 the work shift.
@@ -39,12 +38,11 @@ Result set_tool_data(MotionContext& m, BlockWords& block) {
   if (p < 0 || p >= 20000 || tool > m.facts.control->motion.max_offset_number.value)
     return fault_at('P', Cause::G10Offset, block);
   OffsetTables& tables = m.state.tables;
-  ToolOffsets* const entry = p == 0 ? nullptr : &m.log.change(m.state.tables.tools, tool);
-  Axes& values = p == 0 ? tables.work[0] : entry->value;
+  ToolOffsets* const entry = p == 0 ? nullptr : &tables.change_tool(tool);
+  Axes& values = p == 0 ? tables.change_zero(0) : entry->value;
   for (const auto& [name, axis] : {std::pair{'X', 0}, {'Y', 1}, {'Z', 2}})
     if (w.has(name))
-      put(m.log.change(values[static_cast<std::size_t>(axis)]), number(m, block, name),
-          m.state.incremental);
+      put(values[static_cast<std::size_t>(axis)], number(m, block, name), m.state.incremental);
   add_increments(m, block, values);
   if (entry != nullptr && w.has('R')) entry->radius = number(m, block, 'R');
   if (entry != nullptr && w.has('Q')) entry->tip = whole(block.words['Q']);
@@ -64,10 +62,10 @@ Result set_without_l(MotionContext& m, BlockWords& block) {
 /// Find which system P names: of `extra` ones, or of G54 to G59 (0: the one before them all).
 Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) {
   if (m.facts.control->motion.data_forms.value.has(DataForm::Active)) {
-    if (p == 0) p = m.state.work_system > 0 ? m.state.work_system : 6 + m.state.extra_system;
+    if (p == 0) p = system_in_force(m.state);
     if (!extra && p > 6) extra = true, p -= 6;
   }
-  const double last = extra ? static_cast<double>(m.state.tables.extra.size()) : 6;
+  const double last = extra ? static_cast<double>(m.state.tables.extra->size()) : 6;
   if (p >= (extra ? 1 : 0) && p <= last && p == std::floor(p)) return std::nullopt;
   if (extra) return fault_at('P', Cause::G10System, block);
   if (m.facts.control->motion.other_system.value != OtherSystem::First)
@@ -78,23 +76,20 @@ Result system_of(MotionView m, const BlockWords& block, bool& extra, double& p) 
 
 /// Execute G10 L2 and L20: the zero point of a work system, or of an extra one.
 Result set_zero_point(MotionContext& m, const BlockWords& block, bool extra, double p) {
-  OffsetTables& tables = m.state.tables;
   const bool in_force = m.facts.control->motion.data_forms.value.has(DataForm::Active);
   if (auto wrong = system_of(m, block, extra, p)) return wrong;
-  const bool active = extra ? m.state.work_system == 0 && m.state.extra_system == whole(p)
-                            : m.state.work_system == whole(p);
+  const int system = whole(p) + (extra ? 6 : 0);
+  const bool active = system == system_in_force(m.state);
   if (in_force && active && compensating(m.state)) return fault(Cause::CompensationShift, block);
-  if (block.words.has('R') && in_force)
-    m.log.change(m.state.tables.system_angles[whole(p) + (extra ? 6 : 0)]) = block.words['R'];
+  if (block.words.has('R') && in_force) m.state.tables.angles.change()[system] = block.words['R'];
   const bool named = std::any_of(kAxisNames.begin(), kAxisNames.end(),
                                  [&](char axis) { return block.words.has(axis); });
   if (!named && m.facts.refuses(Cause::G10Axis)) return fault(Cause::G10Axis, block);
-  const auto number_of_system = to_whole<std::size_t>(p);
-  Axes& values = extra ? tables.extra[number_of_system - 1] : tables.work[number_of_system];
+  Axes& values = m.state.tables.change_zero(system);
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
   for (std::size_t i = 0; i < (lathe_a ? 6 : values.size()); ++i)
     if (const char name = kAxisNames[i]; block.words.has(name))
-      put(m.log.change(values[i]), number(m, block, name), m.state.incremental && !in_force);
+      put(values[i], number(m, block, name), m.state.incremental && !in_force);
   if (lathe_a) add_increments(m, block, values);
   if (active) m.state.zero_is_held = false;
   refresh_offset(m.state);

@@ -55,7 +55,6 @@ void refresh_offset(MotionState& state);
 inline int system_in_force(const MotionState& state) {
   return state.work_system > 0 ? state.work_system : 6 + state.extra_system;
 }
-const Axes& zero_of(const MotionState& state, int system);
 /// Keep the zero point that is in force, whatever its variables become.
 void hold_zero(MotionState& state);
 Result select_work(MotionContext& m, BlockWords& block);
@@ -82,14 +81,18 @@ struct PointForm {
   bool incremental = false;
   bool polar = false;  // a radius and an angle
 };
-PointForm point_form(const MotionState& state);
+/// A point, and the axes that the block names.
+struct NamedPoint {
+  Axes point;
+  std::uint32_t named = 0;
+};
 /// Return the point that a block names; the axes without a word stay.
-Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uint32_t& named);
-Axes target(MotionContext& m, BlockWords& block, std::uint32_t& named);
+NamedPoint target(MotionContext& m, const BlockWords& block, const PointForm& form);
+NamedPoint target(MotionContext& m, const BlockWords& block);
 /// Return the point without polar coordinates, which do not reach into reference points and skips.
-Axes linear_target(MotionContext& m, BlockWords& block, std::uint32_t& named);
+NamedPoint linear_target(MotionContext& m, const BlockWords& block);
 /// Return the end of a move that G45 to G48 may make longer.
-Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named);
+NamedPoint end_point(MotionContext& m, const BlockWords& block);
 
 // Polar coordinates, and what transforms written points: rotation, scaling, mirror.
 

@@ -8,18 +8,13 @@
 namespace cncsub {
 namespace {
 
-Axes& values_of(MotionState& state, int system) {
-  return system > 6 ? state.tables.extra[static_cast<std::size_t>(system - 7)]
-                    : state.tables.work[static_cast<std::size_t>(system)];
-}
-
 double radians_of(const MotionState& state, int system) {
   return turn_of_system(state, system) * kPi / 180;
 }
 
 /// Return a machine point in the coordinates of a work system, without the shift.
 Axes in_system(const MotionState& state, int system, const Axes& machine) {
-  return turned_by(-radians_of(state, system), machine - zero_of(state, system));
+  return turned_by(-radians_of(state, system), machine - state.tables.zero(system));
 }
 
 bool names_any(const BlockWords& block, std::string_view letters) {
@@ -34,18 +29,11 @@ Axes named(MotionView m, const BlockWords& block, Axes values) {
   return values;
 }
 
-void store(MotionContext& m, Axes& place, const Axes& values) {
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (place[i] != values[i]) m.log.change(place[i]) = values[i];
-}
-
 /// Return the length with which the tool stands at the words, in the work system in force or in the
 /// last one. An axis without a word keeps its part.
 Axes length_by_words(MotionView m, const BlockWords& block, bool fixture, const Axes& before) {
   const MotionState& s = m.state;
-  const int system = fixture             ? 6 + static_cast<int>(s.tables.extra.size())
-                     : s.work_system > 0 ? s.work_system
-                                         : 6 + s.extra_system;
+  const int system = fixture ? s.tables.last_system() : system_in_force(s);
   Axes there = in_system(s, system, in_machine(s, machine_point(s)));
   if (!fixture) there = there - s.shift;
   const double turn = radians_of(s, system);
@@ -61,11 +49,10 @@ Axes length_by_words(MotionView m, const BlockWords& block, bool fixture, const 
 Axes length_of_tool(const MotionState& state, int tool) {
   Axes length{};
   if (tool <= 0) return length;
-  if (const auto found = state.tables.tool_axes.find(tool); found != state.tables.tool_axes.end())
+  const OffsetTables& tables = state.tables;
+  if (const auto found = tables.tool_axes->find(tool); found != tables.tool_axes->end())
     length = found->second;
-  const auto number = static_cast<std::size_t>(tool);
-  if (number < state.tables.length.size())
-    length[2] = state.tables.length[number] + state.tables.length_wear[number];
+  if (static_cast<std::size_t>(tool) < tables.length->size()) length[2] = tables.length_of(tool);
   return length;
 }
 
@@ -73,15 +60,15 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
   MotionState& s = m.state;
   const int active = system_in_force(s);
   if (p == 0) p = active;
-  if (p < 1 || p != std::floor(p) || p > 6 + static_cast<double>(s.tables.extra.size()))
+  if (p < 1 || p != std::floor(p) || p > s.tables.last_system())
     return fault_at('P', Cause::G10P, block);
   const int system = whole(p);
   if (system == active && compensating(s)) return fault(Cause::CompensationShift, block);
   const double turn = radians_of(s, system);
   const Axes there = in_system(s, system, in_machine(s, s.work + s.offset)) - reported_shift(s);
   const Axes wanted = named(m, block, there);
-  Axes& values = values_of(s, system);
-  store(m, values, values + turned_by(turn, there - wanted));
+  Axes& zero = s.tables.change_zero(system);
+  zero = zero + turned_by(turn, there - wanted);
   if (system == active) s.zero_is_held = false;
   refresh_offset(s);
   return std::nullopt;
@@ -89,19 +76,20 @@ Result set_system_here(MotionContext& m, const BlockWords& block, double p) {
 
 Result set_tool_entry(MotionContext& m, const BlockWords& block, int l, double p) {
   OffsetTables& tables = m.state.tables;
-  if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length.size()))
+  if (p < 1 || p != std::floor(p) || p >= static_cast<double>(tables.length->size()))
     return fault_at('P', Cause::G10Offset, block);
   const bool fixture = l == 11;
   const int tool = whole(p);
   const auto place = static_cast<std::size_t>(tool);
-  if (block.words.has('R')) m.log.change(tables.radius[place]) = number(m, block, 'R');
+  if (block.words.has('R')) tables.radius.change()[place] = number(m, block, 'R');
   if (!names_any(block, kAxisNames)) return std::nullopt;
   const Axes before = length_of_tool(m.state, tool);
   const Axes length = l == 1 ? named(m, block, before) : length_by_words(m, block, fixture, before);
-  if (block.words.has('Z')) m.log.change(tables.length[place]) = length[2];
+  if (block.words.has('Z')) tables.length.change()[place] = length[2];
   Axes others = length;
   others[2] = 0;
-  if (others != Axes{} || tables.tool_axes.contains(tool)) store(m, tables.tool_axes[tool], others);
+  if (others != Axes{} || tables.tool_axes->contains(tool))
+    tables.tool_axes.change()[tool] = others;
   return std::nullopt;
 }
 

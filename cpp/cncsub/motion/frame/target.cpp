@@ -45,13 +45,12 @@ constexpr std::uint32_t kAllAxes = kAxesOfA | bit('U') | bit('V') | bit('W');
 
 }  // namespace
 
-PointForm point_form(const MotionState& state) { return {state.incremental, polar(state)}; }
-
-Axes target(MotionContext& m, BlockWords& block, std::uint32_t& named) {
-  return target(m, block, point_form(m.state), named);
+NamedPoint target(MotionContext& m, const BlockWords& block) {
+  return target(m, block, {m.state.incremental, polar(m.state)});
 }
 
-Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uint32_t& named) {
+NamedPoint target(MotionContext& m, const BlockWords& block, const PointForm& form) {
+  std::uint32_t named = 0;
   Axes end = is_transformed(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
   const bool corners = (block.words.mask & kCornerAxes) != 0 && has_corners(m.state, block);
@@ -67,16 +66,17 @@ Axes target(MotionContext& m, BlockWords& block, const PointForm& form, std::uin
   if ((block.words.mask & kPolarWords) != 0) polar_words(m, block, form.incremental, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
   if (is_transformed(m.state)) turn_point(m.state, end, named);
+  return {end, named};
+}
+
+NamedPoint end_point(MotionContext& m, const BlockWords& block) {
+  NamedPoint end = target(m, block);
+  if (block.axis_extension != 0) end.point = lengthened(m, block, end.point, end.named);
   return end;
 }
 
-Axes end_point(MotionContext& m, BlockWords& block, std::uint32_t& named) {
-  const Axes end = target(m, block, named);
-  return block.axis_extension == 0 ? end : lengthened(m, block, end, named);
-}
-
-Axes linear_target(MotionContext& m, BlockWords& block, std::uint32_t& named) {
-  return target(m, block, {m.state.incremental, false}, named);
+NamedPoint linear_target(MotionContext& m, const BlockWords& block) {
+  return target(m, block, {m.state.incremental, false});
 }
 
 }  // namespace cncsub

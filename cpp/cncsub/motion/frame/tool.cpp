@@ -48,11 +48,11 @@ void shift_by_length(MotionContext& m, bool add) {
 Result take_h(MotionContext& m, const BlockWords& block) {
   if (block.words.has('H')) {
     const double number = counted(m, block.words, 'H');
-    if (number < 0 || number >= static_cast<double>(m.state.tables.length.size()))
+    if (number < 0 || number >= static_cast<double>(m.state.tables.length->size()))
       return fault_at('H', Cause::OffsetNumber, block);
     m.state.h = to_whole<int>(number);
   }
-  if (is_of_tool(m, block, 'H')) m.state.h = offset_of_tool(m.state, m.state.tables.length);
+  if (is_of_tool(m, block, 'H')) m.state.h = offset_of_tool(m.state, *m.state.tables.length);
   return std::nullopt;
 }
 
@@ -94,14 +94,12 @@ Result take_length(MotionContext& m, BlockWords& block) {
   if (axis != m.state.length_axis)
     m.state.length[static_cast<std::size_t>(m.state.length_axis)] = 0;
   m.state.length_axis = axis;
-  const auto number = static_cast<std::size_t>(m.state.h);
   const int form = block.has(Group::Length) ? block.code(Group::Length).variant : 0;
   if (form == 1 || (form == 2 && !h)) {
     give_length(m, block, form == 2);
     return std::nullopt;
   }
-  const double value =
-      m.state.h == 0 ? 0 : m.state.tables.length[number] + m.state.tables.length_wear[number];
+  const double value = m.state.h == 0 ? 0 : m.state.tables.length_of(m.state.h);
   if (form == 2) {
     m.state.length[static_cast<std::size_t>(axis)] += value;
     return std::nullopt;
@@ -138,9 +136,7 @@ Result set_tool(MotionContext& m, BlockWords& block) {
   m.state.t = t;
   if (t / split != 0) m.state.tool = t / split;
   m.state.tool_offset = number;
-  const auto found = m.state.tables.tools.find(number);
-  const Axes value =
-      number == 0 || found == m.state.tables.tools.end() ? Axes{} : found->second.value;
+  const Axes value = number == 0 ? Axes{} : m.state.tables.tool(number).value;
   if (c.turning.tool_offset.value == ToolOffset::Shift) {
     m.state.tool_shift = value;
     refresh_offset(m.state);
@@ -160,14 +156,10 @@ Result set_length(MotionContext& m, BlockWords& block) {
 }
 
 double radius_value(MotionView m) {
-  if (m.facts.lathe()) {
-    const auto found = m.state.tables.tools.find(m.state.tool_offset);
-    return found == m.state.tables.tools.end() ? 0 : found->second.radius;
-  }
+  if (m.facts.lathe()) return m.state.tables.tool(m.state.tool_offset).radius;
   if (m.state.modal[at(Group::Radius)].variant == 1) return m.state.given_radius;
-  const auto number = static_cast<std::size_t>(m.state.d);
-  if (m.state.d == 0 || number >= m.state.tables.radius.size()) return 0;
-  const double offset = m.state.tables.radius[number] + m.state.tables.radius_wear[number];
+  if (m.state.d == 0) return 0;
+  const double offset = m.state.tables.radius_of(m.state.d);
   return m.facts.control->motion.radius_offset_diameter.value ? offset / 2 : offset;
 }
 
@@ -193,11 +185,9 @@ Result set_longer(MotionView m, BlockWords& block) {
   const Letters& letters = m.facts.control->motion.longer_words.value;
   const bool by_h =
       letters.has('H') && (!letters.has('D') || (block.words.has('H') && !block.words.has('D')));
-  const auto h = static_cast<std::size_t>(m.state.h);
-  block.axis_extension =
-      times * (!by_h            ? radius_value(m)
-               : m.state.h == 0 ? 0
-                                : m.state.tables.length[h] + m.state.tables.length_wear[h]);
+  block.axis_extension = times * (!by_h            ? radius_value(m)
+                                  : m.state.h == 0 ? 0
+                                                   : m.state.tables.length_of(m.state.h));
   return std::nullopt;
 }
 
@@ -219,11 +209,10 @@ std::array<double, 3> tip_vector(MotionView m) {
       // X and Z of tips 0 to 9
       {{0, 0}, {1, 1}, {1, -1}, {-1, -1}, {-1, 1}, {0, 1}, {1, 0}, {0, -1}, {-1, 0}, {0, 0}}};
   if (!m.facts.lathe() || m.state.plane != Plane::ZX) return {};
-  const auto found = m.state.tables.tools.find(m.state.tool_offset);
-  if (found == m.state.tables.tools.end() || found->second.tip < 0 || found->second.tip > 9)
-    return {};
-  const auto& tip = kTips[static_cast<std::size_t>(found->second.tip)];
-  return {tip[0] * found->second.radius / m.facts.share(0), 0, tip[1] * found->second.radius};
+  const ToolOffsets& tool = m.state.tables.tool(m.state.tool_offset);
+  if (tool.tip < 0 || tool.tip > 9) return {};
+  const auto& tip = kTips[static_cast<std::size_t>(tool.tip)];
+  return {tip[0] * tool.radius / m.facts.share(0), 0, tip[1] * tool.radius};
 }
 
 }  // namespace cncsub

@@ -53,8 +53,7 @@ bool angle_word(MotionView m, const BlockWords& block, double& angle) {
 
 Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, double angle) {
   const PlaneAxes plane = plane_axes(m.state.plane);
-  std::uint32_t named = 0;
-  Axes end = target(m, block, named);
+  auto [end, named] = target(m, block);
   const bool has_a = (named & axis_bit(plane.a)) != 0, has_b = (named & axis_bit(plane.b)) != 0;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   const MoveKind kind = meaning == Meaning::Rapid ? MoveKind::Rapid : MoveKind::Feed;

@@ -266,8 +266,7 @@ Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutc
 
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
-  std::uint32_t named = 0;
-  const Axes written = target(m, block, named);
+  const auto [written, named] = target(m, block);
   const Axes end = block.axis_extension == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
@@ -297,8 +296,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
 
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
-  std::uint32_t named = 0;
-  const Axes end = target(m, block, named);
+  const auto [end, named] = target(m, block);
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (!has_centre(block, plane))

@@ -154,7 +154,7 @@ Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   m.state.named |= piece.named;
   m.outcome.axis_word = true;
   block.submitted = true;
-  return through_corner(m.sink, piece, from);
+  return through_corner(m, piece, from);
 }
 
 Result move(MotionContext& m, BlockWords& block, MoveKind kind, const Axes& work_end,
@@ -171,7 +171,7 @@ Result move_axis(MotionContext& m, BlockWords& block, MoveKind kind, int axis, d
 Result add_dwell(MotionContext& m, BlockWords& block, double seconds) {
   Piece piece = make_piece(m, block, MoveKind::Dwell, m.state.work, 0);
   piece.seconds = seconds;
-  return through_radius(m.sink, piece, m.state.work + piece.offset);
+  return through_radius(m, piece, m.state.work + piece.offset);
 }
 
 Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 3>& vector) {

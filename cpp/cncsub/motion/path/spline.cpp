@@ -46,8 +46,7 @@ Result check_spline(MotionView m, const BlockWords& block, bool by_one_point) {
 
 Result spline(MotionContext& m, BlockWords& block) {
   const bool by_one_point = block.code(Group::Motion).variant == 1;
-  std::uint32_t named = 0;
-  const Axes end = end_point(m, block, named);
+  const auto [end, named] = end_point(m, block);
   if (named == 0) return std::nullopt;
   if (auto wrong = check_spline(m, block, by_one_point)) return wrong;
   if (auto wrong = need_feed(m, block, Meaning::Line)) return wrong;

@@ -61,7 +61,7 @@ Result RadiusPath::take_step(const Curve* next) {
   LookaheadQueue& lookahead = sink.state.lookahead;
   if (lookahead.step == 0) return std::nullopt;
   const auto first = lookahead.radius.begin() + static_cast<std::ptrdiff_t>(lookahead.step);
-  std::vector<Piece> rest(first, lookahead.radius.end());
+  Pieces rest(first, lookahead.radius.end());
   lookahead.radius.erase(first, lookahead.radius.end());
   lookahead.step = 0;
   Axes start = lookahead.step_from;

@@ -9,7 +9,6 @@
 #include "cncsub/motion/state/facts.hpp"
 #include "cncsub/motion/state/machine_inputs.hpp"
 #include "cncsub/motion/state/state.hpp"
-#include "cncsub/motion/state/undo.hpp"
 
 namespace cncsub {
 
@@ -31,10 +30,10 @@ struct BlockWords {
   Meaning meaning(Group group) const { return words.codes->meaning(group); }
 };
 
-/// The sink of moves: they change the state, and leave rows in a table.
+/// The sink of moves: they change the planned state, and leave rows in a table.
 struct MoveSink {
   const MotionFacts& facts;
-  MotionState& state;
+  MotionState& state;  // a plan: the state after the block, if the block has no fault
   Moves* table = nullptr;
   std::vector<Piece>* captured = nullptr;  // keeps the pieces of a profile that is tried out
 
@@ -42,15 +41,9 @@ struct MoveSink {
 };
 
 /// Everything that the words of a block may touch.
-struct MotionContext {
-  const MotionFacts& facts;
-  MotionState& state;
-  OffsetLog& log;  // the offset tables are changed through it
-  MoveSink sink;
+struct MotionContext : MoveSink {
   MotionOutcome& outcome;
   MachineInputs& inputs;
-
-  operator MotionView() const { return {facts, state}; }  // NOLINT(misc-explicit-constructor)
 };
 
 // The faults of a block: of the code by which it acts, of a word, of a G code (ten times its

@@ -38,7 +38,7 @@ int system_of(const std::string& name) {
   if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
   int number = 0;
   std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
-  return number > 0 && number <= 9999 ? 100 + number : -1;
+  return number > 0 && number <= 9999 ? 6 + number : -1;
 }
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,

@@ -38,7 +38,7 @@ constexpr Plane plane_of(Meaning meaning) {
 }
 /// Take over the values of the axes that are named.
 void fill(Axes& axes, const std::map<char, double>& values);
-/// Return the number of a system: "G54", "G54.1 P3", "EXT" are 1, 103, 0; -1 for another name.
+/// Return the number of a system: "G54", "G54.1 P3", "EXT" are 1, 9, 0; -1 for another name.
 int system_of(const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
 /// Return the whole number of a word, whatever the word holds.

@@ -35,6 +35,13 @@ inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;
 }
 
+/// Return whether a code is a cycle of one cut: G90, G92 or G94 of lathes, whatever they are
+/// called, or a tap that goes back.
+inline bool is_simple_cycle(Meaning motion) {
+  return motion == Meaning::TurnCycle || motion == Meaning::ThreadCycle ||
+         motion == Meaning::FaceCycle || motion == Meaning::TapCycle;
+}
+
 /// Put the codes of a block in these groups in force.
 inline void remember(MotionState& state, const BlockCodes& codes, std::uint32_t groups) {
   for (std::uint32_t left = codes.groups & groups; left != 0; left &= left - 1) {

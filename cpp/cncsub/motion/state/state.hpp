@@ -3,13 +3,12 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "cncsub/code/block_codes.hpp"
 #include "cncsub/control/control.hpp"
+#include "cncsub/motion/state/offset_tables.hpp"
 #include "cncsub/trace/moves.hpp"
 
 namespace cncsub {
@@ -46,11 +45,25 @@ struct Piece {
   bool operator==(const Piece&) const = default;
 };
 
+/// Pieces that wait. There are nearly always none, and to copy none over none costs a comparison.
+struct Pieces : std::vector<Piece> {
+  using std::vector<Piece>::vector;
+  Pieces() = default;
+  Pieces(const Pieces&) = default;
+  Pieces(Pieces&&) = default;
+  Pieces& operator=(Pieces&&) = default;
+  Pieces& operator=(const Pieces& other) {
+    if (!empty() || !other.empty()) std::vector<Piece>::operator=(other);
+    return *this;
+  }
+  ~Pieces() = default;
+};
+
 /// A line of which only the angle is known, until the next block tells its end.
 struct PendingAngle {
-  double angle = 0;         // degrees
-  std::vector<Piece> line;  // one or none: copying none costs nothing
-  int idle = 0;             // blocks without a move after it
+  double angle = 0;  // degrees
+  Pieces line;       // one or none
+  int idle = 0;      // blocks without a move after it
 
   bool waiting() const { return !line.empty(); }
 
@@ -80,9 +93,8 @@ struct LookaheadValues {
 
 /// Moves that wait because the next one decides where they end.
 struct LookaheadQueue : LookaheadValues {
-  std::vector<Piece> corner;  // a block with a chamfer or a corner round
-  std::vector<Piece>
-      radius;  // a compensated move, and after it those that do not move in the plane
+  Pieces corner;  // a block with a chamfer or a corner round
+  Pieces radius;  // a compensated move, and after it those that do not move in the plane
 
   bool operator==(const LookaheadQueue&) const = default;
 };
@@ -124,14 +136,6 @@ struct MultipleData {
   double least_cut = 0, allowance = 0;            // G76 Q R
 
   bool operator==(const MultipleData&) const = default;
-};
-
-struct ToolOffsets {  // of a lathe
-  Axes value{};
-  int tip = 0;
-  double radius = 0;
-
-  bool operator==(const ToolOffsets&) const = default;
 };
 
 /// The area of G22: machine coordinates of X, Y and Z.
@@ -242,25 +246,7 @@ struct ModalState : ModalValues {
   bool operator==(const ModalState&) const = default;
 };
 
-struct OffsetTables {
-  std::array<Axes, 7> work{};                                    // 0 = EXT
-  std::vector<Axes> extra;                                       // G54.1 P1...
-  std::vector<double> length, length_wear, radius, radius_wear;  // by number
-  std::map<int, ToolOffsets> tools;
-  std::map<int, Axes> reference;  // points, by number: machine coordinates
-  std::map<int, double>
-      system_angles;  // work systems about Z, degrees, by number: 7 is the first extra one
-  std::map<int, Axes> tool_axes;  // lengths of mills along other axes than Z, by number
-
-  /// Return the offsets of H or D, which a variable reads or writes.
-  const std::vector<double>* of(VariableKind kind) const;
-  std::vector<double>* of(VariableKind kind) {
-    return const_cast<std::vector<double>*>(std::as_const(*this).of(kind));
-  }
-  bool operator==(const OffsetTables&) const = default;
-};
-
-/// The whole state of the motion.
+/// The whole state of the motion. A copy is a snapshot: it shares the offset tables.
 struct MotionState : ModalState {
   OffsetTables tables;
 
