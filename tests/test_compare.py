@@ -43,12 +43,12 @@ CHANGES: list[tuple[str, dict[str, Any], str]] = [
     (
         CALL,
         {"zero_repeats": "skip"},
-        "first: O1 N10, line 2: M98 O2, 1 pass\nsecond: no further call before: end",
+        "first: O1 N10, line 2: M98 O2, 1 pass\nsecond: no further call until the end",
     ),
     (
         "O1\nN10 #100=1\nN20 M98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n",
         {"max_nesting": 1},
-        "first: O2, line 6: M98 O3, 1 pass\nsecond: no further call before: alarm PS0077 nesting-too-deep at O2",
+        "first: O2, line 6: M98 O3, 1 pass\nsecond: no further call until alarm PS0077 nesting-too-deep at O2",
     ),
 ]
 
@@ -107,15 +107,15 @@ BEFORE = "O1\nN10 G0 X1. Y2.\nN20 M98 P2 L2\nN30 M3\n#100=5\n#3006=1(A)\nM30\nO2
 @pytest.mark.parametrize(
     ("old", "new", "what"),
     [
-        ("Y2.", "Y3.", "before: O1 N10, line 2: move 0 with y = 2\nafter: O1 N10, line 2: move 0 with y = 3"),
+        ("Y2.", "Y3.", "before: O1 N10, line 2: move 0 goes to y = 2\nafter: O1 N10, line 2: move 0 goes to y = 3"),
         ("L2", "L3", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: O1 N20, line 3: M98 O2, 3 passes"),
         ("M3\n", "M4\n", "before: O1 N30, line 4: M3\nafter: O1 N30, line 4: M4"),
-        ("N30 M3\n", "", "before: O1 N30, line 4: M3\nafter: no further M code before: end"),
+        ("N30 M3\n", "", "before: O1 N30, line 4: M3\nafter: no further M code until the end"),
         ("#100=5", "#100=6", "before: O1, line 5: #100 = 5\nafter: O1, line 5: #100 = 6"),
-        ("#100=5\n", "", "before: O1, line 5: #100 = 5\nafter: no further change before: end"),
+        ("#100=5\n", "", "before: O1, line 5: #100 = 5\nafter: no further change until the end"),
         ("(A)", "(B)", "before: O1, line 6: message 'A'\nafter: O1, line 6: message 'B'"),
         ("M30", "M99", "before: stopped: end\nafter: stopped: cycles"),
-        ("P2 L2", "P7", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: no further call before: alarm PS0076 program-not-found at O1 N20"),
+        ("P2 L2", "P7", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: no further call until alarm PS0076 program-not-found at O1 N20"),
     ],
 )  # fmt: skip
 def test_what_a_new_version_changed(old: str, new: str, what: str) -> None:
