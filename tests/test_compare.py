@@ -240,7 +240,7 @@ def test_a_parameter_that_is_no_rule_is_named() -> None:
     other = one.with_parameters({"6050": 100, "3401#0": 1})
     compared = cncsub.compare(library, controls=[one, other])
     assert (compared.rules, compared.parameters) == ((), ("6050",))
-    assert str(compared).endswith("the parameters that make it: 6050")
+    assert "\nbecause of the parameter 6050, " in str(compared)
 
 
 def test_diff_prints_what_blocks_do(tmp_path: Path) -> None:
@@ -282,3 +282,82 @@ def test_two_libraries_of_two_languages_are_compared_by_what_they_do(one: str, o
     )
     assert "x = 5" in told.what
     assert "x = 6" in told.what
+
+
+# ---- in words, and after the first difference ----
+
+ARC = "O1\nN10 G2 X10. R5. F100\nN20 M30\n"
+
+
+def test_modes_that_differ_are_named_with_the_rule() -> None:
+    library = cncsub.loads(ARC, control=MILL)
+    compared = cncsub.compare(library, controls=[MILL, "gsk-988ta"])
+    assert str(compared).splitlines() == [
+        "fanuc-0i-f: O1 N10, line 2: move 0 is in the plane of G17",
+        "gsk-988ta: O1 N10, line 2: move 0 is in the plane of G18",
+        "G17 in force on fanuc-0i-f, G18 on gsk-988ta (rule machine: mill, lathe-a)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("program", "rules", "mode"),
+    [
+        ("O1\nN10 G0 X1.\nN20 M30\n", {"power_on": "G20"}, "G21 in force on first, G20 on second"),
+        ("O1\nN5 G0 X1.\nN10 X1.\nN20 M30\n", {"power_on": "G91"}, "G90 in force on first, G91 on second"),
+    ],
+)  # fmt: skip
+def test_a_mode_at_power_on_is_named(program: str, rules: dict[str, str], mode: str) -> None:
+    compared = changed(program, **rules)
+    assert compared.rules == ("power_on",)
+    assert compared.differences[0].why[0].startswith(f"{mode} (rule power_on: ")
+
+
+def test_a_mode_that_decides_nothing_is_not_named() -> None:
+    library = cncsub.loads("O1\nN10 G4 P1\nN20 G0 X10\nM30\n", control=MILL)
+    told = str(cncsub.compare(library, controls=[MILL, "mitsubishi-m700"]))
+    assert "in force" not in told
+    assert "because of the rule whole_numbers, a length written without a point:" in told
+
+
+TWO = "O1\nN10 M98 P2 L0\nN20 G0 X10\nN30 M98 P20003\nM30\nO2\nM99\nO3\nM99\n"
+
+
+def test_all_differences_are_found_one_after_the_other() -> None:
+    library = cncsub.loads(TWO, control=MILL)
+    controls = [MILL, "mitsubishi-m700"]
+    compared = cncsub.compare(library, controls=controls, all_differences=True)
+    assert [found.rules for found in compared.differences] == [
+        ("zero_repeats",), ("whole_numbers",), ("program_word",),
+    ]  # fmt: skip
+    assert compared.rules == ("zero_repeats",)
+    assert compared.rest.endswith("does the same as mitsubishi-m700")
+    assert str(compared).count("because of the rule") == 3
+    first = cncsub.compare(library, controls=controls)
+    assert first.differences == compared.differences[:1]
+    assert first.rest == ""
+
+
+def test_after_a_difference_that_no_rule_makes_nothing_is_compared() -> None:
+    library = cncsub.loads("O1\nN10 G0 X1.\nM30\n", control=MILL)
+    compared = cncsub.compare(library, controls=[MILL, "siemens-one"], all_differences=True)
+    assert len(compared.differences) == 1
+    assert compared.rest.startswith("what comes after is not compared")
+
+
+def test_all_differences_are_of_two_controls() -> None:
+    library = cncsub.loads(ARC, control=MILL)
+    with pytest.raises(TypeError, match="all_differences is of two controls"):
+        cncsub.compare(library, library, all_differences=True)
+    assert cncsub.compare(library, controls=[MILL, MILL], all_differences=True).rest == ""
+
+
+def test_the_command_goes_on_after_the_first_difference(tmp_path: Path) -> None:
+    file = tmp_path / "two.nc"
+    file.write_text(TWO)
+    words = ["compare", str(file), "-c", "0i-f", "-c", "Mitsubishi M700"]
+    done = CliRunner().invoke(app, words)
+    assert done.stdout.endswith("--all goes on after this difference\n")
+    done = CliRunner().invoke(app, [*words, "--all"])
+    assert (done.exit_code, done.stdout.count("because of the rule")) == (1, 3)
+    told = json.loads(CliRunner().invoke(app, [*words, "--all", "--format", "json"]).stdout)
+    assert [found["rules"] for found in told["differences"]][1] == ["whole_numbers"]

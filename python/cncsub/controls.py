@@ -212,8 +212,7 @@ def control(name: str | Control) -> Control:
         return name
     if not isinstance(name, str):
         raise TypeError(
-            "control is a name such as 'fanuc-0i-f' or a cncsub.Control,"
-            f" not {type(name).__name__}"
+            f"control is a name such as 'fanuc-0i-f' or a cncsub.Control, not {type(name).__name__}"
         )
     return control_named(name)
 

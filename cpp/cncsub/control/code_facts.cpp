@@ -123,18 +123,56 @@ bool is_raised_under(const std::vector<RuleView>& known, std::string_view condit
   return true;
 }
 
-std::vector<std::string_view> raised(const Control& control, std::string_view entries) {
-  std::vector<std::string_view> causes;
+/// Add the causes of a row that the control raises, each once.
+void add_causes(const Control& control, std::string_view entries,
+                std::vector<std::string_view>& causes) {
   const std::vector<RuleView> known = entries.empty() ? std::vector<RuleView>() : rules(control);
-  for (const std::string_view entry : split_entries(entries)) {
+  for (std::string_view entry : split_entries(entries)) {
+    const bool always = entry.starts_with('+');
+    if (always) entry.remove_prefix(1);
     const std::size_t end = std::min(entry.find('!'), entry.size());
     const std::string_view slug = entry.substr(0, end);
     for (std::size_t i = 0; i < all_causes().size(); ++i)
-      if (all_causes()[i].slug == slug && raises(control, static_cast<Cause>(i)) &&
-          is_raised_under(known, entry.substr(end)))
+      if (all_causes()[i].slug == slug && (always || raises(control, static_cast<Cause>(i))) &&
+          is_raised_under(known, entry.substr(end)) &&
+          std::find(causes.begin(), causes.end(), slug) == causes.end())
         causes.push_back(slug);
   }
-  return causes;
+}
+
+/// Add the causes for which rules name the code itself.
+void add_listed_causes(const Control& control, CodeName code,
+                       std::vector<std::string_view>& causes) {
+  const bool is_g = code.letter == 'G';
+  const auto add = [&](const Rule<Codes>& of_g, const Rule<Codes>* of_m, Cause cause) {
+    const Rule<Codes>* const list = is_g ? &of_g : of_m;
+    if (list != nullptr && list->value.has(code.tenfold) && raises(control, cause))
+      causes.push_back(info(cause).slug);
+  };
+  const MacroRules& macros = control.macros;
+  const MotionRules& motion = control.motion;
+  add(macros.codes_not_with_macro_call, &macros.m_codes_not_with_macro_call,
+      is_g ? Cause::CodeWithMacroCall : Cause::MCodeWithMacroCall);
+  add(macros.codes_not_with_modal_call, nullptr, Cause::CodeWithModalCall);
+  add(control.calls.codes_not_with_call, nullptr, Cause::IllegalWordWithCall);
+  add(control.calls.codes_not_with_return, nullptr, Cause::IllegalWordWithReturn);
+  add(motion.codes_not_compensated, &motion.m_codes_not_compensated, Cause::CompensationCode);
+  add(motion.codes_not_turned, nullptr, Cause::TurnedCycle);
+  add(motion.pattern_codes, nullptr, Cause::PatternWithoutCycle);
+}
+
+/// Add the causes that a code has with all codes of its group.
+void add_group_causes(const Control& control, const GCode& code,
+                      std::vector<std::string_view>& causes) {
+  const auto add = [&](bool is_of_group, Cause cause) {
+    if (is_of_group && raises(control, cause)) causes.push_back(info(cause).slug);
+  };
+  const bool once = code.group == Group::OneShot;
+  const bool beyond_arcs = code.group == Group::Motion && code.meaning > Meaning::Ccw;
+  add(once && code.meaning != Meaning::ExactStop, Cause::OneShotWithMotion);
+  add(once || beyond_arcs || code.group == Group::Radius || code.group == Group::Work ||
+          code.group == Group::Units || code.group == Group::Stroke,
+      Cause::RotationCode);
 }
 
 template <class T>
@@ -176,6 +214,10 @@ void add_registered(const Control& control, char letter, int tenfold, CodeFacts&
   });
 }
 
+/// The roles by which a registered code calls.
+constexpr Role kRolesOfCalls[] = {Role::Call, Role::MacroCall, Role::ModalCall,
+                                  Role::ModalCallEveryBlock};
+
 /// Return the example of a role with another code in place of its own: "`M98 P2` calls O2".
 std::string example_with(std::string_view example, CodeName code) {
   const std::size_t end = std::min(example.find_first_of(" `", 1), example.size());
@@ -189,7 +231,7 @@ void add_role(const Control& control, CodeName code, Role role, CodeFacts& facts
   const Row& row = kRoles[static_cast<std::size_t>(role)];
   facts.does = example_with(row.does, code);
   facts.words = read_words(control, row.words);
-  facts.causes = raised(control, row.causes);
+  add_causes(control, row.causes, facts.causes);
   facts.treatment = "computed";
   facts.sources = {source_of("roles", control.calls.roles, code.text())};
   const auto usual = family_roles().code_of(role);
@@ -201,7 +243,8 @@ void add_meaning(const Control& control, MachineType machine, int tenfold, CodeF
   const Row& row = kMeanings[static_cast<std::size_t>(found.meaning)];
   facts.does = row.does;
   facts.words = read_words(control, row.words);
-  facts.causes = raised(control, row.causes);
+  add_causes(control, row.causes, facts.causes);
+  if (found.code >= 0) add_group_causes(control, found, facts.causes);
   facts.treatment = treatment_of(found.meaning);
   facts.group = found.code < 0 ? "" : group_name(found.group);
   facts.usual = usual_name(machine, tenfold, found.meaning);
@@ -211,6 +254,22 @@ void add_meaning(const Control& control, MachineType machine, int tenfold, CodeF
     facts.sources.push_back(source_of("g_meanings", own, code_text(tenfold)));
   if (!listed.value.empty())
     facts.sources.push_back(source_of("g_codes", listed, code_text(tenfold)));
+}
+
+/// Say of a registered code that it calls, with the words and alarms of such a call.
+void add_call(const Control& control, CodeFacts& facts) {
+  const CodeProgram& called = facts.programs.front();
+  for (std::size_t i = 0; i < std::size(kCodeCallNames); ++i) {
+    if (kCodeCallNames[i] != called.kind) continue;
+    const Row& row = kRoles[static_cast<std::size_t>(kRolesOfCalls[i])];
+    const auto like = control.calls.roles.value.code_of(kRolesOfCalls[i]);
+    facts.does = "calls O" + std::to_string(called.program) + (like ? " as " + like->text() : "");
+    facts.words = read_words(control, i == 0 ? "" : row.words);
+    std::erase_if(facts.words, [](const CodeWord& word) { return word.letters == "P"; });
+    facts.causes.clear();
+    add_causes(control, row.causes, facts.causes);
+  }
+  facts.treatment = "computed";
 }
 
 }  // namespace
@@ -246,6 +305,8 @@ CodeFacts code_facts(const Control& control, MachineType machine, CodeName code)
     facts.treatment = "passed-over";
     facts.does = "sent to the machine: nothing is computed from it";
   }
+  if (!facts.programs.empty()) add_call(control, facts);
+  add_listed_causes(control, code, facts.causes);
   return facts;
 }
 
@@ -257,6 +318,7 @@ std::optional<CodeFacts> address_facts(const Control& control, char letter) {
     if (known.letter == letter) facts.does = known.says;
   if (facts.does.empty()) return std::nullopt;
   add_registered(control, letter, 0, facts);
+  if (!facts.programs.empty()) add_call(control, facts);
   return facts;
 }
 

@@ -97,9 +97,7 @@ def diff(
 MOST_CHANGES = 100
 
 
-def _tell(
-    compared: cncsub.Comparison, format: Format, output: Path | None, more: str = ""
-) -> None:
+def _tell(compared: cncsub.Comparison, format: Format, output: Path | None, more: str = "") -> None:
     if format is Format.JSON:
         write_json(output, comparison_facts(compared))
     else:

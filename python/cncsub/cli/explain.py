@@ -39,7 +39,7 @@ def explain(
     name: Annotated[
         list[str],
         typer.Argument(
-            help="A code such as G65, an alarm number, a cause, a rule, a parameter; or a question.",
+            help="A code, an alarm number, a cause, a rule, a parameter; or a question.",
             show_default=False,
         ),
     ],
@@ -64,21 +64,25 @@ def explain(
         _explain_near(asked, among, format, output)
         return
     if format is Format.JSON:
-        checks = [] if check is None else [check._asdict()]
-        write_json(output, checks[0] if check and not (alarms or others) else alarms + others + checks)
+        if check is None:
+            write_json(output, alarms + others)
+        else:
+            rule = check._asdict()
+            write_json(output, [*alarms, *others, rule] if alarms or others else rule)
         return
 
     def write(console: Console) -> None:
-        parts = [
-            lambda: print_explanations(console, alarms),
-            lambda: print_facts(console, others),
-            lambda: print_check_rule(console, check),
-        ]
-        there = [part for part, of in zip(parts, (alarms, others, check), strict=True) if of]
-        for place, part in enumerate(there):
-            if place:
+        parts = 0
+        for told in (alarms, others, check):
+            if told and parts:
                 console.print()
-            part()
+            parts += bool(told)
+            if isinstance(told, CheckRule):
+                print_check_rule(console, told)
+            elif told is alarms:
+                print_explanations(console, alarms)
+            elif told:
+                print_facts(console, others)
 
     write_text(output, write)
 

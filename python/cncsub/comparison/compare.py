@@ -22,7 +22,6 @@ from cncsub.run import Run
 from cncsub.run_options import MdiOptions, takes
 from cncsub.tables.rows import Step
 
-
 MOST_DIFFERENCES = 20  # that are looked for one after the other
 
 
@@ -127,7 +126,8 @@ def compare(
     `first`, `second`: libraries, or paths, which `control` reads. `controls`: two of them, names or
     objects; then there is no `second`. `main` and `options` are those of `Library.run`, for both.
     `all_differences`: of two controls, go on after the first difference: the rules that make it are
-    exchanged, and the next one is looked for. Raises what `load` and `run` raise, and `TypeError` where it is not clear what to compare.
+    exchanged, and the next one is looked for. Raises what `load` and `run` raise, and `TypeError`
+    where it is not clear what to compare.
 
     >>> import cncsub
     >>> before = cncsub.loads("O1\\nN10 G0 X1.\\nM30\\n", control="fanuc-0i-f")
@@ -203,7 +203,7 @@ class _OfControls:
 
     def compared(self, *, every: bool) -> Comparison:
         """Return the first difference, or every one until none is left or no rule makes it."""
-        one, other = self._controls
+        one = self._controls[0]
         pair = self._pair(one)
         runs = first = pair.runs()
         found: list[Difference] = []

@@ -142,6 +142,9 @@ def _rules(control: Control, machine: str, facts: Facts) -> Iterator[Rule]:
 
 
 def _speaks_of(rule: Rule, code: str, machine: str) -> bool:
+    """Return whether a rule speaks of a code, by the name that codes of its meaning usually have."""
+    if not code:
+        return False
     lathe = machine.startswith("lathe")
     if rule.group == "turning" and machine and not lathe:
         return False
@@ -178,7 +181,8 @@ def _arguments(control: Control, facts: Facts) -> Facts:
     for letter in _ARGUMENTS:
         text = f"O1\n{facts['name']} P2 {letter}1\nG0 X1.\nM30\nO2\nM99\n"
         run = loads(text, control=control).run(max_blocks=4, trace="calls")
-        values = {n for call in run.calls.tree() for inner in [call, *call.calls] for n in inner.arguments}
-        if len(values) == 1:
-            found[letter] = f"#{values.pop()}"
+        calls = [inner for call in run.calls.tree() for inner in (call, *call.calls)]
+        locals_given = {number for call in calls for number in call.arguments}
+        if len(locals_given) == 1:
+            found[letter] = f"#{locals_given.pop()}"
     return found

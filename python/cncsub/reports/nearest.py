@@ -42,13 +42,14 @@ def nearest(question: str, among: list[Control]) -> list[Entry]:
     found = [_weights(entry) for entry in entries]
     known = Counter(stem for weights in found for stem in weights)
     says = {s: math.log(len(entries) / known[s]) if known[s] else _UNKNOWN for s in wanted}
-    least = sum(says.values()) / 2
-    scored = []
+    whole = sum(says.values())
+    scored: list[tuple[float, int, Entry]] = []
     for entry, weights in zip(entries, found, strict=True):
         there = [stem for stem in wanted if stem in weights]
-        if there and sum(says[stem] for stem in there) >= least:
-            score = sum(says[stem] * weights[stem] for stem in there)
-            scored.append((-score, len(weights), entry))
+        part = sum(says[stem] for stem in there) / whole if there else 0.0
+        if part >= 0.5:
+            score = part * sum(says[stem] * weights[stem] for stem in there)
+            scored.append((-score, len(entry.name), entry))
     return [entry for _, _, entry in sorted(scored, key=lambda s: s[:2])[:MOST]]
 
 
@@ -68,11 +69,12 @@ def _weights(entry: Entry) -> dict[str, float]:
 
 # ---- words ----
 
-_NOTHING = frozenset(
+_SAYS_NOTHING = (
     "a an and are as at be by can do does for from get had has have how i if in is it its me my no"
     " not of on or so than that the then there they this to too was what when where which why will"
-    " with you your".split()
+    " with you your"
 )
+_NOTHING = frozenset(_SAYS_NOTHING.split())
 
 # Words that people use for those of these texts.
 _OTHER_WORDS = {
@@ -86,7 +88,7 @@ _OTHER_WORDS = {
     "circle": "arc", "circular": "arc", "wcs": "work", "pause": "wait",
 }  # fmt: skip
 
-_ENDINGS = ("ations", "ation", "ings", "ing", "ions", "ion", "ers", "er", "ies", "ied", "ed", "es", "s", "e", "y")
+_ENDINGS = "ations ation ings ing ions ion ers er ies ied ed es s e y".split(" ")  # noqa: SIM905
 
 
 def _stems(text: str) -> Iterator[str]:
@@ -138,11 +140,13 @@ def _rules(among: list[Control]) -> Iterator[Entry]:
 def _codes(among: list[Control]) -> Iterator[Entry]:
     """Yield the codes that are computed."""
     for control in among:
+        meanings = {rule.name: rule.meaning for rule in control.rules}
         roles = next((str(r.value) for r in control.rules if r.name == "roles"), "")
         names = [name for name, _ in _core.g_codes(control)]
         names += [entry.partition("=")[0] for entry in roles.split()]
         for name in dict.fromkeys(names):
             facts = _core.code_facts(control, name)
             if facts is not None and facts["treatment"] == "computed":
-                words = tuple(says for _, says, _ in facts["words"])
-                yield Entry(facts["name"], "code", facts["does"], words)
+                says = [text for _, text, _ in facts["words"]]
+                says += [meanings.get(rule, "") for _, _, rules in facts["words"] for rule in rules]
+                yield Entry(facts["name"], "code", facts["does"], tuple(says))
