@@ -11,6 +11,7 @@
 #include "bindings.hpp"
 #include "cncsub/control/code_facts.hpp"
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/asked.hpp"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -64,8 +65,11 @@ py::dict row_of(const CodeFacts& facts) {
 /// Return what is known of a code such as G54.1 or M98, or of an address such as T; None where the
 /// text is neither.
 py::object facts_of(const Control& control, const std::string& name, const std::string& machine) {
-  if (const auto code = CodeName::read(name))
-    return row_of(code_facts(control, machine_of(control, machine), *code));
+  if (const auto code = CodeName::read(name)) {
+    CodeFacts facts = code_facts(control, machine_of(control, machine), *code);
+    keep_taken(control, *code, facts.words);
+    return row_of(facts);
+  }
   const auto facts = name.size() == 1 ? address_facts(control, name[0]) : std::nullopt;
   return facts ? py::object(row_of(*facts)) : py::none();
 }

@@ -146,8 +146,7 @@ void add_listed_causes(const Control& control, CodeName code,
   const bool is_g = code.letter == 'G';
   const auto add = [&](const Rule<Codes>& of_g, const Rule<Codes>* of_m, Cause cause) {
     const Rule<Codes>* const list = is_g ? &of_g : of_m;
-    if (list != nullptr && list->value.has(code.tenfold) && raises(control, cause))
-      causes.push_back(info(cause).slug);
+    if (list != nullptr && list->value.has(code.tenfold)) causes.push_back(info(cause).slug);
   };
   const MacroRules& macros = control.macros;
   const MotionRules& motion = control.motion;
@@ -156,9 +155,13 @@ void add_listed_causes(const Control& control, CodeName code,
   add(macros.codes_not_with_modal_call, nullptr, Cause::CodeWithModalCall);
   add(control.calls.codes_not_with_call, nullptr, Cause::IllegalWordWithCall);
   add(control.calls.codes_not_with_return, nullptr, Cause::IllegalWordWithReturn);
-  add(motion.codes_not_compensated, &motion.m_codes_not_compensated, Cause::CompensationCode);
-  add(motion.codes_not_turned, nullptr, Cause::TurnedCycle);
-  add(motion.pattern_codes, nullptr, Cause::PatternWithoutCycle);
+  const auto add_refused = [&](const Rule<Codes>& of_g, const Rule<Codes>* of_m, Cause cause) {
+    if (raises(control, cause)) add(of_g, of_m, cause);
+  };
+  add_refused(motion.codes_not_compensated, &motion.m_codes_not_compensated,
+              Cause::CompensationCode);
+  add_refused(motion.codes_not_turned, nullptr, Cause::TurnedCycle);
+  add_refused(motion.pattern_codes, nullptr, Cause::PatternWithoutCycle);
 }
 
 /// Add the causes that a code has with all codes of its group.
@@ -266,7 +269,6 @@ void add_call(const Control& control, CodeFacts& facts) {
     facts.does = "calls O" + std::to_string(called.program) + (like ? " as " + like->text() : "");
     facts.words = read_words(control, i == 0 ? "" : row.words);
     std::erase_if(facts.words, [](const CodeWord& word) { return word.letters == "P"; });
-    facts.causes.clear();
     add_causes(control, row.causes, facts.causes);
   }
   facts.treatment = "computed";
