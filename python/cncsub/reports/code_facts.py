@@ -142,7 +142,7 @@ def _rules(control: Control, machine: str, facts: Facts) -> Iterator[Rule]:
 
 
 def _speaks_of(rule: Rule, code: str, machine: str) -> bool:
-    """Return whether a rule speaks of a code, by the name that codes of its meaning usually have."""
+    """Return whether a rule speaks of a code, by the usual name of what the code does."""
     if not code:
         return False
     lathe = machine.startswith("lathe")
