@@ -43,12 +43,14 @@ CHANGES: list[tuple[str, dict[str, Any], str]] = [
     (
         CALL,
         {"zero_repeats": "skip"},
-        "first: O1 N10, line 2: M98 O2, 1 pass\nsecond: no further call until the end",
+        "fanuc-0i-f: O1 N10, line 2: M98 O2, 1 pass\n"
+        "fanuc-0i-f + zero_repeats=skip: no further call until the end",
     ),
     (
         "O1\nN10 #100=1\nN20 M98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n",
         {"max_nesting": 1},
-        "first: O2, line 6: M98 O3, 1 pass\nsecond: no further call until alarm PS0077 nesting-too-deep at O2",
+        "fanuc-0i-f: O2, line 6: M98 O3, 1 pass\n"
+        "fanuc-0i-f + max_nesting=1: no further call until alarm PS0077 nesting-too-deep at O2",
     ),
 ]
 
@@ -302,8 +304,8 @@ def test_modes_that_differ_are_named_with_the_rule() -> None:
 @pytest.mark.parametrize(
     ("program", "rules", "mode"),
     [
-        ("O1\nN10 G0 X1.\nN20 M30\n", {"power_on": "G20"}, "G21 in force on first, G20 on second"),
-        ("O1\nN5 G0 X1.\nN10 X1.\nN20 M30\n", {"power_on": "G91"}, "G90 in force on first, G91 on second"),
+        ("O1\nN10 G0 X1.\nN20 M30\n", {"power_on": "G20"}, "G21 in force on fanuc-0i-f, G20 on fanuc-0i-f + power_on=G20"),
+        ("O1\nN5 G0 X1.\nN10 X1.\nN20 M30\n", {"power_on": "G91"}, "G90 in force on fanuc-0i-f, G91 on fanuc-0i-f + power_on=G91"),
     ],
 )  # fmt: skip
 def test_a_mode_at_power_on_is_named(program: str, rules: dict[str, str], mode: str) -> None:
