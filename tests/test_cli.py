@@ -326,7 +326,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
     ("arguments", "words"),
     [
         (["run", "{job}/good.nc"], "which control? Give -c and one of fanuc-0i-d"),
-        (["run", "{job}/good.nc", "-c", "fanuc-0if"], "near are fanuc-0i-f"),
+        (["run", "{job}/good.nc", "-c", "fanuc-0ig"], "near are fanuc-"),
         (["run", "{job}/god.nc", "-c", CONTROL], "good.nc"),
         (["run", "-c", CONTROL], "which program?"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--main", "O20"], "near are O2"),
@@ -350,10 +350,10 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "", "-c", CONTROL], "an empty path"),
         (["run", "/dev/zero", "-c", CONTROL], "not a regular file"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--nonsense"], "--nonsense"),
-        (["controls", "fanuc"], "near are fanuc-"),
+        (["controls", "fanuc"], "'fanuc' may be fanuc-0i-d, fanuc-0i-f,"),
         (
             ["explain", "P9999", "-c", "mitsubishi-m700"],
-            "no alarm, cause or rule is called 'P9999'",
+            "no code, alarm, cause, rule or parameter is called 'P9999'",
         ),
         (["explain", "program-not-fond"], "near are program-not-found"),
         (["rum"], "rum"),
@@ -494,8 +494,11 @@ def test_two_controls_are_compared(tmp_path: Path) -> None:
     assert (done.status, done.error) == (1, "")
     assert done.out.splitlines() == [
         "fanuc-0i-f: O1 N10, line 2: M98 O2, 1 pass",
-        "mitsubishi-m700: no further call before: end",
-        "the rules that make it: zero_repeats",
+        "mitsubishi-m700: no further call until the end",
+        "because of the rule zero_repeats, a repeat count of 0:",
+        "  fanuc-0i-f       once: `L0` is L1",
+        "  mitsubishi-m700  skip: `L0` does not call",
+        "--all goes on after this difference",
     ]
     same = Done("compare", str(program), "-c", "fanuc-0i-f", "-c", "fanuc-0i-d")
     assert (same.status, same.out) == (0, "the same\n")
@@ -504,7 +507,7 @@ def test_two_controls_are_compared(tmp_path: Path) -> None:
     )
     assert told == {
         "version": 1, "same": True, "where": [], "what": "the same", "rules": [], "untried": [],
-        "parameters": [], "changes": [],
+        "parameters": [], "differences": [], "rest": None, "changes": [],
     }  # fmt: skip
 
 

@@ -43,12 +43,14 @@ CHANGES: list[tuple[str, dict[str, Any], str]] = [
     (
         CALL,
         {"zero_repeats": "skip"},
-        "first: O1 N10, line 2: M98 O2, 1 pass\nsecond: no further call before: end",
+        "fanuc-0i-f: O1 N10, line 2: M98 O2, 1 pass\n"
+        "fanuc-0i-f + zero_repeats=skip: no further call until the end",
     ),
     (
         "O1\nN10 #100=1\nN20 M98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n",
         {"max_nesting": 1},
-        "first: O2, line 6: M98 O3, 1 pass\nsecond: no further call before: alarm PS0077 nesting-too-deep at O2",
+        "fanuc-0i-f: O2, line 6: M98 O3, 1 pass\n"
+        "fanuc-0i-f + max_nesting=1: no further call until alarm PS0077 nesting-too-deep at O2",
     ),
 ]
 
@@ -107,15 +109,15 @@ BEFORE = "O1\nN10 G0 X1. Y2.\nN20 M98 P2 L2\nN30 M3\n#100=5\n#3006=1(A)\nM30\nO2
 @pytest.mark.parametrize(
     ("old", "new", "what"),
     [
-        ("Y2.", "Y3.", "before: O1 N10, line 2: move 0 with y = 2\nafter: O1 N10, line 2: move 0 with y = 3"),
+        ("Y2.", "Y3.", "before: O1 N10, line 2: move 0 goes to y = 2\nafter: O1 N10, line 2: move 0 goes to y = 3"),
         ("L2", "L3", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: O1 N20, line 3: M98 O2, 3 passes"),
         ("M3\n", "M4\n", "before: O1 N30, line 4: M3\nafter: O1 N30, line 4: M4"),
-        ("N30 M3\n", "", "before: O1 N30, line 4: M3\nafter: no further M code before: end"),
+        ("N30 M3\n", "", "before: O1 N30, line 4: M3\nafter: no further M code until the end"),
         ("#100=5", "#100=6", "before: O1, line 5: #100 = 5\nafter: O1, line 5: #100 = 6"),
-        ("#100=5\n", "", "before: O1, line 5: #100 = 5\nafter: no further change before: end"),
+        ("#100=5\n", "", "before: O1, line 5: #100 = 5\nafter: no further change until the end"),
         ("(A)", "(B)", "before: O1, line 6: message 'A'\nafter: O1, line 6: message 'B'"),
         ("M30", "M99", "before: stopped: end\nafter: stopped: cycles"),
-        ("P2 L2", "P7", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: no further call before: alarm PS0076 program-not-found at O1 N20"),
+        ("P2 L2", "P7", "before: O1 N20, line 3: M98 O2, 2 passes\nafter: no further call until alarm PS0076 program-not-found at O1 N20"),
     ],
 )  # fmt: skip
 def test_what_a_new_version_changed(old: str, new: str, what: str) -> None:
@@ -240,7 +242,7 @@ def test_a_parameter_that_is_no_rule_is_named() -> None:
     other = one.with_parameters({"6050": 100, "3401#0": 1})
     compared = cncsub.compare(library, controls=[one, other])
     assert (compared.rules, compared.parameters) == ((), ("6050",))
-    assert str(compared).endswith("the parameters that make it: 6050")
+    assert "\nbecause of the parameter 6050, " in str(compared)
 
 
 def test_diff_prints_what_blocks_do(tmp_path: Path) -> None:
@@ -282,3 +284,82 @@ def test_two_libraries_of_two_languages_are_compared_by_what_they_do(one: str, o
     )
     assert "x = 5" in told.what
     assert "x = 6" in told.what
+
+
+# ---- in words, and after the first difference ----
+
+ARC = "O1\nN10 G2 X10. R5. F100\nN20 M30\n"
+
+
+def test_modes_that_differ_are_named_with_the_rule() -> None:
+    library = cncsub.loads(ARC, control=MILL)
+    compared = cncsub.compare(library, controls=[MILL, "gsk-988ta"])
+    assert str(compared).splitlines() == [
+        "fanuc-0i-f: O1 N10, line 2: move 0 is in the plane of G17",
+        "gsk-988ta: O1 N10, line 2: move 0 is in the plane of G18",
+        "G17 in force on fanuc-0i-f, G18 on gsk-988ta (rule machine: mill, lathe-a)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("program", "rules", "mode"),
+    [
+        ("O1\nN10 G0 X1.\nN20 M30\n", {"power_on": "G20"}, "G21 in force on fanuc-0i-f, G20 on fanuc-0i-f + power_on=G20"),
+        ("O1\nN5 G0 X1.\nN10 X1.\nN20 M30\n", {"power_on": "G91"}, "G90 in force on fanuc-0i-f, G91 on fanuc-0i-f + power_on=G91"),
+    ],
+)  # fmt: skip
+def test_a_mode_at_power_on_is_named(program: str, rules: dict[str, str], mode: str) -> None:
+    compared = changed(program, **rules)
+    assert compared.rules == ("power_on",)
+    assert compared.differences[0].why[0].startswith(f"{mode} (rule power_on: ")
+
+
+def test_a_mode_that_decides_nothing_is_not_named() -> None:
+    library = cncsub.loads("O1\nN10 G4 P1\nN20 G0 X10\nM30\n", control=MILL)
+    told = str(cncsub.compare(library, controls=[MILL, "mitsubishi-m700"]))
+    assert "in force" not in told
+    assert "because of the rule whole_numbers, a length written without a point:" in told
+
+
+TWO = "O1\nN10 M98 P2 L0\nN20 G0 X10\nN30 M98 P20003\nM30\nO2\nM99\nO3\nM99\n"
+
+
+def test_all_differences_are_found_one_after_the_other() -> None:
+    library = cncsub.loads(TWO, control=MILL)
+    controls = [MILL, "mitsubishi-m700"]
+    compared = cncsub.compare(library, controls=controls, all_differences=True)
+    assert [found.rules for found in compared.differences] == [
+        ("zero_repeats",), ("whole_numbers",), ("program_word",),
+    ]  # fmt: skip
+    assert compared.rules == ("zero_repeats",)
+    assert compared.rest.endswith("does the same as mitsubishi-m700")
+    assert str(compared).count("because of the rule") == 3
+    first = cncsub.compare(library, controls=controls)
+    assert first.differences == compared.differences[:1]
+    assert first.rest == ""
+
+
+def test_after_a_difference_that_no_rule_makes_nothing_is_compared() -> None:
+    library = cncsub.loads("O1\nN10 G0 X1.\nM30\n", control=MILL)
+    compared = cncsub.compare(library, controls=[MILL, "siemens-one"], all_differences=True)
+    assert len(compared.differences) == 1
+    assert compared.rest.startswith("what comes after is not compared")
+
+
+def test_all_differences_are_of_two_controls() -> None:
+    library = cncsub.loads(ARC, control=MILL)
+    with pytest.raises(TypeError, match="all_differences is of two controls"):
+        cncsub.compare(library, library, all_differences=True)
+    assert cncsub.compare(library, controls=[MILL, MILL], all_differences=True).rest == ""
+
+
+def test_the_command_goes_on_after_the_first_difference(tmp_path: Path) -> None:
+    file = tmp_path / "two.nc"
+    file.write_text(TWO)
+    words = ["compare", str(file), "-c", "0i-f", "-c", "Mitsubishi M700"]
+    done = CliRunner().invoke(app, words)
+    assert done.stdout.endswith("--all goes on after this difference\n")
+    done = CliRunner().invoke(app, [*words, "--all"])
+    assert (done.exit_code, done.stdout.count("because of the rule")) == (1, 3)
+    told = json.loads(CliRunner().invoke(app, [*words, "--all", "--format", "json"]).stdout)
+    assert [found["rules"] for found in told["differences"]][1] == ["whole_numbers"]

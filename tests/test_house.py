@@ -250,6 +250,7 @@ def test_a_code_with_motion_is_added_in_the_files_that_the_page_names() -> None:
     page = (ROOT / "docs" / "adding-a-code.md").read_text("utf-8")
     files = _files_naming("Tapping|63=tapping")
     assert files - {"cpp/controls/siemens/family.cpp"} == {
+        "cpp/cncsub/control/meanings.def",
         "cpp/cncsub/control/motion_lists.hpp",
         "cpp/cncsub/motion/block/block.cpp",
     }

@@ -256,4 +256,4 @@ def test_a_table_of_cases_and_the_fixture_take_it(
 def test_a_project_says_what_is_wrong_with_it(project: Path) -> None:
     (project / "cncsub.toml").write_text('[control]\nname = "our-mill"\nbase = "fanuc"\n')
     status, told = told_by("run", "O1.nc")
-    assert (status, "no control is called 'fanuc'" in told) == (2, True)
+    assert (status, "'fanuc' may be fanuc-0i-d, " in told) == (2, True)

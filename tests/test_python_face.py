@@ -82,7 +82,7 @@ def test_an_unknown_control_is_told_with_what_is_near() -> None:
     with pytest.raises(KeyError, match="fanuc-0i-f"):
         cncsub.controls["fanuc-0if"]
     with pytest.raises(ValueError, match="near are.*fanuc-0i-f"):
-        cncsub.loads("O1", control="Fanuc-0IF")
+        cncsub.loads("O1", control="Fanuc-0IG")
     with pytest.raises(ValueError, match="there are fanuc-0i-d"):
         cncsub.loads("O1", control="???")
     with pytest.raises(TypeError, match="control is a name"):
@@ -307,7 +307,7 @@ def test_run_mdi_and_machine_take_the_same_options() -> None:
             cncsub.flatten,
             {"library", "control", "comments", "mode", "trace", "watch", "conditions"},
         ),
-        (cncsub.compare, {"first", "second", "controls", "control", "mode"}),
+        (cncsub.compare, {"first", "second", "controls", "control", "all_differences", "mode"}),
     ):
         own = set(inspect.signature(method).parameters) - {"self", "main"}
         assert own ^ taken == without

@@ -316,8 +316,8 @@ def test_wrong_use_is_told() -> None:
         translate(library, "haas-ngc", trace="blocks")
     with pytest.raises(TypeError, match="give control="):
         translate("part.nc", "haas-ngc")
-    with pytest.raises(ValueError, match="no control is called 'haas'"):
-        translate(library, "haas")
+    with pytest.raises(ValueError, match="no control is called 'hass'"):
+        translate(library, "hass")
 
 
 # ---- all pairs ----

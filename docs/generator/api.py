@@ -67,7 +67,17 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     "controls": (
         "Controls and alarms",
         "The controls with their facts, causes and sources; alarms as values.",
-        ["controls", "causes", "sources", "Cause", "Source", "Control", "Alarm", "Frame"],
+        [
+            "control",
+            "controls",
+            "causes",
+            "sources",
+            "Cause",
+            "Source",
+            "Control",
+            "Alarm",
+            "Frame",
+        ],
     ),
     "setup": (
         "Setup and inputs",
@@ -89,6 +99,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "Origin",
             "compare",
             "Comparison",
+            "Difference",
             "BlockChange",
             "translate",
             "Translation",

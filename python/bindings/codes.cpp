@@ -9,19 +9,22 @@
 #include <vector>
 
 #include "bindings.hpp"
+#include "cncsub/control/code_facts.hpp"
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/asked.hpp"
 
 namespace py = pybind11;
+using namespace py::literals;
 
 namespace cncsub::bindings {
 
 namespace {
 
-// clang-format off
-#define CNCSUB_NAMED(name) std::string_view{#name},
-constexpr std::array kMeanings = {CNCSUB_MEANINGS(CNCSUB_NAMED)};
-#undef CNCSUB_NAMED
-// clang-format on
+constexpr std::array kMeanings = {
+#define MEANING(name, does, words, causes) std::string_view{#name},
+#include "cncsub/control/meanings.def"
+#undef MEANING
+};
 
 std::string name_of(Meaning meaning) {
   return std::string(kMeanings.at(static_cast<std::size_t>(meaning)));
@@ -41,9 +44,40 @@ std::vector<std::tuple<std::string, std::string>> codes_of(const Control& contro
   return rows;
 }
 
+py::tuple source_row(const CodeSource& by) {
+  return py::make_tuple(by.rule.empty() ? py::object(py::none()) : py::str(by.rule), by.source,
+                        std::string(to_string(by.evidence)));
+}
+
+py::dict row_of(const CodeFacts& facts) {
+  py::list words, causes, sources, programs;
+  for (const CodeWord& word : facts.words)
+    words.append(py::make_tuple(word.letters, word.says, py::cast(word.rules)));
+  for (const std::string_view slug : facts.causes) causes.append(std::string(slug));
+  for (const CodeSource& by : facts.sources) sources.append(source_row(by));
+  for (const CodeProgram& called : facts.programs)
+    programs.append(py::make_tuple(called.kind, called.program, source_row(called.by)));
+  return py::dict("name"_a = facts.name, "treatment"_a = facts.treatment, "does"_a = facts.does,
+                  "usual"_a = facts.usual, "group"_a = facts.group, "words"_a = words,
+                  "causes"_a = causes, "sources"_a = sources, "programs"_a = programs);
+}
+
+/// Return what is known of a code such as G54.1 or M98, or of an address such as T; None where the
+/// text is neither.
+py::object facts_of(const Control& control, const std::string& name, const std::string& machine) {
+  if (const auto code = CodeName::read(name)) {
+    CodeFacts facts = code_facts(control, machine_of(control, machine), *code);
+    keep_taken(control, *code, facts.words);
+    return row_of(facts);
+  }
+  const auto facts = name.size() == 1 ? address_facts(control, name[0]) : std::nullopt;
+  return facts ? py::object(row_of(*facts)) : py::none();
+}
+
 }  // namespace
 
 void add_codes(py::module_& m) {
+  m.def("code_facts", &facts_of, py::arg("control"), py::arg("name"), py::arg("machine") = "");
   m.def("g_codes", &codes_of, py::arg("control"), py::arg("machine") = "");
 }
 

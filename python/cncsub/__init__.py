@@ -14,7 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, __version__
-from cncsub.controls import Cause, Source, causes, controls, sources
+from cncsub.controls import Cause, Source, causes, control, controls, sources
 from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from cncsub.archive.many import check_many, run_many
     from cncsub.checking import CheckRule, Edit, Finding, Flow, FlowEdge
     from cncsub.comparison.changes import BlockChange
-    from cncsub.comparison.compare import Comparison, compare
+    from cncsub.comparison.compare import Comparison, Difference, compare
     from cncsub.comparison.rewriting import TranslateError
     from cncsub.comparison.translate import Translation, translate
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
@@ -60,7 +60,7 @@ _LATER = {
         "archive.many": "check_many run_many",
         "comparison.changes": "BlockChange",
         "checking": "CheckRule Edit Finding Flow FlowEdge",
-        "comparison.compare": "Comparison compare",
+        "comparison.compare": "Comparison Difference compare",
         "analysis.endless": "Endless LoopBlock Why",
         "analysis.flattening": "Flat FlattenError flatten",
         "analysis.listing": "Listed",
@@ -106,6 +106,7 @@ __all__ = [
     "Computed",
     "Control",
     "Cylinder",
+    "Difference",
     "Dropped",
     "Edge",
     "Edit",
@@ -150,6 +151,7 @@ __all__ = [
     "causes",
     "check_many",
     "compare",
+    "control",
     "controls",
     "flatten",
     "load",

@@ -20,6 +20,9 @@ def tokens(control: Control, block: str) -> list[_Token]: ...  # of a line
 def sources() -> list[tuple[str, str, str, str, str]]:
     """Return the key, title, address, controls and evidence of every source."""
 
+def code_facts(control: Control, name: str, machine: str = "") -> dict[str, Any] | None:
+    """Return what is known of a code such as G54.1 or M98, or of an address such as T."""
+
 def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
     """Return each G code of a control on a kind of machine, and the engine's name for what it does
     there: `Neutral` and `Ignored` are skipped, `Uncomputed` and `Unknown` alarm, `None` is refused.

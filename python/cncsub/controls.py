@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, TypeVar
 
 from cncsub import _core
@@ -142,19 +143,81 @@ def sources_of(control: Control) -> list[Source]:
     return [source for key, source in sources.items() if key in keys]
 
 
-def control_of(control: str | Control) -> Control:
-    """Return the control of this name, or the control itself. `ValueError` names what is near."""
-    if isinstance(control, Control):
-        return control
-    if not isinstance(control, str):
+def control_named(name: str, among: Mapping[str, Control] = controls) -> Control:
+    """Return the control that a name means in any spelling: `Fanuc 0i-F`, `FANUC_0I_F`, `0i-f`.
+
+    Words of its title will do as well, where they are those of one control. `ValueError` lists the
+    controls that a name may mean, or names what is near.
+    """
+    if name in among:
+        return among[name]
+    meant = _meant(name, among)
+    if len(meant) == 1:
+        return among[meant[0]]
+    if meant:
+        raise ValueError(f"{name!r} may be {_either(meant)}: write one of them")
+    known = did_you_mean(name, among, f"; there are {', '.join(among)}")
+    raise ValueError(f"no control is called {name!r}{known}")
+
+
+def _meant(name: str, among: Mapping[str, Control]) -> list[str]:
+    """Return the names of the controls that are meant: by the whole name, else by a part of it,
+    else by words of the title.
+    """
+    words = _words(name)
+    letters = "".join(words)
+    if len(letters) < 2:
+        return []
+    for whole in (True, False):
+        if found := [known for known in among if letters in _spellings(known, whole)]:
+            return found
+    return [
+        known
+        for known, control in among.items()
+        if set(words) <= {*_words(known), *_words(control.title)}
+    ]
+
+
+def _words(text: str) -> list[str]:
+    return re.findall(r"[^\W_]+", text.casefold())
+
+
+def _spellings(name: str, whole: bool) -> set[str]:
+    """Return the letters of a name, or those of each of its parts, without marks between."""
+    words = _words(name)
+    if whole:
+        return {"".join(words)}
+    count = len(words)
+    return {"".join(words[i:k]) for i in range(count) for k in range(i + 1, count + 1)}
+
+
+def _either(names: Sequence[str]) -> str:
+    return f"{', '.join(names[:-1])} or {names[-1]}"
+
+
+def control(name: str | Control) -> Control:
+    """Return a control by its name, in any spelling that means one control.
+
+    Raises `ValueError` where a name may be that of several controls, or of none, and names those
+    that are near. A control is returned as it is.
+
+    >>> import cncsub
+    >>> [cncsub.control(name).name for name in ("Fanuc 0i-F", "FANUC_0I_F", "0i-f")]
+    ['fanuc-0i-f', 'fanuc-0i-f', 'fanuc-0i-f']
+    >>> cncsub.control("0i")
+    Traceback (most recent call last):
+    ValueError: '0i' may be fanuc-0i-d or fanuc-0i-f: write one of them
+    """
+    if isinstance(name, Control):
+        return name
+    if not isinstance(name, str):
         raise TypeError(
-            "control is a name such as 'fanuc-0i-f' or a cncsub.Control,"
-            f" not {type(control).__name__}"
+            f"control is a name such as 'fanuc-0i-f' or a cncsub.Control, not {type(name).__name__}"
         )
-    if control not in controls:
-        known = did_you_mean(control, controls, f"; there are {', '.join(controls)}")
-        raise ValueError(f"no control is called {control!r}{known}")
-    return controls[control]
+    return control_named(name)
+
+
+control_of = control
 
 
 def cure_of(alarm: Alarm, control: Control) -> str:

@@ -43,28 +43,10 @@ enum class Group : std::uint8_t {
 };
 constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
 
-// clang-format off
-#define CNCSUB_MEANINGS(M) \
-  M(None) M(Unknown) M(Neutral) M(DataEnd) M(Uncomputed) M(Ignored) M(Dwell) M(ExactStop) M(SetData) M(CheckReference) M(Reference) \
-  M(FromReference) M(SecondReference) M(Skip) M(MeasureTool) M(Local) M(Machine) M(SetCoordinate) \
-  M(ClearCoordinate) M(SetShift) M(ClearShift) M(SuspendShift) M(RestoreShift) M(StoreReference) M(Lengthen) M(Shorten) M(LengthenTwice) M(ShortenTwice) M(OneWay) M(Finish) M(RoughTurn) M(RoughFace) M(RoughPattern) M(PeckFace) \
-  M(PeckTurn) M(MultipleThread) M(Rapid) M(Line) M(Cw) M(Ccw) M(Thread) M(VariableThread) \
-  M(TurnCycle) M(ThreadCycle) M(FaceCycle) M(TapCycle) M(ThreePoints) M(ThreePointsAbsolute) M(PlaneXY) M(PlaneZX) M(PlaneYZ) \
-  M(Absolute) M(Incremental) M(StrokeOn) M(StrokeOff) M(PerMinute) M(PerRevolution) \
-  M(InverseTime) M(Inch) M(Metric) M(Pulses) M(RadiusOff) M(RadiusLeft) M(RadiusRight) \
-  M(LengthPlus) M(LengthMinus) M(LengthOff) M(PeckFast) M(LeftTap) M(FineBore) M(CycleOff) \
-  M(Drill) M(DrillDwell) M(Peck) M(Tap) M(Bore) M(BoreStop) M(BackBore) M(BoreManual) \
-  M(BoreDwell) M(ReturnInitial) M(ReturnR) M(ScalingOn) M(ScalingOff) M(MacroOn) \
-  M(MacroOff) M(SurfaceSpeed) M(SpindleSpeed) M(Work1) M(Work2) M(Work3) M(Work4) M(Work5) \
-  M(Work6) M(WorkExtra) M(PathExact) M(PathCorner) M(PathTap) M(PathCut) M(RotationOn) \
-  M(RotationOff) M(PolarOn) M(PolarOff) M(MirrorOn) M(MirrorOff) \
-  M(CentreAbsolute) M(CentreFromStart) M(DiameterOn) M(DiameterOff) M(Spline) M(DriveLineThread) M(Tapping) M(LookAheadLimit)
-// clang-format on
-
 enum class Meaning : std::uint8_t {
-#define CNCSUB_MEANING(name) name,
-  CNCSUB_MEANINGS(CNCSUB_MEANING)
-#undef CNCSUB_MEANING
+#define MEANING(name, does, words, causes) name,
+#include "cncsub/control/meanings.def"
+#undef MEANING
 };
 
 struct GCode {

@@ -8,7 +8,7 @@ namespace cncsub {
 namespace {
 
 constexpr std::string_view kRoles[] = {
-#define ROLE(name, slug, example) slug,
+#define ROLE(name, slug, example, words, causes) slug,
 #include "cncsub/control/roles.def"
 #undef ROLE
 };

@@ -18,7 +18,7 @@ namespace cncsub {
 
 /// What a code is to the order of blocks; `None`: nothing.
 enum class Role : std::uint8_t {
-#define ROLE(name, slug, example) name,
+#define ROLE(name, slug, example, words, causes) name,
 #include "cncsub/control/roles.def"
 #undef ROLE
 };

@@ -1,6 +1,8 @@
 #include "cncsub/dialect/asked.hpp"
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <string_view>
 
 #include "cncsub/control/rule_lists.hpp"
@@ -37,6 +39,24 @@ std::optional<std::string> never_asked(const Control& control, const std::string
   if (!known) return std::nullopt;
   return control.name + " never asks the rule " + rule_name +
          ": nothing in the language of its programs depends on it";
+}
+
+void keep_taken(const Control& control, CodeName code, std::vector<CodeWord>& words) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  const WordUses uses(dialect == nullptr ? std::span<const WordUse>() : dialect->word_uses);
+  const std::uint32_t taken =
+      code.letter == 'G' ? uses.of_g(code.tenfold) : uses.of_m(code.tenfold / 10);
+  const auto is_refused = [&](std::string_view letter) {
+    const bool is_letter = letter.size() == 1 && letter[0] >= 'A' && letter[0] <= 'Z';
+    return is_letter && ((uses.checked() & ~taken) >> (letter[0] - 'A') & 1u) != 0;
+  };
+  for (CodeWord& word : words) {
+    std::string kept;
+    for (const std::string_view letter : split_entries(word.letters))
+      if (!is_refused(letter)) kept += (kept.empty() ? "" : " ") + std::string(letter);
+    word.letters = kept;
+  }
+  std::erase_if(words, [](const CodeWord& word) { return word.letters.empty(); });
 }
 
 }  // namespace cncsub

@@ -29,19 +29,57 @@ _NOT_COMPARED = ("move", "step", "length", "time", "program", "n", "line")
 _END_CODE = re.compile(r"\bM0*(\d+)=end\b")
 
 
+# Of several columns that differ in a move, the first of these is named, else one of the others.
+_NAMED_FIRST = ("kind", "plane")
+_KINDS = {
+    "rapid": "a rapid",
+    "feed": "a line at the feed",
+    "cw": "an arc, clockwise",
+    "ccw": "an arc, counter-clockwise",
+    "thread": "a thread",
+    "dwell": "a dwell",
+}
+
+
 class Parting(NamedTuple):
-    """The point where two runs part: a step of each, or the count of steps where a run has none."""
+    """The point where two runs part: a step of each, or the count of steps where a run has none.
+
+    `column`: where it is a move that differs, the column that does.
+    """
 
     first: int
     second: int
     what: str
+    column: str = ""
+
+
+def _move_text(run: Run, at: int, column: str) -> str:
+    """Return what a move does, by the column that differs."""
+    if at >= len(run.moves):
+        return "no further move"
+    value = getattr(run.moves[at], column, None)
+    shown = f"{value:g}" if isinstance(value, float) else value
+    if column == "kind":
+        return f"move {at} is {_KINDS.get(str(value), shown)}"
+    if column == "plane":
+        return f"move {at} is in the plane of G{shown}"
+    if re.fullmatch(r"m?c[xyz]", column):
+        return f"move {at} has {'no ' + column if value is None else f'{column} = {shown}'}"
+    if column in ("feed", "feed_mode", "spindle"):
+        return f"move {at} has the {column.replace('_', ' ')} {shown}"
+    if value is None:
+        return f"move {at} has no {column}"
+    goes = re.fullmatch(r"m?[xyzabcuvw]", column) is not None
+    return f"move {at} {'goes to' if goes else 'has'} {column} = {shown}"
 
 
 def _side(run: Run, at: int, does: str) -> str:
     """Return what a run does at a step, or that it has stopped without doing it."""
     if at >= len(run.steps):
-        stopped = f"{run.summary()}" if does else f"stopped: {run.summary()}"
-        return f"{does} before: {stopped}" if does else stopped
+        stopped = run.summary()
+        if not does:
+            return f"stopped: {stopped}"
+        return f"{does} until {'the end' if stopped == 'end' else stopped}"
     step = run.steps[at]
     n = "" if step.n is None else f" N{step.n}"
     return f"{step.program}{n}, line {step.line}{': ' if does else ''}{does}"
@@ -130,24 +168,22 @@ class Pair:
         return list(getattr(run, name))
 
     def _of_moves(self, a: Run, b: Run) -> Iterator[Parting]:
-        names = list(dict.fromkeys([*a.moves.columns, *b.moves.columns]))
-        best, which = None, ""
-        for name in names:
-            if name in _NOT_COMPARED:
-                continue
-            at = first_difference([(self._moved(a, name), self._moved(b, name))])
-            if at is not None and (best is None or at < best):
-                best, which = at, name
-        if best is None:
+        names = list(dict.fromkeys([*_NAMED_FIRST, *a.moves.columns, *b.moves.columns]))
+        apart = {
+            name: at
+            for name in names
+            if name not in _NOT_COMPARED
+            and (at := first_difference([(self._moved(a, name), self._moved(b, name))])) is not None
+        }
+        if not apart:
             return
-        steps, does = [], []
-        for run in (a, b):
-            there = best < len(run.moves)
-            steps.append(int(run.moves.step[best]) if there else len(run.steps))
-            value = getattr(run.moves[best], which, None) if there else None
-            shown = f"{value:g}" if isinstance(value, float) else value
-            does.append(f"move {best} with {which} = {shown}" if there else "no further move")
-        yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
+        which = min(apart, key=lambda name: apart[name])
+        at = apart[which]
+        steps = [
+            int(run.moves.step[at]) if at < len(run.moves) else len(run.steps) for run in (a, b)
+        ]
+        does = _move_text(a, at, which), _move_text(b, at, which)
+        yield self._say((a, b), (steps[0], steps[1]), does)._replace(column=which)
 
     def _of_list(self, a: Run, b: Run, name: str) -> Iterator[Parting]:
         """Yield the first difference of lists that grow during a run. The step is found by shorter

@@ -44,12 +44,15 @@ def compare(
         ),
     ] = None,
     main: Main = None,
+    all_differences: Annotated[
+        bool, typer.Option("--all", help="Go on after the first difference.")
+    ] = False,
     translate: Translate = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
     **shared: Any,
 ) -> None:
-    """Run a program on two controls: where they part, and the rules that make it.
+    """Run a program on two controls: where they part, and the rules that make the difference.
 
     With --translate, calls are rewritten so that the second control does what the first one does,
     which is proved by running both: the changes are printed, or the programs written to folder -o.
@@ -66,8 +69,11 @@ def compare(
             made = cncsub.translate(library.read_for(pair[0]), pair[1], main=main, **asked)
             tell_translation(made, output, as_json=format is Format.JSON)
             return
-        compared = cncsub.compare(library, controls=pair, main=main, **asked)
-    _tell(compared, format, output)
+        compared = cncsub.compare(
+            library, controls=pair, main=main, all_differences=all_differences, **asked
+        )
+    more = not all_differences and bool(compared.rules or compared.parameters)
+    _tell(compared, format, output, "--all goes on after this difference" if more else "")
 
 
 @runs_programs()
@@ -91,7 +97,7 @@ def diff(
 MOST_CHANGES = 100
 
 
-def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> None:
+def _tell(compared: cncsub.Comparison, format: Format, output: Path | None, more: str = "") -> None:
     if format is Format.JSON:
         write_json(output, comparison_facts(compared))
     else:
@@ -99,6 +105,7 @@ def _tell(compared: cncsub.Comparison, format: Format, output: Path | None) -> N
         if compared.changes:
             told += ["what blocks do otherwise:"]
             told += [f"  {line}" for line in changed_lines(compared.changes, MOST_CHANGES)]
+        told += [more] if more else []
         lines = "\n".join(map(shown, told))
         write_text(output, lambda console: console.print(lines))
     raise typer.Exit(0 if compared.same else 1)

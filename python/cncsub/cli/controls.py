@@ -15,6 +15,7 @@ import typer
 import cncsub
 from cncsub.cli.options import Format, Output, control_named, write_json, write_text, wrong_use
 from cncsub.cli.project import project_for
+from cncsub.comparison.reasons import told_apart, value_text
 from cncsub.controls import names_beginning
 from cncsub.escapes import shown
 from cncsub.interrupts import left_to_child
@@ -154,7 +155,7 @@ def _headline(kind: str, fact: dict[str, Any]) -> str:
     if kind == "alarms":
         return f"{word} {_number(fact)} {fact['cause']}: {fact['text'] or _meaning(fact)}"
     sets = f" (sets {', '.join(fact['rules'])})" if fact.get("rules") else ""
-    value = f" = {_shown_value(fact['value'])}" if "value" in fact else ""
+    value = f" = {value_text(fact['value'])}" if "value" in fact else ""
     return f"{word} {fact['name']}{value}: {fact['meaning']}{sets}"
 
 
@@ -165,12 +166,6 @@ def _meaning(fact: dict[str, Any]) -> str:
 
 def _number(fact: dict[str, Any]) -> str:
     return str(fact["number"] or "(no number)")
-
-
-def _shown_value(value: object) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return f"{value:g}" if isinstance(value, float) else str(value) or "none"
 
 
 # ---- two controls ----
@@ -204,26 +199,12 @@ def _compared(kind: str, fact: dict[str, Any] | None) -> Any:
     return fact.get("value", fact.get("numbers"))
 
 
-MOST_WORDS = 8  # of a list that is shown whole
-
-
-def _told_apart(*values: Any) -> list[str]:
-    """Return two values as texts; of long lists only what the other has not."""
-    lists = [str(value).split() for value in values]
-    if None in values or max(map(len, lists)) <= MOST_WORDS:
-        return ["is not there" if value is None else _shown_value(value) for value in values]
-    return [
-        "besides: " + (" ".join(word for word in mine if word not in other) or "nothing")
-        for mine, other in (lists, lists[::-1])
-    ]
-
-
 def _difference_lines(told: dict[str, Any]) -> Iterator[str]:
     names = told["controls"]
     width = max(map(len, names))
     for difference in told["differences"]:
         yield f"{_LISTS[difference['kind']]} {difference['name']}: {difference['meaning']}"
-        apart = _told_apart(*difference["values"])
+        apart = told_apart(*difference["values"])
         for name, there, source in zip(names, apart, difference["sources"], strict=True):
             yield f"    {name.ljust(width)}  {there}" + (f"  [{source}]" if source else "")
     count = len(told["differences"])

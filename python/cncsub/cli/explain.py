@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
 import cncsub
-from cncsub.checking import rule_named, rule_names
+from cncsub.checking import CheckRule, rule_named, rule_names
 from cncsub.cli.options import (
     ControlName,
     Format,
@@ -20,46 +19,99 @@ from cncsub.cli.options import (
     write_text,
     wrong_use,
 )
+from cncsub.reports.code_facts import code_explanations, code_named
+from cncsub.reports.explained import (
+    near_facts,
+    parameter_explanations,
+    print_check_rule,
+    print_facts,
+    print_near,
+    rule_explanations,
+)
 from cncsub.reports.facts import explanations, unknown_alarm
-from cncsub.reports.printing import print_explanations
+from cncsub.reports.nearest import is_told_by, nearest
+from cncsub.reports.printing import Console, print_explanations
+
+_WORD = re.compile(r"[A-Z][-+.\d]*", re.IGNORECASE)
 
 
 def explain(
-    alarm: Annotated[str, typer.Argument(help="An alarm number such as P232, a cause, or a rule.")],
+    name: Annotated[
+        list[str],
+        typer.Argument(
+            help="A code, an alarm number, a cause, a rule, a parameter; or a question.",
+            show_default=False,
+        ),
+    ],
     control: ControlName = None,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Tell what an alarm means, what raises it and how to cure it; or what a rule finds."""
-    if re.fullmatch(r"CS\d*", alarm, re.IGNORECASE) or _names_rule(alarm):
-        _explain_rule(alarm, format, output)
-        return
+    """Explain a code, an alarm, a rule or a parameter; or find what a question is about.
+
+    A few words find what is nearest to them by meaning: `cncsub explain nested too deep`.
+    """
+    asked = " ".join(name)
     among = list(cncsub.controls.values()) if control is None else [control_named(control)]
-    facts = explanations(alarm, among)
-    if not facts:
-        raise WrongUseError(unknown_alarm(alarm, among, rule_names()))
-    if format is Format.JSON:
-        write_json(output, facts)
-    else:
-        write_text(output, lambda console: print_explanations(console, facts))
-
-
-def _names_rule(asked: str) -> bool:
-    return asked.lower() in rule_names() and asked.lower() not in cncsub.causes
-
-
-def _explain_rule(name: str, format: Format, output: Path | None) -> None:
-    with wrong_use():
-        rule = rule_named(name)
-    if format is Format.JSON:
-        write_json(output, rule._asdict())
-        return
-    example = "".join(f"      {line}\n" for line in rule.example.splitlines())
-    lines = [
-        f"{rule.number} {rule.name}, {rule.severity}",
-        f"  finds: {rule.meaning}",
-        f"  cure: {rule.hint}",
-        f"  such as, on {rule.control}:",
-        example.rstrip("\n"),
+    check = _check_rule(asked)
+    alarms = [] if _is_number_of_check(asked) else explanations(asked, among)
+    others = [
+        *_codes_of(asked, among),
+        *rule_explanations(asked, among),
+        *parameter_explanations(asked, among),
     ]
-    write_text(output, lambda console: console.print("\n".join(lines)))
+    if not (check or alarms or others):
+        _explain_near(asked, among, format, output)
+        return
+    if format is Format.JSON:
+        if check is None:
+            write_json(output, alarms + others)
+        else:
+            rule = check._asdict()
+            write_json(output, [*alarms, *others, rule] if alarms or others else rule)
+        return
+
+    def write(console: Console) -> None:
+        parts = 0
+        for told in (alarms, others, check):
+            if told and parts:
+                console.print()
+            parts += bool(told)
+            if isinstance(told, CheckRule):
+                print_check_rule(console, told)
+            elif told is alarms:
+                print_explanations(console, alarms)
+            elif told:
+                print_facts(console, others)
+
+    write_text(output, write)
+
+
+def _is_number_of_check(asked: str) -> bool:
+    return re.fullmatch(r"CS\d*", asked, re.IGNORECASE) is not None
+
+
+def _check_rule(asked: str) -> CheckRule | None:
+    if not _is_number_of_check(asked) and asked.lower() not in rule_names():
+        return None
+    with wrong_use():
+        return rule_named(asked)
+
+
+def _codes_of(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
+    """Return what is known of a code, or of each code of a block."""
+    words = asked.split()
+    codes = [word for word in words if code_named(word) is not None]
+    if not words or not all(map(_WORD.fullmatch, words)):
+        return []
+    return [fact for code in codes for fact in code_explanations(code, among)]
+
+
+def _explain_near(asked: str, among: list[cncsub.Control], format: Format, output: Any) -> None:
+    found = nearest(asked, among)
+    if not found or (" " not in asked.strip() and not is_told_by(asked, found[0])):
+        raise WrongUseError(unknown_alarm(asked, among, rule_names()))
+    if format is Format.JSON:
+        write_json(output, near_facts(found))
+    else:
+        write_text(output, lambda console: print_near(console, asked, found))

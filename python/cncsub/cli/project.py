@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from cncsub import system
-from cncsub.controls import Control, control_of, controls, did_you_mean
+from cncsub.controls import Control, control_named, controls, did_you_mean
 from cncsub.own_control import own_control
 from cncsub.setup import toml_of
 
@@ -46,13 +46,8 @@ class Project:
         """Return the control of this name: a built-in one, or the project's own. `ValueError` names
         what is near.
         """
-        if self.own_control is None or name in controls:
-            return control_of(name)
-        own = self.own_control.name
-        if name != own:
-            near = did_you_mean(name, [own, *controls], f"; there are {own}, {', '.join(controls)}")
-            raise ValueError(f"no control is called {name!r}{near}")
-        return self.own_control
+        own = {} if self.own_control is None else {self.own_control.name: self.own_control}
+        return control_named(name, {**own, **controls})
 
     @property
     def setup(self) -> Path | None:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Unpack
 
 from cncsub._core import Alarm, Control
 from cncsub.analysis.first_difference import column_of, first_difference
 from cncsub.analysis.pairs import LISTS, OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.comparison.changes import BlockChange, block_changes
-from cncsub.comparison.rule_bisection import rules_between
+from cncsub.comparison.reasons import machine_of, modes_apart, reasons
+from cncsub.comparison.rule_bisection import RuleExchange
 from cncsub.controls import control_of
 from cncsub.library import Library
 from cncsub.loading import load
@@ -19,6 +21,32 @@ from cncsub.option_errors import wrong_value
 from cncsub.run import Run
 from cncsub.run_options import MdiOptions, takes
 from cncsub.tables.rows import Step
+
+MOST_DIFFERENCES = 20  # that are looked for one after the other
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A difference of two runs.
+
+    `where`: the step of each that the other does not do likewise, `None` for one that has stopped
+    before. `what`: what each does. `rules`: names of rules that make the difference: the first
+    control with the second one's values for these does what the second one does. Empty where
+    programs are compared, and where no rules make it: then it lies in the languages, or in tables
+    of a control that are no rules. `parameters`: names of parameters that are no rules and make the
+    difference, such as 6050, which registers a code that calls. `untried`: rules whose values could
+    not be exchanged. `why`: these in words, with the modes in force that differ.
+    """
+
+    where: tuple[Step | None, Step | None]
+    what: str
+    rules: tuple[str, ...] = ()
+    parameters: tuple[str, ...] = ()
+    untried: tuple[str, ...] = ()
+    why: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return "\n".join([self.what, *self.why])
 
 
 @dataclass(frozen=True)
@@ -30,14 +58,11 @@ class Comparison:
     codes that end a program are compared by the stop: one sends them to the machine and another
     does not; of two languages what they do is compared, not by which blocks and calls. Moves are
     the same where the tool goes the same path: X of a lathe is a diameter. An alarm is the same by
-    its cause and place: its number is each control's own. `where`: the first step of each that the
-    other does not do likewise, `None` for one that has stopped before. `what`: what each does.
-    `rules`: names of rules that make the difference: the first control with the second one's values
-    for these does what the second one does. Empty where programs are compared, and where no rules
-    make it: then it lies in the languages, or in tables of a control that are no rules. `untried`:
-    rules whose values could not be exchanged. `parameters`: names of parameters that are no rules
-    and make the difference, such as 6050, which registers a code that calls. `changes`: where
-    programs are compared, all that their blocks do otherwise.
+    its cause and place: its number is each control's own. `differences`: the first difference; with
+    `all_differences` those after it too, each found with the rules of the ones before it exchanged.
+    `rest`: why no more were looked for, or that there are none. `where`, `what`, `rules`,
+    `parameters`, `untried`: those of the first difference. `changes`: where programs are compared,
+    all that their blocks do otherwise.
 
     >>> import cncsub
     >>> library = cncsub.loads("O1\\nN10 M98 P2 L0\\nM30\\nO2\\nM99\\n", control="fanuc-0i-f")
@@ -47,13 +72,30 @@ class Comparison:
     """
 
     same: bool
-    where: tuple[Step | None, Step | None] | None
-    what: str
-    rules: tuple[str, ...]
-    untried: tuple[str, ...]
     runs: tuple[Run, Run] = field(repr=False)
-    parameters: tuple[str, ...] = ()
+    differences: tuple[Difference, ...] = ()
+    rest: str = ""
     changes: tuple[BlockChange, ...] = field(default=(), repr=False)
+
+    @property
+    def where(self) -> tuple[Step | None, Step | None] | None:
+        return self.differences[0].where if self.differences else None
+
+    @property
+    def what(self) -> str:
+        return self.differences[0].what if self.differences else "the same"
+
+    @property
+    def rules(self) -> tuple[str, ...]:
+        return self.differences[0].rules if self.differences else ()
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        return self.differences[0].parameters if self.differences else ()
+
+    @property
+    def untried(self) -> tuple[str, ...]:
+        return self.differences[0].untried if self.differences else ()
 
     def _repr_html_(self) -> str:
         from cncsub.notebook_values import comparison_html
@@ -63,14 +105,8 @@ class Comparison:
     def __str__(self) -> str:
         if self.same:
             return "the same"
-        lines = [self.what]
-        if self.rules:
-            lines.append("the rules that make it: " + ", ".join(self.rules))
-        if self.parameters:
-            lines.append("the parameters that make it: " + ", ".join(self.parameters))
-        if self.untried:
-            lines.append("rules that could not be exchanged: " + ", ".join(self.untried))
-        return "\n".join(lines)
+        told = "\n\n".join(map(str, self.differences))
+        return f"{told}\n\n{self.rest}" if self.rest else told
 
 
 @takes(MdiOptions)
@@ -81,6 +117,7 @@ def compare(
     controls: Sequence[str | Control] | None = None,
     control: str | Control | None = None,
     main: str | int | None = None,
+    all_differences: bool = False,
     **options: Unpack[MdiOptions],
 ) -> Comparison:
     """Run the same programs on two `controls`, or two versions of programs, and return where they
@@ -88,21 +125,27 @@ def compare(
 
     `first`, `second`: libraries, or paths, which `control` reads. `controls`: two of them, names or
     objects; then there is no `second`. `main` and `options` are those of `Library.run`, for both.
-    Raises what `load` and `run` raise, and `TypeError` where it is not clear what to compare.
+    `all_differences`: of two controls, go on after the first difference: the rules that make it are
+    exchanged, and the next one is looked for. Raises what `load` and `run` raise, and `TypeError`
+    where it is not clear what to compare.
 
     >>> import cncsub
     >>> before = cncsub.loads("O1\\nN10 G0 X1.\\nM30\\n", control="fanuc-0i-f")
     >>> after = cncsub.loads("O1\\n(ROUGH)\\nN10 G0 X2.\\nM30\\n", control="fanuc-0i-f")
     >>> print(cncsub.compare(before, after))
-    before: O1 N10, line 2: move 0 with x = 1
-    after: O1 N10, line 3: move 0 with x = 2
+    before: O1 N10, line 2: move 0 goes to x = 1
+    after: O1 N10, line 3: move 0 goes to x = 2
     """
     if options.get("trace", "moves") != "moves":
         raise TypeError("compare looks at all that a run does and takes no trace")
     if controls is not None:
         if second is not None:
             raise TypeError("compare takes a second library or two controls, not both")
-        return _compare_controls(first, controls, control, main, options)
+        two = _two_controls(controls)
+        library = _library(first, control or two[0])
+        return _OfControls(library, two, main, options).compared(every=all_differences)
+    if all_differences:
+        raise TypeError("all_differences is of two controls; `changes` holds those of two versions")
     if second is None:
         raise TypeError("compare takes a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
@@ -110,10 +153,10 @@ def compare(
     pair = kind((a, b), ("before", "after"), main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)
-    compared = _told(pair, runs, parting, (), ())
-    if compared.same:
-        return compared
-    return replace(compared, changes=block_changes((a, b), runs, pair.watched(*runs)))
+    if parting is None:
+        return Comparison(True, runs)
+    changes = block_changes((a, b), runs, pair.watched(*runs))
+    return Comparison(False, runs, (Difference(_where(runs, parting), parting.what),), "", changes)
 
 
 def _library(of: Library | str | os.PathLike[str], control: str | Control | None) -> Library:
@@ -124,58 +167,114 @@ def _library(of: Library | str | os.PathLike[str], control: str | Control | None
     return load(of, control=control)
 
 
-def _compare_controls(
-    of: Library | str | os.PathLike[str],
-    controls: Sequence[str | Control],
-    control: str | Control | None,
-    main: str | int | None,
-    options: MdiOptions,
-) -> Comparison:
+def _two_controls(controls: Sequence[str | Control]) -> tuple[Control, Control]:
     if isinstance(controls, str | Control) or len(controls) != 2:
         raise TypeError("compare takes two controls: controls=[one, another]")
-    one, other = (control_of(each) for each in controls)
-    library = _library(of, control or one)
-    texts = (library.read_for(one), library.read_for(other))
-    names = (one.name, other.name) if one.name != other.name else ("first", "second")
-    for each in (one, other):
-        if lacking := variables_lacking(each, options.get("variables") or {}):
-            raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
-    pair = _ControlPair(texts, names, main, options)
-    runs = pair.runs()
-    parting = pair.parting(*runs)
-    if parting is None:
-        return _told(pair, runs, None, (), ())
-    blocks = min(parting.first, parting.second) + 1  # as far as the first difference
-    limit = min(blocks, options.get("max_blocks", 10_000_000))
-    wanted = pair.run(texts[1], max_blocks=limit)
-
-    def explains(control: Control) -> bool:
-        try:
-            exchanged = library.read_for(control)
-            tried = pair.run(exchanged, max_blocks=limit)
-        except (KeyError, ValueError):  # read so, there is no such main program or variable
-            return False
-        other = _ControlPair((exchanged, texts[1]), names, main, options)
-        return other.parting(tried, wanted) is None
-
-    made, untried = rules_between(one, other, explains)
-    rules = tuple(name for name in made if name not in one.parameters)
-    parameters = tuple(name for name in made if name in one.parameters)
-    return replace(_told(pair, runs, parting, rules, untried), parameters=parameters)
+    return control_of(controls[0]), control_of(controls[1])
 
 
-def _told(
-    pair: Pair,
-    runs: tuple[Run, Run],
-    parting: Parting | None,
-    rules: tuple[str, ...],
-    untried: tuple[str, ...],
-) -> Comparison:
-    if parting is None:
-        return Comparison(True, None, "the same", (), (), runs)
+def _where(runs: tuple[Run, Run], parting: Parting) -> tuple[Step | None, Step | None]:
     steps = (parting.first, parting.second)
-    where = tuple(run.steps[at] if at < len(run.steps) else None for run, at in zip(runs, steps))
-    return Comparison(False, (where[0], where[1]), parting.what, rules, untried, runs)
+    one, other = (
+        run.steps[at] if at < len(run.steps) else None for run, at in zip(runs, steps, strict=True)
+    )
+    return one, other
+
+
+class _OfControls:
+    """The same programs on two controls: their differences, one after the other."""
+
+    def __init__(
+        self,
+        library: Library,
+        controls: tuple[Control, Control],
+        main: str | int | None,
+        options: MdiOptions,
+    ) -> None:
+        one, other = controls
+        self._library = library
+        self._controls = controls
+        self._names = (one.name, other.name) if one.name != other.name else ("first", "second")
+        self._main = main
+        self._options = options
+        for each in controls:
+            if lacking := variables_lacking(each, options.get("variables") or {}):
+                raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
+
+    def compared(self, *, every: bool) -> Comparison:
+        """Return the first difference, or every one until none is left or no rule makes it."""
+        one = self._controls[0]
+        pair = self._pair(one)
+        runs = first = pair.runs()
+        found: list[Difference] = []
+        while (parting := pair.parting(*runs)) is not None:
+            changed, difference = self._difference(one, pair, runs, parting)
+            found.append(difference)
+            if not every or changed is None or len(found) == MOST_DIFFERENCES:
+                break
+            one = changed
+            pair = self._pair(one)
+            runs = pair.run(pair.libraries[0]), runs[1]
+        rest = self._rest(found, ended=parting is None) if every and found else ""
+        return Comparison(not found, first, tuple(found), rest)
+
+    def _rest(self, found: list[Difference], *, ended: bool) -> str:
+        one, other = self._names
+        if ended:
+            return f"with these rules of {other}, {one} does the same as {other}"
+        if len(found) == MOST_DIFFERENCES:
+            return f"no more than {MOST_DIFFERENCES} differences are looked for"
+        return "what comes after is not compared: no rule is known to make this difference"
+
+    def _pair(self, one: Control) -> _ControlPair:
+        texts = (self._library.read_for(one), self._library.read_for(self._controls[1]))
+        return _ControlPair(texts, self._names, self._main, self._options)
+
+    def _difference(
+        self, one: Control, pair: _ControlPair, runs: tuple[Run, Run], parting: Parting
+    ) -> tuple[Control | None, Difference]:
+        """Return a difference, and the first control with the rules exchanged that make it."""
+        other = self._controls[1]
+        blocks = min(parting.first, parting.second) + 1  # as far as the first difference
+        limit = min(blocks, self._options.get("max_blocks", 10_000_000))
+        wanted = pair.run(pair.libraries[1], max_blocks=limit)
+
+        def explains(control: Control) -> bool:
+            try:
+                exchanged = self._pair(control)
+                tried = exchanged.run(exchanged.libraries[0], max_blocks=limit)
+            except (KeyError, ValueError):  # read so, there is no such main program or variable
+                return False
+            return exchanged.parting(tried, wanted) is None
+
+        exchange = RuleExchange(one, other)
+        made = exchange.fewest(explains)
+        rules = tuple(name for name in made if name not in one.parameters)
+        parameters = tuple(name for name in made if name in one.parameters)
+        both = (one, other)
+        modes = list(self._modes(both, pair, runs, parting))
+        why = reasons(both, self._names, modes, rules, parameters, exchange.untried)
+        where = _where(runs, parting)
+        difference = Difference(where, parting.what, rules, parameters, exchange.untried, why)
+        return exchange.control(made) if made else None, difference
+
+    def _modes(
+        self,
+        both: tuple[Control, Control],
+        pair: _ControlPair,
+        runs: tuple[Run, Run],
+        parting: Parting,
+    ) -> Iterator[str]:
+        """Yield the modes in force at a move that both make, each its own way."""
+        ended = (len(run.steps) for run in runs)
+        if not parting.column or any(map(operator.ge, parting[:2], ended)):
+            return
+        one, other = (
+            pair.run(library, max_blocks=at + 1).modal
+            for library, at in zip(pair.libraries, parting[:2], strict=True)
+        )
+        machine = machine_of(self._options)
+        yield from modes_apart(both, self._names, (one, other), parting.column, machine)
 
 
 class _ControlPair(OtherControlPair):

@@ -9,37 +9,49 @@ from cncsub._core import Control
 Value = bool | int | str
 
 
-def rules_between(
-    one: Control, other: Control, explains: Callable[[Control], bool]
-) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the fewest rules of `other`, and parameters that are no rules, with which `one`
-    becomes a control that `explains`; and the rules whose values could not be given to it. The
-    first are none where even all of them do not explain.
+class RuleExchange:
+    """The rules of one control that another one answers otherwise, and parameters that are no
+    rules. `untried`: rules whose values could not be given to the first control.
     """
-    values = {rule.name: rule.value for rule in other.rules}
-    changes: dict[str, Value] = {}
-    untried = []
-    for rule in one.rules:
-        if rule.name not in values or rule.value == values[rule.name]:
-            continue
-        written = _written(one, rule.name, values[rule.name])
-        if written is None:
-            untried.append(rule.name)
-        else:
-            changes[rule.name] = written
 
-    parameters = _other_parameters(one, other)
+    def __init__(self, one: Control, other: Control) -> None:
+        self._one = one
+        self._changes: dict[str, Value] = {}
+        self._parameters = _other_parameters(one, other)
+        values = {rule.name: rule.value for rule in other.rules}
+        untried = []
+        for rule in one.rules:
+            if rule.name not in values or rule.value == values[rule.name]:
+                continue
+            written = _written(one, rule.name, values[rule.name])
+            if written is None:
+                untried.append(rule.name)
+            else:
+                self._changes[rule.name] = written
+        self.untried = tuple(untried)
 
-    def exchanged(names: Sequence[str]) -> bool:
-        try:
-            control = one.replace(**{name: changes[name] for name in names if name in changes})
-            given = {name: parameters[name] for name in names if name in parameters}
-            control = control.with_parameters(given) if given else control
-        except ValueError:  # these values do not go together
-            return False
-        return explains(control)
+    def control(self, names: Sequence[str]) -> Control:
+        """Return the first control with the values of the other one for these rules and
+        parameters. `ValueError`: these values do not go together.
+        """
+        rules = {name: self._changes[name] for name in names if name in self._changes}
+        control = self._one.replace(**rules)
+        given = {name: self._parameters[name] for name in names if name in self._parameters}
+        return control.with_parameters(given) if given else control
 
-    return tuple(_fewest([*changes, *parameters], exchanged)), tuple(untried)
+    def fewest(self, explains: Callable[[Control], bool]) -> tuple[str, ...]:
+        """Return the fewest rules and parameters with which the first control becomes one that
+        `explains`; none where even all of them do not explain.
+        """
+
+        def explained(names: Sequence[str]) -> bool:
+            try:
+                control = self.control(names)
+            except ValueError:
+                return False
+            return explains(control)
+
+        return tuple(_fewest([*self._changes, *self._parameters], explained))
 
 
 def _other_parameters(one: Control, other: Control) -> dict[str, float]:

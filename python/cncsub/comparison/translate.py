@@ -12,6 +12,7 @@ from typing import Unpack
 from cncsub._core import Control
 from cncsub.analysis.pairs import OtherControlPair, Parting, variables_lacking
 from cncsub.checking import Edit
+from cncsub.comparison.reasons import machine_of
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
 from cncsub.library import Library
@@ -114,18 +115,9 @@ def translate(
         library = load(of, control=control)
     if lacking := variables_lacking(target, options.get("variables") or {}):
         raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
-    rewriting = Rewriting(library, target, _machine_of(options))
+    rewriting = Rewriting(library, target, machine_of(options))
     rewriting.rewrite()
     return _proved(rewriting, main, options)
-
-
-def _machine_of(options: MdiOptions) -> str:
-    """Return the kind of machine that the setup gives; empty for the control's own."""
-    setup = options.get("setup")
-    if setup is None:
-        return ""
-    told = setup.get("machine") if isinstance(setup, Mapping) else setup.machine
-    return told or ""
 
 
 def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -> Translation:

@@ -86,17 +86,32 @@ def _frame_facts(frame: Frame) -> dict[str, Any]:
 
 
 def comparison_facts(compared: Comparison) -> dict[str, Any]:
-    where = [None if step is None else asdict(step) for step in compared.where or ()]
     return {
         "version": 1,
         "same": compared.same,
-        "where": where,
+        "where": _steps_facts(compared.where or ()),
         "what": compared.what,
         "rules": list(compared.rules),
         "untried": list(compared.untried),
         "parameters": list(compared.parameters),
+        "differences": [
+            {
+                "where": _steps_facts(difference.where),
+                "what": difference.what,
+                "rules": list(difference.rules),
+                "parameters": list(difference.parameters),
+                "untried": list(difference.untried),
+                "why": list(difference.why),
+            }
+            for difference in compared.differences
+        ],
+        "rest": compared.rest or None,
         "changes": [_change_facts(change) for change in compared.changes],
     }
+
+
+def _steps_facts(steps: Iterable[Any]) -> list[dict[str, Any] | None]:
+    return [None if step is None else asdict(step) for step in steps]
 
 
 def _change_facts(change: BlockChange) -> dict[str, Any]:
@@ -329,19 +344,8 @@ def _alarm_entry(entry: Any) -> dict[str, Any]:
 
 def unknown_alarm(asked: str, among: list[Control], rules: Iterable[str]) -> str:
     numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
-    near = did_you_mean(asked, [*causes, *rules, *dict.fromkeys(numbers)])
+    of_controls = [name for c in among for name in (*(r.name for r in c.rules), *c.parameters)]
+    known = dict.fromkeys([*causes, *rules, *numbers, *of_controls])
     where = f" on {among[0].name}" if len(among) == 1 else ""
-    known = [(c.name, what) for c in among if (what := _fact_of_control(c, asked))]
-    if known:
-        names = list(dict.fromkeys(name for name, _ in known))
-        of = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
-        lead = f"`cncsub controls {names[0]} {asked}` prints it"
-        return f"{asked!r} is {known[0][1]} of {of}, no alarm, cause or rule of check: {lead}"
-    return f"no alarm, cause or rule is called {asked!r}{where}{near}"
-
-
-def _fact_of_control(control: Control, asked: str) -> str | None:
-    """Return what else of a control has this name."""
-    if asked in control.parameters:
-        return "a parameter"
-    return "a rule" if any(rule.name == asked for rule in control.rules) else None
+    what = "code, alarm, cause, rule or parameter"
+    return f"no {what} is called {asked!r}{where}{did_you_mean(asked, known)}"
