@@ -59,9 +59,9 @@ def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str
 
 
 def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str:
-    """Return `; near are ...` for the end of a message, or `otherwise`."""
+    """Return `; did you mean ...?` for the end of a message, or `otherwise`."""
     near = near_names(name, names)
-    return f"; near are {', '.join(near)}" if near else otherwise
+    return f"; did you mean {', '.join(near)}?" if near else otherwise
 
 
 def names_beginning(letters: str) -> list[str]:
@@ -70,7 +70,7 @@ def names_beginning(letters: str) -> list[str]:
 
 
 class Named(Mapping[str, T]):
-    """A mapping whose `KeyError` names what is near."""
+    """A mapping whose `KeyError` suggests similar names."""
 
     def __init__(self, what: str, read: Callable[[], dict[str, T]]) -> None:
         self._what = what
@@ -85,7 +85,7 @@ class Named(Mapping[str, T]):
             return self._entries[name]
         except (KeyError, TypeError):
             known = did_you_mean(name, self._entries, f"; there are {', '.join(self._entries)}")
-            raise KeyError(f"no {self._what} is called {name!r}{known}") from None
+            raise KeyError(f"there is no {self._what} {name!r}{known}") from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._entries)
@@ -143,17 +143,17 @@ def sources_of(control: Control) -> list[Source]:
 
 
 def control_of(control: str | Control) -> Control:
-    """Return the control of this name, or the control itself. `ValueError` names what is near."""
+    """Return the control of this name, or the control itself; `ValueError` suggests others."""
     if isinstance(control, Control):
         return control
     if not isinstance(control, str):
         raise TypeError(
-            "control is a name such as 'fanuc-0i-f' or a cncsub.Control,"
+            "control must be a name such as 'fanuc-0i-f' or a cncsub.Control,"
             f" not {type(control).__name__}"
         )
     if control not in controls:
         known = did_you_mean(control, controls, f"; there are {', '.join(controls)}")
-        raise ValueError(f"no control is called {control!r}{known}")
+        raise ValueError(f"there is no control {control!r}{known}")
     return controls[control]
 
 

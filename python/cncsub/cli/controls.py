@@ -38,14 +38,14 @@ def controls(
     words: Annotated[
         list[str] | None,
         typer.Argument(
-            help="Only what holds all of these: 6005, repeat, PS0076.", show_default=False
+            help="Only the facts with all of these words: 6005, repeat, PS0076.", show_default=False
         ),
     ] = None,
     diff: Annotated[
         str | None,
         typer.Option(
             "--diff",
-            help="Another control: what differs.",
+            help="Show the differences from another control.",
             metavar="OTHER",
             autocompletion=names_beginning,
         ),
@@ -63,7 +63,7 @@ def controls(
     if name is None:
         with wrong_use():
             if diff is not None:
-                raise ValueError("--diff compares two controls: name the first one too")
+                raise ValueError("--diff compares two controls: give the first one too")
             own = project_for(None).own_control
         listed = {known.name: known.title for known in cncsub.controls.values()}
         if own is not None:
@@ -82,7 +82,7 @@ def controls(
     if diff is None:
         with wrong_use():
             if words and not any(facts[kind] for kind in _LISTS):
-                raise ValueError(f"nothing of {control.name} holds {' and '.join(words)}")
+                raise ValueError(f"{control.name} has no fact with {' and '.join(words)}")
         _tell(facts, format, output, lambda: _lines(facts))
         return
     other = control_named(diff)
@@ -211,7 +211,7 @@ def _told_apart(*values: Any) -> list[str]:
     """Return two values as texts; of long lists only what the other has not."""
     lists = [str(value).split() for value in values]
     if None in values or max(map(len, lists)) <= MOST_WORDS:
-        return ["is not there" if value is None else _shown_value(value) for value in values]
+        return ["does not exist" if value is None else _shown_value(value) for value in values]
     return [
         "besides: " + (" ".join(word for word in mine if word not in other) or "nothing")
         for mine, other in (lists, lists[::-1])

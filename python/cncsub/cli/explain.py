@@ -30,7 +30,7 @@ def explain(
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,
 ) -> None:
-    """Tell what an alarm means, what raises it and how to cure it; or what a rule finds."""
+    """Explain what an alarm means, what raises it and how to cure it, or what a rule finds."""
     if re.fullmatch(r"CS\d*", alarm, re.IGNORECASE) or _names_rule(alarm):
         _explain_rule(alarm, format, output)
         return
@@ -59,7 +59,7 @@ def _explain_rule(name: str, format: Format, output: Path | None) -> None:
         f"{rule.number} {rule.name}, {rule.severity}",
         f"  finds: {rule.meaning}",
         f"  cure: {rule.hint}",
-        f"  such as, on {rule.control}:",
+        f"  example, on {rule.control}:",
         example.rstrip("\n"),
     ]
     write_text(output, lambda console: console.print("\n".join(lines)))

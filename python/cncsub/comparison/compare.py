@@ -65,11 +65,11 @@ class Comparison:
             return "the same"
         lines = [self.what]
         if self.rules:
-            lines.append("the rules that make it: " + ", ".join(self.rules))
+            lines.append("the rules that cause it: " + ", ".join(self.rules))
         if self.parameters:
-            lines.append("the parameters that make it: " + ", ".join(self.parameters))
+            lines.append("the parameters that cause it: " + ", ".join(self.parameters))
         if self.untried:
-            lines.append("rules that could not be exchanged: " + ", ".join(self.untried))
+            lines.append("rules that could not be tried: " + ", ".join(self.untried))
         return "\n".join(lines)
 
 
@@ -98,13 +98,13 @@ def compare(
     after: O1 N10, line 3: move 0 with x = 2
     """
     if options.get("trace", "moves") != "moves":
-        raise TypeError("compare looks at all that a run does and takes no trace")
+        raise TypeError("compare records all that a run does; leave out trace")
     if controls is not None:
         if second is not None:
-            raise TypeError("compare takes a second library or two controls, not both")
+            raise TypeError("compare needs either a second library or two controls, not both")
         return _compare_controls(first, controls, control, main, options)
     if second is None:
-        raise TypeError("compare takes a second library, or controls=[one, another]")
+        raise TypeError("compare needs a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
     kind = Pair if a.control.dialect == b.control.dialect else _ControlPair
     pair = kind((a, b), ("before", "after"), main, options)
@@ -132,7 +132,7 @@ def _compare_controls(
     options: MdiOptions,
 ) -> Comparison:
     if isinstance(controls, str | Control) or len(controls) != 2:
-        raise TypeError("compare takes two controls: controls=[one, another]")
+        raise TypeError("compare needs two controls: controls=[one, another]")
     one, other = (control_of(each) for each in controls)
     library = _library(of, control or one)
     texts = (library.read_for(one), library.read_for(other))

@@ -27,7 +27,7 @@ def effect_of(parameter: Parameter, name: Callable[[str], str] = str) -> str:
     """
     if parameter.rules:
         return f"sets {', '.join(map(name, parameter.rules))}"
-    return "" if parameter.used else "nothing is computed from it"
+    return "" if parameter.used else "cncsub computes nothing from it"
 
 
 def run_facts(run: Run, title: str) -> dict[str, Any]:
@@ -246,7 +246,7 @@ def _user_alarm(raising: list[tuple[Control, str]]) -> dict[str, Any]:
         "text": "the message that the program gives",
         "printed": None,
         "directed": {},
-        "source": f"#3000={int(number[-3:])} of a program, as it runs here",
+        "source": f"a program raises it with #3000={int(number[-3:])}",
         "evidence": "see the rules of the control",
     }
     told = _explanation("user-alarm", [control for control, _ in raising], None)
@@ -336,8 +336,10 @@ def unknown_alarm(asked: str, among: list[Control], rules: Iterable[str]) -> str
         names = list(dict.fromkeys(name for name, _ in known))
         of = ", ".join(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
         lead = f"`cncsub controls {names[0]} {asked}` prints it"
-        return f"{asked!r} is {known[0][1]} of {of}, no alarm, cause or rule of check: {lead}"
-    return f"no alarm, cause or rule is called {asked!r}{where}{near}"
+        return (
+            f"{asked!r} is {known[0][1]} of {of}, not an alarm, a cause or a rule of check: {lead}"
+        )
+    return f"there is no alarm, cause or rule {asked!r}{where}{near}"
 
 
 def _fact_of_control(control: Control, asked: str) -> str | None:
