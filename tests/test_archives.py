@@ -87,8 +87,8 @@ def test_what_a_file_does_is_its_status(tmp_path: Path, here: Executor) -> None:
     alarm = found["alarm.nc"]
     assert (alarm["cause"], alarm["program"], alarm["n"]) == ("program-not-found", "O1", 10)
     assert found["endless.nc"]["n"] == 10
-    assert found["broken.nc"]["error"] == "a link that leads nowhere"
-    assert table.schema.metadata[b"cncsub.skipped"] == b'{".pdf files are no programs": 1}'
+    assert found["broken.nc"]["error"] == "a broken link"
+    assert table.schema.metadata[b"cncsub.skipped"] == b'{".pdf files are not programs": 1}'
 
 
 def test_a_link_out_of_the_folder_is_never_read(tmp_path: Path, here: Executor) -> None:
@@ -97,7 +97,7 @@ def test_a_link_out_of_the_folder_is_never_read(tmp_path: Path, here: Executor) 
     (tmp_path / "in" / "O1.nc").symlink_to(outside)
     table = cncsub.run_many(tmp_path / "in", CONTROL, executor=here)
     assert list(rows(table)) == ["O2.nc"]
-    assert b"leads out" in table.schema.metadata[b"cncsub.skipped"]
+    assert b"outside the folder" in table.schema.metadata[b"cncsub.skipped"]
 
 
 def test_names_in_two_folders_are_two_rows_and_a_file_given_twice_is_one(
@@ -132,11 +132,11 @@ def test_a_bad_file_of_a_folder_is_told_in_its_row(tmp_path: Path, here: Executo
 
 
 def test_wrong_options_are_told_before_anything_is_run(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="max_blocks is at least 0"):
+    with pytest.raises(ValueError, match="max_blocks must be at least 0"):
         cncsub.run_many(tmp_path, CONTROL, max_blocks=-1)
     with pytest.raises(TypeError, match="no option 'trace'"):
         cncsub.run_many(tmp_path, CONTROL, trace="none")
-    with pytest.raises(ValueError, match="each is one of file, beside, folder"):
+    with pytest.raises(ValueError, match="each must be one of file, beside, folder"):
         cncsub.run_many(tmp_path, CONTROL, each="all")
     with pytest.raises(ValueError, match="at least 1"):
         cncsub.run_many(tmp_path, CONTROL, jobs=0)
@@ -203,7 +203,7 @@ def test_a_folder_of_another_batch_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="another options"):
         cncsub.run_many([], CONTROL, executor=Ending(), out=out, max_blocks=5)
     write(tmp_path / "full", "x.txt", "x")
-    with pytest.raises(ValueError, match="holds something else"):
+    with pytest.raises(ValueError, match="is not the folder of a batch"):
         cncsub.run_many([], CONTROL, executor=Ending(), out=tmp_path / "full")
 
 
@@ -248,7 +248,7 @@ class Killing(Executor):
         return self.pool.submit(work, *arguments, **named)
 
 
-@pytest.mark.filterwarnings("ignore:a chunk is done again:RuntimeWarning")
+@pytest.mark.filterwarnings("ignore:a part of the work is repeated:RuntimeWarning")
 def test_a_process_killed_on_the_way_costs_no_row(tmp_path: Path) -> None:
     archive(tmp_path, 600)
     killing = Killing()
@@ -273,13 +273,13 @@ class Lost(Ending):
 
 def test_a_chunk_that_is_lost_is_done_here_and_told(tmp_path: Path) -> None:
     archive(tmp_path, 40)
-    with pytest.warns(RuntimeWarning, match="done again .* OSError: the worker is gone"):
+    with pytest.warns(RuntimeWarning, match="repeated .* OSError: the worker is gone"):
         table = cncsub.run_many(tmp_path, CONTROL, executor=Lost(3))
     assert [Path(p).name for p in table["path"].to_pylist()] == [f"O{i}.nc" for i in range(1, 41)]
     assert set(table["status"].to_pylist()) == {"ran"}
 
 
-@pytest.mark.filterwarnings("ignore:a chunk is done again:RuntimeWarning")
+@pytest.mark.filterwarnings("ignore:a part of the work is repeated:RuntimeWarning")
 def test_a_process_of_our_own_that_is_killed_is_replaced(tmp_path: Path) -> None:
     archive(tmp_path, 800)
 
@@ -350,7 +350,7 @@ def test_the_workers_of_a_process_that_is_killed_end_with_it(tmp_path: Path) -> 
 
 
 def is_running(pid: int) -> bool:
-    """Return whether a process is there and has not ended."""
+    """Return whether a process is there and is still open here."""
     try:
         state = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
     except OSError:
@@ -412,7 +412,7 @@ def test_each_finding_is_a_row(tmp_path: Path, here: Executor) -> None:
     assert (missing["status"], missing["rule"], missing["n"]) == ("finding", "CS201", 10)
     assert (missing["alarm"], missing["severity"], missing["word"]) == ("PS0076", "error", "P9")
     assert (point["rule"], point["alarm"], point["column"]) == ("CS701", None, 13)
-    assert (bad["status"], bad["error"]) == ("unreadable", "a link that leads nowhere")
+    assert (bad["status"], bad["error"]) == ("unreadable", "a broken link")
     errors = cncsub.check_many(tmp_path, CONTROL, executor=here, rules=["CS2"]).to_pylist()
     assert [row["rule"] for row in errors] == ["CS201", None]
     with pytest.raises(KeyError, match="CS999"):
@@ -449,7 +449,7 @@ def test_the_command_takes_from_the_project_what_no_command_needs_again(
     assert (done.exit_code, done.stdout) == (0, "       1 ran\n")
     (tmp_path / "cncsub.toml").unlink()
     done = CliRunner().invoke(app, ["batch", "-c", CONTROL])
-    assert (done.exit_code, "Name files or folders" in done.stderr) == (2, True)
+    assert (done.exit_code, "Give files or folders" in done.stderr) == (2, True)
 
 
 def test_the_command_checks_each_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

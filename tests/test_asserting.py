@@ -38,7 +38,7 @@ def test_a_failure_shows_what_happened() -> None:
     assert "N30 M98 P9" in shown  # the block, as the message of the alarm has it
     assert "called from O0001 N20" in shown or "called from O1 N20" in shown
     assert (
-        "what ran last, of 2 blocks:\n  O1 N10, line 2, depth 0: N10 #100=5\n"
+        "the last of 2 blocks:\n  O1 N10, line 2, depth 0: N10 #100=5\n"
         "  O1 N20, line 3, depth 0: N20 M98 P2" in shown
     )
     assert shown.endswith("variables: #100 = 5")
@@ -49,7 +49,7 @@ def test_a_failure_is_no_longer_than_it_must_be() -> None:
     with pytest.raises(AssertionError) as failure:
         run_of(text).assert_ends()
     shown = str(failure.value)
-    assert "and 16 more that hold a value" in shown
+    assert "and 16 more with a value" in shown
     assert shown.count("line ") < 12
 
 
@@ -90,7 +90,7 @@ def test_another_alarm_or_another_place_fails(text: str, expected: str, at: str 
 @pytest.mark.parametrize(
     ("expected", "at", "error", "says"),
     [
-        (78, None, TypeError, "by its number or cause, a text, not 78"),
+        (78, None, TypeError, "the number or the cause of an alarm, a text, not 78"),
         (None, None, TypeError, "not None"),
         ("078", 30, TypeError, 'such as "O10 N30", not 30'),
         ("078", "", ValueError, 'such as "O10 N30"'),

@@ -73,7 +73,7 @@ def test_a_link_that_is_left_alone_is_told_and_read_when_it_is_named(job: Path) 
     link.symlink_to("../out/real.nc")
     status, _, told = command("run", job / "main.nc", *C)
     assert status == 1
-    assert f"{link} was not read: a link that leads out of the folder; name it too" in told
+    assert f"{link} was not read: a link to a place outside the folder; give it too" in told
     assert is_read(job, job / "main.nc", link)
 
 
@@ -184,7 +184,7 @@ def test_a_project_beside_foreign_programs_names_nothing_outside(
         (shop / file).write_text(head + place(shop, key, lead))
         status, out, told = command("run", shop / "main.nc")
         assert (status, out) == (2, "")
-        assert f"{shop / file}: {key} leads out of its folder" in told
+        assert f"{shop / file}: {key} is outside the folder" in told
         assert f"give --{key} {shop / lead}" in told
         assert (command("check", shop)[0] == 2) == (key in ("external", "setup"))
 
@@ -201,11 +201,11 @@ def test_one_s_own_project_names_what_it_likes_and_that_is_told(
     monkeypatch.chdir(shop)
     status, _, told = command("run", "main.nc")
     assert status == 0
-    assert f"note: {shop.parent / 'out'}: the project names it for external" in told
+    assert f"note: {shop.parent / 'out'}: the project file gives it as external" in told
     monkeypatch.setattr(system, "is_ours", lambda path: False)  # another user has it
     status, _, told = command("run", "main.nc")
     assert status == 2
-    assert "external leads out of its folder" in told
+    assert "external is outside the folder" in told
 
 
 def test_a_project_beside_foreign_programs_names_what_lies_in_its_folder(shop: Path) -> None:
@@ -222,7 +222,7 @@ def test_a_project_that_is_a_link_is_no_way_out(shop: Path) -> None:
     (shop / "cncsub.toml").symlink_to("../out/cncsub.toml")
     status, _, told = command("run", shop / "main.nc")
     assert status == 2
-    assert "is a link that leads out of its folder, and is not read" in told
+    assert "is a link to a file outside its folder, and is not read" in told
 
 
 def test_the_programs_of_another_user_s_project_lie_in_its_folder(

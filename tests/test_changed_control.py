@@ -212,7 +212,7 @@ def test_a_project_may_name_a_changed_control(
     [("max_nestng", "max_nesting"), ("nesting", "max_nesting"), ("Max_Nesting", "max_nesting")],
 )
 def test_a_mistyped_rule_is_answered_with_the_nearest(typed: str, near: str) -> None:
-    with pytest.raises(ValueError, match=f"no rule is named {typed}; near are {near}"):
+    with pytest.raises(ValueError, match=f"there is no rule {typed}; did you mean {near}"):
         FANUC.replace(**{typed: 3})
 
 

@@ -575,7 +575,7 @@ def test_a_finding_says_where_and_what_and_how() -> None:
         "   | N30 M99 P25\n"
         "   |         ^^^\n"
         "called from O1 N10 (M98), part.nc:2\n"
-        "hint: number the block in the program that calls, or return without P"
+        "hint: give that block its number in the caller, or return without P"
     )
     assert (finding.word, finding.file, finding.line, finding.column) == ("P25", "part.nc", 5, 9)
     assert finding.alarm is not None
@@ -656,7 +656,7 @@ def test_very_many_places_are_counted_and_the_first_are_told() -> None:
 def test_the_numbers_that_callers_lack_are_one_finding() -> None:
     callers = "".join(f"O{i}\nM98 P9000\nM99\n" for i in range(1, 30))
     (finding,) = cncsub.loads(callers + "O9000\nN5 M99 P5\n", control=MILL).check(rules=["CS203"])
-    assert finding.message == "there is no N5 in O1, nor in 28 more that call"
+    assert finding.message == "there is no N5 in O1, nor in 28 more callers"
 
 
 def test_what_is_dropped_names_the_parameter() -> None:
@@ -838,7 +838,7 @@ def part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_the_command_tells_and_its_status_says_whether(part: Path) -> None:
     status, output = command("check", "part.nc", "-c", MILL)
     assert status == 1
-    assert "warning CS706 g99-for-m99 [PS5010]: G99 is no return" in output
+    assert "warning CS706 g99-for-m99 [PS5010]: G99 does not return" in output
     assert output.endswith("checked: 2 programs on FANUC Series 0i-F: 1 warning\n")
     assert command("check", "part.nc", "-c", MILL, "--ignore", "CS303", "--ignore", "CS7")[0] == 0
     status, output = command("check", "part.nc", "-c", MILL, "--rule", "CS999")
@@ -968,8 +968,8 @@ def test_a_project_says_what_no_command_needs_again(part: Path, tmp_path: Path) 
     assert command("check")[0] == 0
     assert "PS5010" in command("run")[1]
     for text, told in (
-        ("contro1 = 1", "'contro1'; near are control"),
-        ("control = 1", "control is a text"),
+        ("contro1 = 1", "'contro1'; did you mean control"),
+        ("control = 1", "control must be a text"),
         ('[check]\nignore = ["CS999"]', "CS999"),
         ('[check]\nrules = ["CS1"]', "ignore and severity"),
         ("control", "cncsub.toml"),
@@ -1004,7 +1004,7 @@ def test_a_rule_is_explained() -> None:
         (["part.nc", "--setup", "no.toml"], "no.toml: No such file"),
         (["part.nc", "--encoding", "klingon"], "unknown encoding 'klingon'"),
         (["part.nc", "-o", "no/such/folder.json", "--format", "json"], "No such file or directory"),
-        (["-", "--fix"], "name its file"),
+        (["-", "--fix"], "give its file"),
         (["empty"], "there is no program in the folder"),
     ],
 )
@@ -1018,13 +1018,13 @@ def test_wrong_use_is_told_with_exit_status_2(part: Path, words: list[str], told
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("[tool.cncsub]\n", "its keys stand at the top"),
-        ("folders = [1]", "folders is a list of texts, not 1"),
-        ("parameters = 3", "parameters is a table"),
-        ('parameters = {a = "b"}', "the parameter a is a number"),
-        ('[check]\nseverity = {CS201 = "fatal"}', "a finding is error, warning, note"),
-        ("\udcff\udcfe", "it is no text in UTF-8"),
-        ('control = "fanuc-0i-x"', "near are fanuc-0i-f"),
+        ("[tool.cncsub]\n", "its keys belong at the top"),
+        ("folders = [1]", "folders must be a list of texts, not 1"),
+        ("parameters = 3", "parameters must be a table"),
+        ('parameters = {a = "b"}', "the parameter a must be a number"),
+        ('[check]\nseverity = {CS201 = "fatal"}', "a severity must be error, warning, note"),
+        ("\udcff\udcfe", "it is not a text in UTF-8"),
+        ('control = "fanuc-0i-x"', "did you mean fanuc-0i-f"),
     ],
 )
 def test_a_project_that_means_nothing_is_told(part: Path, text: str, told: str) -> None:

@@ -102,7 +102,7 @@ def written(pattern: str) -> Callable[[Seen], bool]:
 
 
 def lines_have_the_number(seen: Seen) -> bool:
-    told = re.match(r"(N\d+) stands in lines ([\d, .]+)", seen.finding.message)
+    told = re.match(r"(N\d+) is in lines ([\d, .]+)", seen.finding.message)
     if told is None:  # a label, of which a language has any number
         return re.match(r"it leads to line \d+, and line \d+ has", seen.finding.message) is not None
     return len(re.findall(r"\d+", told[2])) > 1

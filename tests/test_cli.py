@@ -88,7 +88,7 @@ def test_an_alarm_is_printed_whole_and_is_status_1(job: Path) -> None:
         (
             [],
             0,
-            "M99 starts the program over, all cycles asked for ran (--max-cycles), after 2 blocks",
+            "M99 starts the program over, and all passes asked for have run (--max-cycles), after 2 blocks",
         ),
         (["--max-cycles", "3"], 0, "after 6 blocks"),
         (["--max-cycles", "9", "--max-blocks", "5"], 4, "the limit of blocks or memory is reached"),
@@ -166,8 +166,8 @@ def test_an_inputs_file_is_read_and_missed_skips_are_told(job: Path) -> None:
     done = Done("run", job / "probe.nc", "-c", CONTROL, "--inputs", inputs)
     assert done.status == 0
     assert done.out.splitlines()[-2:] == [
-        "skip: O1 N20 met nothing",
-        "skip: O2 N50 met nothing, 3 times",
+        "skip: O1 N20 got no skip signal",
+        "skip: O2 N50 got no skip signal, 3 times",
     ]
     facts = Done(
         "run", job / "probe.nc", "-c", CONTROL, "--inputs", inputs, "--format", "json"
@@ -276,7 +276,7 @@ def test_the_page_of_a_control_is_short_and_names_each_source_once(name: str) ->
     )
     changed = {parameter.name for parameter in control.parameters.values() if parameter.value}
     assert changed <= set(heads)
-    below = lines[lines.index("Sources, and what each is on this control") :]
+    below = lines[lines.index("Sources, and their evidence for this control") :]
     page = " ".join(lines[: -len(below)])
     keys = [line.split(" = ")[0].strip() for line in below if line[2:3].strip() and " = " in line]
     assert len(set(keys)) == len(keys)
@@ -329,14 +329,20 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "{job}/good.nc", "-c", "fanuc-0ig"], "near are fanuc-"),
         (["run", "{job}/god.nc", "-c", CONTROL], "good.nc"),
         (["run", "-c", CONTROL], "which program?"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--main", "O20"], "near are O2"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "x=1"], "--set takes NUMBER=VALUE"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "100"], "--set takes NUMBER=VALUE"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6050"], "--param takes NAME=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--main", "O20"], "did you mean O2"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "x=1"], "--set must be NUMBER=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "100"], "--set must be NUMBER=VALUE"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6050"], "--param must be NAME=VALUE"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6051#9=1"], "the bits of a parameter"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6001#5=2"], "6001#5 is a bit, 0 or 1"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--param", "6151=2"], "no parameter 6151; near"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "3000=1"], "#3000 takes a value from a"),
+        (
+            ["run", "{job}/good.nc", "-c", CONTROL, "--param", "6001#5=2"],
+            "6001#5 is a bit: its value must be 0 or 1",
+        ),
+        (
+            ["run", "{job}/good.nc", "-c", CONTROL, "--param", "6151=2"],
+            "no parameter 6151; the nearest",
+        ),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--set", "3000=1"], "#3000 can be set only by a"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--skip", "12"], "1 to 9"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-blocks", "many"], "--max-blocks"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-cycles", "0"], "--max-cycles"),
@@ -355,7 +361,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
             ["explain", "P9999", "-c", "mitsubishi-m700"],
             "no code, alarm, cause, rule or parameter is called 'P9999'",
         ),
-        (["explain", "program-not-fond"], "near are program-not-found"),
+        (["explain", "program-not-fond"], "did you mean program-not-found"),
         (["rum"], "rum"),
     ],
 )
@@ -453,7 +459,7 @@ def test_a_program_is_not_written_over(job: Path) -> None:
     for command in ("run", "tree"):
         done = Done(command, job / "good.nc", "-c", CONTROL, "-o", job / "." / "good.nc")
         assert done.status == 2
-        assert "name another file" in done.error
+        assert "give another file" in done.error
     assert (job / "good.nc").read_bytes() == text
 
 
@@ -602,7 +608,7 @@ def test_nothing_that_was_read_is_written_over(shop: Path, line: str) -> None:
     before = files()
     done = CliRunner().invoke(app, [*line.split(), "-c", "fanuc-0i-f"])
     assert done.exit_code == 2, done.output
-    assert re.search("name another file|name a file for each|standard output", done.stderr)
+    assert re.search("give another file|a different file for each|standard output", done.stderr)
     assert files() == before
 
 
@@ -623,7 +629,7 @@ def test_what_the_project_names_is_not_written_over(
     for command in ("report", "flatten"):
         done = CliRunner().invoke(app, [command, "-o", name])
         assert done.exit_code == 2, done.output
-        assert "name another file" in done.stderr
+        assert "give another file" in done.stderr
         assert (shop / name).read_bytes() == before
 
 
@@ -641,7 +647,7 @@ def test_an_option_that_takes_one_value_is_not_given_twice(
 ) -> None:
     done = CliRunner().invoke(app, line.split())
     assert done.exit_code == 2, done.output
-    assert f"{option} is given 2 times and takes one value" in done.stderr
+    assert f"{option} is given 2 times; give it once" in done.stderr
 
 
 def test_an_option_that_takes_several_is(shop: Path) -> None:
@@ -680,4 +686,4 @@ def test_a_time_that_counts_on_a_spindle_which_stands_still_is_told(
     file = tmp_path / "turn.nc"
     file.write_text(f"O1\nG99 G0 X50. Z2.\n{cut}\nM30\n")
     out = CliRunner().invoke(app, ["run", str(file), "-c", "gsk-988ta"]).stdout
-    assert ("(where no S was told, at one revolution a minute)" in out) is told
+    assert ("(at one revolution per minute where the program gives no S)" in out) is told

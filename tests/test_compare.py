@@ -161,7 +161,7 @@ def test_paths_are_read(tmp_path: Path) -> None:
         ({}, "a second library, or controls="),
         ({"controls": [MILL, "fanuc-30i"], "second": "x"}, "not both"),
         ({"second": "x"}, "give control="),
-        ({"controls": [MILL, "fanuc-30i"], "trace": "none"}, "takes no trace"),
+        ({"controls": [MILL, "fanuc-30i"], "trace": "none"}, "leave out trace"),
     ],
 )
 def test_wrong_use_is_told(arguments: dict[str, Any], says: str) -> None:
@@ -251,7 +251,7 @@ def test_diff_prints_what_blocks_do(tmp_path: Path) -> None:
     words = ["diff", str(tmp_path / "a.nc"), str(tmp_path / "b.nc"), "-c", MILL]
     done = CliRunner().invoke(app, words)
     assert done.exit_code == 1
-    assert "what blocks do otherwise:\n  O1 N10, line 2: moves: y = 2 -> y = 3" in done.stdout
+    assert "what the blocks do differently:\n  O1 N10, line 2: moves: y = 2 -> y = 3" in done.stdout
     facts = json.loads(CliRunner().invoke(app, [*words, "--format", "json"]).stdout)
     assert facts["changes"][0] == {
         "what": "moves", "old": "y = 2", "new": "y = 3",

@@ -164,13 +164,13 @@ def test_a_probe_that_meets_nothing_brings_inputs_that_answer(tmp_path: Path) ->
     file.write_text("O1\nG0 Z10.\nG31 Z-5. F50\n#100=#5063\nM30\n")
     told = CliRunner().invoke(app, ["run", str(file), "-c", "fanuc-0i-f"]).stderr
     first, *lines = told.splitlines()
-    assert first.startswith("hint: --inputs FILE says what the probe meets")
+    assert first.startswith("hint: describe what the probe touches with --inputs FILE")
     inputs = tmp_path / "inputs.toml"
     inputs.write_text("\n".join(line.strip() for line in lines))
     assert tomllib.loads(inputs.read_text())["workpiece"]["stylus"] == 3
     words = ["run", str(file), "-c", "fanuc-0i-f", "--inputs", str(inputs), "--watch", "100"]
     done = CliRunner().invoke(app, words)
-    assert "met nothing" not in done.stdout
+    assert "no skip signal" not in done.stdout
     assert "#100 vacant -> 5.5" in done.stdout
 
 

@@ -162,8 +162,8 @@ def test_what_json_cannot_hold_is_counted_by_topic() -> None:
     assert told["counts"] == {"cases": 1, "rows": 1, "left_out": 2}
     assert told["cases"][0]["run"]["inputs"] == {"clock": "2026-03-09T00:00:00"}
     assert list(left_out_by_topic(told)) == [
-        "test_conformance_suite: 1 left out: run holds inf, which JSON cannot",
-        "test_conformance_suite: 1 left out: run holds nan, which JSON cannot",
+        "test_conformance_suite: 1 left out: run has inf, which JSON cannot have",
+        "test_conformance_suite: 1 left out: run has nan, which JSON cannot have",
     ]
 
 
@@ -171,7 +171,7 @@ def test_what_json_cannot_hold_is_counted_by_topic() -> None:
     ("text", "told"),
     [
         ("{", "Expecting"),
-        ("[]", "no conformance suite"),
+        ("[]", "not a conformance suite"),
         ('{"format": "cncsub-conformance", "version": 2}', "version 2; this cncsub reads 1"),
         (
             '{"format": "cncsub-conformance", "version": 1, "cases": [{"claim": "x"}]}',
@@ -248,7 +248,7 @@ def test_the_adapter_wants_an_interpreter_and_a_suite(
     assert _tool("rs274_conformance", str(suite), "--rs274", str(tmp_path / "none")) == 2
     assert "install linuxcnc-uspace, or give --rs274 PATH" in capsys.readouterr().err
     assert _tool("rs274_conformance", str(suite), "--rs274", sys.executable) == 2
-    assert "no conformance suite of version 1" in capsys.readouterr().err
+    assert "not a conformance suite of version 1" in capsys.readouterr().err
 
 
 @pytest.mark.skipif(
@@ -265,7 +265,7 @@ def test_linuxcnc_agrees_with_its_rows(
     parted = [line for line in told.splitlines() if line.startswith("linuxcnc/")]
     known = {
         # cncsub has no machine: it refuses what rs274 prints of one.
-        "linuxcnc/variables: what tells of a machine is not computed here",
+        "linuxcnc/variables: what tells of a machine is not computed by cncsub",
         # The machine of the packaged rs274 counts in inches, and has no tool table.
         "linuxcnc/frame: #5161 is the reference point, and may be written",
         "linuxcnc/frame: a bare G30 goes to the second reference point",

@@ -179,7 +179,7 @@ def test_folders_of_a_project_that_lie_outside_of_it_are_told(
         Path("cncsub.toml").write_text(f'control = "{CONTROL}"\nfolders = {folders!r}\n')
         done = CliRunner().invoke(app, words.split())
         assert done.exit_code == 0
-        assert done.stderr.count("the project names it for folders, outside of") == told
+        assert done.stderr.count("the project file gives it as folders, and it is outside") == told
 
 
 def test_no_text_of_a_program_is_markup_in_a_page(tmp_path: Path) -> None:

@@ -326,7 +326,7 @@ def test_nothing_measured_is_0_percent_and_fails_a_limit(tmp_path: Path) -> None
     assert CliRunner().invoke(app, call).exit_code == 0
     gate = CliRunner().invoke(app, [*call, "--fail-under", "0"])
     assert gate.exit_code == 1
-    assert "measured nothing (0 of 0 blocks), and has to reach 0 %" in gate.output
+    assert "measured nothing (0 of 0 blocks), and must reach 0 %" in gate.output
 
 
 def test_reports_name_files_from_the_folder_that_holds_them(

@@ -219,7 +219,7 @@ def test_the_place_of_an_alarm_is_marked() -> None:
     run = ran("O1\nN10 G0 X10. Y10.\nN20 G1 X50. F100\nN30 M98 P9\nN40 X90.\nM30\n")
     assert run.alarm is not None
     mark = group(drawing(run), "alarm")
-    assert titles(mark) == ["PS0076 at O1 N30: the tool stood at X50 Y10 Z0"]
+    assert titles(mark) == ["PS0076 at O1 N30: the tool was at X50 Y10 Z0"]
     assert texts(mark) == ["PS0076 at O1 N30"]
     ((x, y),) = Picture(run).frame().placed(np.array([[50.0, 10.0, 0.0]])).tolist()
     (ring,) = mark.iter(f"{SVG}circle")
@@ -274,7 +274,7 @@ def test_texts_of_programs_are_escaped() -> None:
 
 
 def test_wrong_coordinates_are_told() -> None:
-    with pytest.raises(ValueError, match="coordinates is work or machine, not 'tool'"):
+    with pytest.raises(ValueError, match="coordinates must be work or machine, not 'tool'"):
         ran(DRILLED).svg(coordinates="tool")
 
 

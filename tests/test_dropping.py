@@ -12,7 +12,7 @@ import cncsub
 from cncsub.cli import app
 
 BLOCK = "O1\nN10 M03 S500 M08\nN20 M30\n"
-ALLOWS = "--param 3404#7=1 lets more M codes of a block count, or give it a block of its own"
+ALLOWS = "--param 3404#7=1 lets the control execute more M codes of a block, or write it in a block of its own"
 
 
 @pytest.mark.parametrize("control", ["fanuc-0i-f", "fanuc-16i"])
@@ -40,7 +40,7 @@ def test_a_dropped_stop_does_not_warn_and_coolant_does() -> None:
 def test_a_control_without_such_a_parameter_says_how_many_it_takes() -> None:
     run = cncsub.loads("%1\nN10 M8 M6 M3\nN20 M30\n", control="hnc-21m").run()
     assert run.dropped[0].warning == (
-        "it would start the coolant: the control takes 2 M codes of a block, give it a block of its"
+        "it would start the coolant: the control executes 2 M codes of a block, write it in a block of its"
         " own"
     )
 
@@ -49,7 +49,7 @@ def test_four_m_codes_where_three_count_name_no_parameter() -> None:
     control = cncsub.controls["fanuc-0i-f"].with_parameters({"3404#7": 1})
     run = cncsub.loads("O1\nN10 M8 M7 M3 M41\nN20 M30\n", control=control).run()
     assert [word.warning for word in run.dropped] == [
-        "it would start the coolant: the control takes 3 M codes of a block, give it a block of its"
+        "it would start the coolant: the control executes 3 M codes of a block, write it in a block of its"
         " own"
     ]
 

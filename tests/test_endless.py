@@ -50,7 +50,7 @@ def test_a_state_that_came_back_is_a_proven_loop(
 def test_a_loop_is_told_with_its_places() -> None:
     found = why("O1\nN10 M98 P2\nN20 GOTO10\nO2\nN30 #500=7\nM99\n")
     assert str(found) == (
-        "an endless loop, proven: after 4 blocks everything is as it was; O1 N10, O2 N30, O2 line 6, O1 N20"
+        "an endless loop, proven: after 4 blocks the state is the same again; O1 N10, O2 N30, O2 line 6, O1 N20"
     )
     assert [block.text for block in found.blocks] == [
         "N10 M98 P2", "N30 #500=7", "M99", "N20 GOTO10",
@@ -63,7 +63,7 @@ def test_a_loop_is_told_with_its_places() -> None:
         (F, "O1\nN10 #1=#1+1\nGOTO10\n", ("#1",)),
         (F, "O1\nG91\nN10 G0 X1.\nGOTO10\n", ("X",)),
         (F, "O1\nWHILE[1EQ1]DO1\n#500=#500+1\nEND1\nM30\n", ("#500",)),
-        (F, "O1\nN10 #1=#3001\nGOTO10\n", ("#1", "what it asks of outside")),
+        (F, "O1\nN10 #1=#3001\nGOTO10\n", ("#1", "what it reads from outside")),
         (F, "O1\nN10 #1=#3002\nG4 X1.\nGOTO10\n", ("#1",)),
         (L, "o100 while [1]\n#1=[#1+1]\no100 endwhile\nM2\n", ("#1",)),
     ],
@@ -90,14 +90,14 @@ def test_what_looks_outside_is_not_proven(text: str, outside: str) -> None:
     found = why(text)
     assert (found.why, found.proven, found.outside) == (Why.LONG, False, outside)
     assert found.period > 0
-    assert f"but for {outside}, which it reads from outside; O1 N10" in str(found)
+    assert f"except for {outside}, which it reads from outside; O1 N10" in str(found)
 
 
 def test_a_program_that_starts_over_and_looks_outside_repeats_by_design() -> None:
     found = why("O1\nN10 #1=#3012\nN20 M99\n", max_cycles=10**9)
     assert (found.why, found.proven, found.outside) == (Why.REPEATS, False, "#3012")
     assert str(found) == (
-        "it repeats by design at O1 N20; after 2 blocks everything is as it was, but for #3012,"
+        "it repeats by design at O1 N20; after 2 blocks the state is the same again, except for #3012,"
         " which it reads from outside; O1 N20"
     )
 
@@ -156,7 +156,7 @@ def test_the_run_stays_what_it_is() -> None:
     assert run.endless is run.endless
     assert before == (run.blocks, dict(run.variables), len(run.steps), len(run.moves), run.position)
     assert str(run).startswith("<Run: limit")
-    assert "only long" in str(run)
+    assert "not proven to be endless" in str(run)
 
 
 def test_inputs_that_are_left_are_a_part_of_the_state() -> None:

@@ -145,14 +145,17 @@ def test_a_project_names_its_entries_for_all_commands() -> None:
 def test_an_entry_that_names_no_program_is_a_note(project: Path) -> None:
     write(project, 'entry = ["O90*", "O70*"]')
     told = run("check")[1]
-    assert f"note: entry O70* of {project / 'cncsub.toml'}: no program is named so" in told
+    assert f"note: entry O70* of {project / 'cncsub.toml'}: no program has such a name" in told
     assert "entry O90*" not in told
     assert "entry" not in run("check", "macros/O9000.nc")[1], "one file is not the whole project"
 
 
 @pytest.mark.parametrize(
     ("line", "told"),
-    [('entry = "O90*"', "entry is a list"), ("entry = [9000]", "entry is a list of texts")],
+    [
+        ('entry = "O90*"', "entry must be a list"),
+        ("entry = [9000]", "entry must be a list of texts"),
+    ],
 )
 def test_an_entry_of_a_project_is_a_list_of_names(project: Path, line: str, told: str) -> None:
     write(project, line)

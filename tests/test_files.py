@@ -155,7 +155,7 @@ def test_a_link_that_leaves_the_folder_is_not_followed(tmp_path: Path) -> None:
     (job / "sub").symlink_to(tmp_path / "secret")
     (job / "zero.nc").symlink_to("/dev/zero")
     assert found(job) == ["O1.nc"]
-    assert set(reasons(job).values()) == {"a link that leads out of the folder"}
+    assert set(reasons(job).values()) == {"a link to a place outside the folder"}
     assert set(reasons(job)) == {"O2.nc", "O3.nc", "sub", "zero.nc"}
 
 

@@ -217,11 +217,15 @@ def test_from_other_languages() -> None:
 @pytest.mark.parametrize(
     ("text", "control", "reason"),
     [
-        ("G81 X1. R2. Z-1. F100\nM30\n", "siemens-one", "siemens-one has no code that is what G81"),
-        ("#3000=1(NO)\n", "linuxcnc", "#3000 is written, and the control has no statement"),
+        (
+            "G81 X1. R2. Z-1. F100\nM30\n",
+            "siemens-one",
+            "siemens-one has no code that does what G81",
+        ),
+        ("#3000=1(NO)\n", "linuxcnc", "#3000 gets a value, and the control has no statement"),
         ("G0 X1.\nM99\n", "linuxcnc", "the program starts over at its end, and linuxcnc does not"),
         ("G91 G0 X1.\nM30\n", "gsk-980tdi", "the program is one of a mill, and gsk-980tdi is a"),
-        ("#1=1/3\nG0 X1.\nG61\nM30\n", "siemens-one", "has no code that is what G61 is here"),
+        ("#1=1/3\nG0 X1.\nG61\nM30\n", "siemens-one", "has no code that does what G61 does here"),
     ],
 )
 def test_what_has_no_words_on_another_control(text: str, control: str, reason: str) -> None:
@@ -418,5 +422,5 @@ def test_logs_and_prints_of_linuxcnc_stay_what_they_are() -> None:
 
 def test_comments_of_flatten_is_true_or_false() -> None:
     library = cncsub.loads("O1\nM30\n", control="fanuc-0i-f")
-    with pytest.raises(TypeError, match="comments is true or false, not 'x'"):
+    with pytest.raises(TypeError, match="comments must be True or False, not 'x'"):
         library.flatten(comments="x")  # type: ignore[arg-type]

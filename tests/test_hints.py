@@ -28,7 +28,7 @@ def hints(told: str) -> list[str]:
 
 def test_m198_without_a_device_leads_to_external(tmp_path: Path) -> None:
     (told, *_) = hints(run(tmp_path, "O1\nM198 P9\nM30\n")[1])
-    assert told.startswith("--external FOLDER")
+    assert told.startswith("give --external FOLDER")
 
 
 def test_a_program_on_the_other_side_is_named(tmp_path: Path) -> None:
@@ -42,7 +42,7 @@ def test_a_program_on_the_other_side_is_named(tmp_path: Path) -> None:
 def test_a_file_beside_the_program_is_named(tmp_path: Path) -> None:
     (tmp_path / "o0009.nc").write_text("O9\nM99\n")
     (told,) = hints(run(tmp_path, "O1\n#1=9\nM98 P#1\nM30\n")[1])
-    assert told == f"{tmp_path / 'o0009.nc'} was not read: name it, or its folder, too"
+    assert told == f"{tmp_path / 'o0009.nc'} was not read: give it, or its folder, too"
 
 
 def test_a_file_in_a_folder_beside_the_program_is_named(tmp_path: Path) -> None:
@@ -55,7 +55,7 @@ def test_a_file_in_a_folder_beside_the_program_is_named(tmp_path: Path) -> None:
 def test_the_parameter_that_allows_a_block_is_named_and_does(tmp_path: Path) -> None:
     text = "O1\nN10 IF[[#1 EQ #0]AND[#2 EQ #0]] GOTO 20\nN20 M30\n"
     told = hints(run(tmp_path, text)[1])
-    assert any(hint.startswith("--param 6006#0=1 lets it pass") for hint in told)
+    assert any(hint.startswith("--param 6006#0=1 allows it") for hint in told)
     assert "the program ended" in run(tmp_path, text, "--param", "6006#0=1")[0]
 
 
@@ -131,8 +131,8 @@ def test_options_without_effect_are_told(
     [
         (
             "O9120\nN10 G0 X#1 Y#2\nN20 M99\n",
-            'O9120 reads the arguments A, B, and as the main program it has none: --mdi "G65 P9120'
-            ' A... B..." calls it',
+            "O9120 reads the arguments A, B, and has none as the main program: call it with --mdi"
+            ' "G65 P9120 A... B..."',
         ),
         ("O9120\nN10 IF[#11 NE #0]GOTO30\nN20 #3000=1\nN30 M99\n", 'G65 P9120 H..."'),
         ("O9120\nN10 #1=1.\nN20 G0 X#1\nN30 M99\n", None),  # it gives the value itself
@@ -156,7 +156,7 @@ def test_where_mdi_calls_nothing_no_macro_leads_there(tmp_path: Path) -> None:
 
 def test_a_main_program_that_ends_in_m99_sounds_like_no_fault(tmp_path: Path) -> None:
     out, _ = run(tmp_path, "O1\nG4 X1.\nM99\n")
-    assert "stopped: M99 starts the program over, all cycles asked for ran" in out
+    assert "stopped: M99 starts the program over, and all passes asked for have run" in out
 
 
 def explain(*words: str) -> str:
@@ -176,7 +176,7 @@ def test_explain_tells_all_that_four_figures_may_mean() -> None:
 
 
 def test_explain_tells_the_number_that_is_taken_for_another() -> None:
-    assert "beside it: PS0310 named-program-not-found" in explain("PS0076", "-c", CONTROL)
+    assert "similar: PS0310 named-program-not-found" in explain("PS0076", "-c", CONTROL)
 
 
 def test_a_control_that_the_project_names_is_told(
@@ -188,7 +188,7 @@ def test_a_control_that_the_project_names_is_told(
     (tmp_path / "p.nc").write_text("O1\nM30\n")
     done = CliRunner().invoke(app, ["run", "p.nc", "--format", "json"])
     assert [note["kind"] for note in json.loads(done.stdout)["notes"]] == ["defaulted"]
-    assert "the control is fanuc-16i, which the project names" in done.stderr
+    assert "the control is fanuc-16i, from the project file" in done.stderr
     assert CliRunner().invoke(app, ["run", "p.nc", "-c", CONTROL]).stderr == ""
 
 
@@ -204,7 +204,9 @@ def test_what_a_run_waits_for_leads_to_a_line_that_answers(
     tmp_path: Path, text: str, line: str
 ) -> None:
     told = hints(run(tmp_path, text)[1])
-    assert told == ([f"--inputs FILE answers, such as one with the line {line}"] if line else [])
+    assert told == (
+        [f"give the answer with --inputs FILE, a file with a line such as {line}"] if line else []
+    )
     if line:
         (tmp_path / "in.toml").write_text(line + "\n")
         assert "the program ended" in run(tmp_path, text, "--inputs", str(tmp_path / "in.toml"))[0]
@@ -253,7 +255,7 @@ def test_conditions_joined_in_the_way_of_another_language_lead_to_the_own_one(
     tmp_path: Path, condition: str
 ) -> None:
     (told,) = hints(run(tmp_path, f"O1\nIF {condition} GOTO 20\nG1 X1. F100\nN20 M30\n")[1])
-    assert told.startswith("conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]")
+    assert told.startswith("write joined conditions as IF[[#1EQ#2]AND[#3EQ#4]]")
     assert "--param 6006#0=1" in told
     assert "linuxcnc" not in told
 
@@ -270,16 +272,16 @@ def test_what_was_typed_has_hints_and_idle_options_too(tmp_path: Path) -> None:
         return [line for line in done.stderr.splitlines() if not line.startswith("stopped")]
 
     (told,) = typed("IF[[#1EQ1]AND[#2EQ2]]GOTO1")
-    assert told.startswith("hint: --param 6006#0=1 lets it pass")
+    assert told.startswith("hint: --param 6006#0=1 allows it")
     (tmp_path / "O9.nc").write_text("O9\nM99\n")
     (tmp_path / "O1.nc").write_text("O1\nM30\n")
     assert typed("M98 P9", str(tmp_path / "O1.nc")) == [
-        f"hint: {tmp_path / 'O9.nc'} was not read: name it, or its folder, too"
+        f"hint: {tmp_path / 'O9.nc'} was not read: give it, or its folder, too"
     ]
     (told,) = typed("G0 X#100", "--set", "100=5", "--set", "101=5")
     assert "no block reads #101" in told
     (told,) = typed("M198 P9")
-    assert told.startswith("hint: --external FOLDER")
+    assert told.startswith("hint: give --external FOLDER")
 
 
 def test_options_without_effect_are_told_by_every_command_that_runs(tmp_path: Path) -> None:
@@ -312,8 +314,8 @@ def test_a_link_has_the_files_beside_what_it_leads_to(tmp_path: Path) -> None:
         pytest.skip("this system makes no links")
     done = CliRunner().invoke(app, ["run", str(link), "-c", CONTROL])
     assert done.exit_code == 0
-    assert "O7.nc: read too" in done.stderr
-    assert "O8.nc: read too" in done.stderr
+    assert "O7.nc: also read" in done.stderr
+    assert "O8.nc: also read" in done.stderr
 
 
 FOREIGN = {
@@ -401,7 +403,7 @@ def test_a_finding_tells_the_parameter_behind_which_it_is_gone(tmp_path: Path, b
     file = tmp_path / "part.nc"
     file.write_text(f"O1\n{block}\nM30\nN100 M99\nO2\nG4 P1\nN100 M99\n")
     words = ["check", str(file), "-c", CONTROL]
-    assert "hint: --param 6005#0=1 lets it pass" in CliRunner().invoke(app, words).stdout
+    assert "hint: --param 6005#0=1 allows it" in CliRunner().invoke(app, words).stdout
     done = CliRunner().invoke(app, [*words, "--param", "6005#0=1", "--ignore", "CS3"])
     assert done.exit_code == 0, done.stdout
 
@@ -427,4 +429,4 @@ def test_a_program_of_a_lathe_is_told_that_the_control_is_a_mill(tmp_path: Path,
     file = tmp_path / "main.nc"
     file.write_text(f"O1\nG0 X1.\n{code}\nM30\n")
     told = CliRunner().invoke(app, ["run", str(file), "-c", "haas-ngc"]).stderr
-    assert "haas-ngc is a mill alone" in told
+    assert "haas-ngc exists only as a mill" in told

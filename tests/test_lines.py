@@ -79,7 +79,7 @@ def test_a_block_that_is_added_ends_as_the_others_do(end: bytes, tmp_path: Path)
 def test_a_file_of_variables_is_refused_at_its_line(end: bytes, tmp_path: Path) -> None:
     file = tmp_path / "variables.txt"
     file.write_bytes(end.join([b"%", b"#500=1.5", b"#501=2", b"#502=x", b"%", b""]))
-    with pytest.raises(ValueError, match=r"variables\.txt:4: no variable: '#502=x'"):
+    with pytest.raises(ValueError, match=r"variables\.txt:4: not a variable: '#502=x'"):
         read_variables(str(file))
 
 

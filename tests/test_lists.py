@@ -87,23 +87,35 @@ def test_a_whole_list_is_given_with_an_equals_sign() -> None:
 @pytest.mark.parametrize(
     ("rule", "entry", "told"),
     [
-        ("g_meanings", "68.2=neutrl", "neutrl is no meaning of a G code; near are neutral"),
+        (
+            "g_meanings",
+            "68.2=neutrl",
+            "neutrl is not a known meaning of a G code; the nearest are neutral",
+        ),
         ("g_meanings", "68.2", "write 68.2=neutral"),
-        ("g_meanings", "68.25=neutral", "68.25 is no code"),
-        ("g_meanings", "-68.2", "there is no 68.2 to take away"),
-        ("functions", "SINN", "SINN is no function; near are SIN"),
-        ("refuses", "no-such-cause", "no-such-cause is no cause that may be refused; near are"),
-        ("refuses", "program-not-found", "program-not-found is no cause that may be refused"),
-        ("refuses", "groove-axs", "near are groove-axis"),
-        ("g_codes", "1 G2", "G2 is no code"),
-        ("codes_not_with_call", "x", "x is no code"),
-        ("modal_groups", "plan=2", "plan is no group of G codes; near are plane"),
+        ("g_meanings", "68.25=neutral", "68.25 is not a code"),
+        ("g_meanings", "-68.2", "there is no 68.2 to remove"),
+        ("functions", "SINN", "SINN is not a known function; the nearest are SIN"),
+        (
+            "refuses",
+            "no-such-cause",
+            "no-such-cause is not a known cause that may be refused; the nearest are",
+        ),
+        (
+            "refuses",
+            "program-not-found",
+            "program-not-found is not a known cause that may be refused",
+        ),
+        ("refuses", "groove-axs", "nearest are groove-axis"),
+        ("g_codes", "1 G2", "G2 is not a code"),
+        ("codes_not_with_call", "x", "x is not a code"),
+        ("modal_groups", "plan=2", "plan is not a known group of G codes; the nearest are plane"),
         ("modal_groups", "plane", "write plane=2"),
         ("chamfer_words", ",,C", "write C or ,C"),
-        ("statements", "DPRN", "DPRN is no macro statement; near are DPRNT"),
-        ("point_addresses", "XYz", "'z' is no address"),
-        ("point_addresses", "Xé", "'é' is no address"),
-        ("name_marks", "+A", "'A' is no mark"),
+        ("statements", "DPRN", "DPRN is not a known macro statement; the nearest are DPRNT"),
+        ("point_addresses", "XYz", "'z' is not an address"),
+        ("point_addresses", "Xé", "'é' is not an address"),
+        ("name_marks", "+A", "'A' is not a mark"),
     ],
 )
 def test_a_bad_entry_of_a_list_is_named(rule: str, entry: str, told: str) -> None:
@@ -115,7 +127,7 @@ def test_a_bad_entry_of_a_list_is_named(rule: str, entry: str, told: str) -> Non
 @pytest.mark.parametrize(
     ("rule", "entry", "message"),
     [
-        ("commons", "{}", "commons: 129 ranges are more than the 128 that a control holds"),
+        ("commons", "{}", "commons: 129 ranges are more than the 128 that a control can hold"),
         ("g_meanings", "{}=neutral", "g_meanings: at most 128 entries"),
     ],
 )

@@ -106,7 +106,7 @@ def test_the_preferred_file_counts_and_the_main_program_stays(job: Path, folder:
 
 
 def test_a_preferred_file_is_one_that_is_read(job: Path) -> None:
-    with pytest.raises(ValueError, match=r"elsewhere\.nc, which is not among the files"):
+    with pytest.raises(ValueError, match=r"elsewhere\.nc, which is not one of the files"):
         cncsub.load(job, control=CONTROL, prefer=[job / "elsewhere.nc"])
     with pytest.raises(ValueError, match=r"; there is \S*a\Wo9001\.nc, \S*macros\Wo9001\.nc$"):
         cncsub.load(job, control=CONTROL, prefer="o9001.nc")
@@ -119,7 +119,7 @@ def test_two_different_programs_of_one_number_do_not_run(job: Path) -> None:
     status, out, err = run(job / "main.nc", job)
     assert status == 2
     assert out == ""
-    assert "O9001 stands twice, with other blocks" in err
+    assert "O9001 exists twice with different blocks" in err
     assert f"--prefer {job / 'a' / 'o9001.nc'}" in err
 
 
@@ -142,7 +142,7 @@ def test_two_programs_of_one_file_are_no_choice(tmp_path: Path) -> None:
     (tmp_path / "part.nc").write_text("O1\nM98 P2\nM30\nO2\nM99\nO2\nG4 X1.\nM99\n")
     status, _, err = run(tmp_path / "part.nc")
     assert status == 2
-    assert "take one of them away" in err
+    assert "remove one of them" in err
 
 
 @pytest.mark.parametrize("arguments", [["-"], ["--mdi", "G0 X1"]])
@@ -178,7 +178,7 @@ def test_every_command_that_runs_tells_of_dropped_words(
     monkeypatch.chdir(tmp_path)
     Path("main.nc").write_text(DROPPING)
     done = CliRunner().invoke(app, [*words, "main.nc", "-c", "fanuc-0i-f"])
-    assert "note: the control dropped 3 words; cncsub run and check tell which" in done.stderr
+    assert "note: the control dropped 3 words; cncsub run and check show which" in done.stderr
 
 
 def test_dropped_words_are_told_with_their_places(
@@ -214,4 +214,4 @@ def test_a_parameter_without_an_effect_is_told_on_the_terminal(tmp_path: Path) -
     (tmp_path / "main.nc").write_text("O1\nM30\n")
     status, _, told = run(tmp_path / "main.nc", "--param", "3406=1")
     assert (status, told.count("no effect")) == (0, 1)
-    assert "note: parameter 3406: no effect: nothing is computed from it" in told
+    assert "note: parameter 3406: no effect: cncsub computes nothing from it" in told

@@ -1,4 +1,4 @@
-"""A control of one's own, made from a built-in one by a TOML file."""
+"""A control of your own, made from a built-in one by a TOML file."""
 
 from __future__ import annotations
 
@@ -127,50 +127,56 @@ def test_many_programs_run_on_it(control: cncsub.Control, tmp_path: Path) -> Non
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("", "has a name of small letters"),
+        ("", "must be small letters"),
         ('base = "fanuc-0i-f"\ncalls.M60 = "call:1"', "calls needs a control with a name"),
         ('base = "fanuc-0i-f"\ntitle = "x"', "title needs a control with a name"),
-        ('base = "fanuc-0i-f"\nrules = 1', "rules is a table, not 1"),
+        ('base = "fanuc-0i-f"\nrules = 1', "rules must be a table, not 1"),
         (
             'base = "fanuc-0i-f"\nrules.max_nesting = {value = 2, note = "x"}',
-            "rules.max_nesting is a value: notes are for a control with a name",
+            "rules.max_nesting must be a value: notes are for a control with a name",
         ),
-        ('base = "fanuc-0i-f"\nrules.max_nestng = 2', "near are max_nesting"),
+        ('base = "fanuc-0i-f"\nrules.max_nestng = 2', "did you mean max_nesting"),
         ('name = "Our Mill"\nbase = "fanuc-0i-f"', "this one is 'Our Mill'"),
         ('name = "fanuc-0i-f"\nbase = "fanuc-0i-f"', "is a built-in control"),
-        ('name = "our-mill"', "base is a built-in control, such as"),
-        ('name = "our-mill"\nbase = "fanuc-0i-g"', "no control is called 'fanuc-0i-g'; near are"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\nrule = 1', "has no 'rule'; near are rules"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\ntitle = 1', "title is a text"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\nrules = 1', "rules is a table, not 1"),
+        ('name = "our-mill"', "base must be a built-in control, such as"),
+        (
+            'name = "our-mill"\nbase = "fanuc-0i-g"',
+            "there is no control 'fanuc-0i-g'; did you mean",
+        ),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\nrule = 1', "has no 'rule'; did you mean rules"),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\ntitle = 1', "title must be a text"),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\nrules = 1', "rules must be a table, not 1"),
         ('name = "our-mill"\nbase = "fanuc-0i-f"\nrules.max_nestin = 1', "max_nestin"),
         ('name = "our-mill"\nbase = "fanuc-0i-f"\nrules.max_nesting = 1.5', "a whole number"),
         ('name = "our-mill"\nbase = "fanuc-0i-f"\nrules.max_nesting = "x"', "max_nesting"),
         (
             'name = "our-mill"\nbase = "fanuc-0i-f"\nrules.max_nesting = {note = "x"}',
-            'rules.max_nesting is a value, or {value = ..., note = "..."}',
+            'rules.max_nesting must be a value, or {value = ..., note = "..."}',
         ),
         (
             'name = "our-mill"\nbase = "fanuc-0i-f"\nrules.max_nesting = {value = 1, note = 2}',
-            "a note is a text",
+            "a note must be a text",
         ),
         ('name = "our-mill"\nbase = "gsk-928te"\nrules.max_loops = 1', "has no rules of macros"),
-        ('name = "our-mill"\nbase = "linuxcnc"\ncalls.M60 = "call:1"', "never asks the rule"),
+        ('name = "our-mill"\nbase = "linuxcnc"\ncalls.M60 = "call:1"', "does not use the rule"),
         ('name = "our-mill"\nbase = "fanuc-0i-f"\nparameters.1 = 2', "parameter"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\nparameters."6005#0" = true', "is a number"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\ncalls.X1 = "call:1"', "a code that calls is"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\ncalls.M60 = 9001', "how it calls a program"),
-        ('name = "our-mill"\nbase = "fanuc-0i-f"\nalarms.program-not = "1"', "no cause is called"),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\nparameters."6005#0" = true', "must be a number"),
+        (
+            'name = "our-mill"\nbase = "fanuc-0i-f"\ncalls.X1 = "call:1"',
+            "a code that calls must be",
+        ),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\ncalls.M60 = 9001', "calls.M60 must be call:9001"),
+        ('name = "our-mill"\nbase = "fanuc-0i-f"\nalarms.program-not = "1"', "there is no cause"),
         (
             'name = "our-mill"\nbase = "fanuc-0i-f"\nalarms.program-not-found = 76',
-            "is a number, or",
+            "must be a number, or",
         ),
         (
             'name = "our-mill"\nbase = "fanuc-0i-f"\nalarms.program-not-found = {number = ""}',
             "a text that can be printed",
         ),
-        ("control = 5", "is a table with name and base, not 5"),
-        ("[tool]\ncncsub = 5", "is a table with name and base, not 5"),
+        ("control = 5", "must be a table with name and base, not 5"),
+        ("[tool]\ncncsub = 5", "must be a table with name and base, not 5"),
         ("name = ", "our-mill.toml: "),
     ],
 )
@@ -222,7 +228,7 @@ def test_the_commands_take_that_of_the_project() -> None:
     assert "PS0078" not in told_by("check", "O1.nc")[1]
     assert "PS9078" not in told_by("run", "O1.nc", "-c", "fanuc-0i-f")[1]
     status, told = told_by("run", "O1.nc", "-c", "our-mil")
-    assert (status, "near are our-mill" in told) == (2, True)
+    assert (status, "did you mean our-mill" in told) == (2, True)
 
 
 @pytest.mark.usefixtures("project")

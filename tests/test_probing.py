@@ -231,7 +231,7 @@ def test_skips_of_a_toml_file_are_told_by_signal(tmp_path: Path) -> None:
     inputs = Inputs.from_toml(file)
     assert inputs.skips == {1: [{"X": 10}, None], 2: [0.5]}
     with pytest.raises(
-        ValueError, match="solids\\[0\\], a plane: signal: the skip signals are 1 to 8"
+        ValueError, match="solids\\[0\\], a plane: signal: a skip signal must be 1 to 8"
     ):
         Inputs(workpiece=Workpiece([Plane({"X": 1}, signal=0)]))
 
@@ -314,11 +314,11 @@ def test_signals_of_a_machine_are_set_while_it_runs() -> None:
     machine.run()
     assert (machine.variables[100], machine.variables[101]) == (1, 5)
     assert dict(machine.signals) == {1004: 1, 1032: 5}
-    with pytest.raises(KeyError, match="#500 is no signal on fanuc-0i-f"):
+    with pytest.raises(KeyError, match="#500 is not a signal on fanuc-0i-f"):
         machine.signals[500] = 1
-    with pytest.raises(KeyError, match="no signal"):
+    with pytest.raises(KeyError, match="not a signal"):
         machine.signals[2**40]
-    with pytest.raises(TypeError, match="signals: #1004 takes a number"):
+    with pytest.raises(TypeError, match="signals: #1004 must be a number"):
         machine.signals[1004] = "on"  # type: ignore[assignment]
 
 
@@ -331,34 +331,42 @@ def test_inputs_and_workpieces_are_pickled_and_compared() -> None:
 @pytest.mark.parametrize(
     ("inputs", "error", "words"),
     [
-        ({"skips": [2]}, ValueError, r"skips\[0\] takes a fraction .* 0 to 1, not 2"),
-        ({"skips": [0.5, {"Q": 1}]}, ValueError, r"skips\[1\]: 'Q' is no axis"),
-        ({"skips": [{"X": 1, "Y": 2}]}, ValueError, r"skips\[0\] is the coordinate of one axis"),
+        ({"skips": [2]}, ValueError, r"skips\[0\] must be a fraction .* 0 to 1, not 2"),
+        ({"skips": [0.5, {"Q": 1}]}, ValueError, r"skips\[1\]: 'Q' is not an axis"),
+        (
+            {"skips": [{"X": 1, "Y": 2}]},
+            ValueError,
+            r"skips\[0\] must be the coordinate of one axis",
+        ),
         ({"skips": [{"X": None}]}, ValueError, "X has no coordinate"),
-        ({"skips": {9: [1]}}, ValueError, "skips: the skip signals are 1 to 8, not 9"),
+        ({"skips": {9: [1]}}, ValueError, "skips: a skip signal must be 1 to 8, not 9"),
         (
             {"skips": {"1": [1]}},
             TypeError,
-            "skips: a skip signal is a number 1 to 8, or one of XAE, YAE, ZAE, not '1'",
+            "skips: a skip signal must be a number 1 to 8, or one of XAE, YAE, ZAE, not '1'",
         ),
-        ({"skips": {2: 1}}, TypeError, r"skips\[2\] is a list, not int"),
+        ({"skips": {2: 1}}, TypeError, r"skips\[2\] must be a list, not int"),
         (
             {"skips": {2: [0.5, 7]}},
             ValueError,
-            r"skips\[2\]\[1\] takes a fraction .* 0 to 1, not 7",
+            r"skips\[2\]\[1\] must be a fraction .* 0 to 1, not 7",
         ),
-        ({"answers": {"G31": {1004: 1}}}, ValueError, "'G31' is no M or T code"),
+        ({"answers": {"G31": {1004: 1}}}, ValueError, "'G31' is not an M or T code"),
         ({"answers": {"M8": {1004: 1}, "M08": {}}}, ValueError, "M8 twice"),
-        ({"answers": {"M8": 1}}, TypeError, r"answers\['M8'\] maps variable numbers"),
+        (
+            {"answers": {"M8": 1}},
+            TypeError,
+            r"answers\['M8'\] must be a mapping from variable numbers",
+        ),
         ({"answers": {"M8": {3000: 1}}}, ValueError, "answers: #3000"),
         ({"workpiece": 3}, TypeError, "a cncsub.Workpiece or a mapping"),
         ({"workpiece": {}}, ValueError, "workpiece has no solids"),
         (
             {"workpiece": {"solids": [], "styllus": 1}},
             ValueError,
-            "has no 'styllus'; near are stylus",
+            "has no 'styllus'; did you mean stylus",
         ),
-        ({"workpiece": {"solids": [{"ball": 1}]}}, ValueError, r"solids\[0\] names its shape"),
+        ({"workpiece": {"solids": [{"ball": 1}]}}, ValueError, r"solids\[0\] must have a shape"),
         ({"workpiece": {"solids": [{"sphere": {}}]}}, ValueError, "a sphere has no radius"),
         (
             {"workpiece": {"solids": [{"plane": {"X": 1}, "face": "+X"}]}},
@@ -377,9 +385,9 @@ def test_inputs_and_workpieces_are_pickled_and_compared() -> None:
             ValueError,
             r"solids\[0\], a sphere: radius must be more than 0",
         ),
-        ({"workpiece": {"solids": [], "stylus": -1}}, ValueError, "not negative"),
+        ({"workpiece": {"solids": [], "stylus": -1}}, ValueError, "must not be negative"),
         ({"workpiece": {"solids": [], "ball": "tip"}}, ValueError, "'centre' or 'end'"),
-        ({"workpiece": {"solids": [], "coordinates": "G60"}}, ValueError, "coordinates are"),
+        ({"workpiece": {"solids": [], "coordinates": "G60"}}, ValueError, "coordinates must be"),
         (
             {"workpiece": {"solids": [], "coordinates": "G54.1 P99"}},
             ValueError,

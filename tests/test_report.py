@@ -106,7 +106,7 @@ def test_a_run_of_another_library_is_refused() -> None:
 
 
 def test_an_empty_run_is_a_page() -> None:
-    assert "It called nothing." in page_of("O1\nM30\n")
+    assert "The program called nothing." in page_of("O1\nM30\n")
 
 
 def test_a_program_too_long_is_cut_and_said_so_but_its_findings_are_shown() -> None:
@@ -275,7 +275,7 @@ def test_the_tool_is_drawn_in_machine_coordinates_where_it_goes_another_way() ->
     page = cncsub.report(library, library.run(setup=setup))
     Page(page)
     assert "<summary>The tool in machine coordinates" in page
-    assert "parts may lie over each other" in page
+    assert "parts may overlap" in page
     drawn = re.findall(r"<svg.*?</svg>", page)
     assert len(drawn) == 2
     assert [svg.count("<polyline") for svg in drawn] == [4, 4]

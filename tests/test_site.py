@@ -127,7 +127,7 @@ def test_links_of_the_repository_become_those_of_the_site() -> None:
     ("name", "wanted"),
     [
         ("gsk-988ta", "12, of them 4 macros | count + number | Q | `P[NAME]` | G65, G66 | yes"),
-        ("gsk-928te", "18 | N of the own program | - | `%n` | - | -"),
+        ("gsk-928te", "18 | N of the same program | - | `%n` | - | -"),
         ("fanuc-0i-f", "10 + 5 | count + number | Q (6005#0) | `<NAME>` | G65, G66, G66.1 | yes"),
         ("hnc-21m", "9 | number | - | `%n` | M98 passes A-Z | -"),
         ("mitsubishi-meldas", "4 of both kinds | number | H | - | G65, G66, G66.1 | -"),

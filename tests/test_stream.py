@@ -170,7 +170,7 @@ def test_every_part_has_the_columns_of_all_axes_in_memory() -> None:
 @pytest.mark.parametrize("rows", [0, -1, True, 1.5, "7", 2**63])
 def test_rows_is_a_count(rows: object) -> None:
     library = cncsub.loads("O1\nM30\n", control=CONTROL)
-    with pytest.raises((TypeError, ValueError), match="rows is"):
+    with pytest.raises((TypeError, ValueError), match="rows (must be|is too large)"):
         library.stream(rows=rows)  # type: ignore[arg-type]
 
 

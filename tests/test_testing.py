@@ -35,7 +35,7 @@ def test_a_case_that_holds_and_one_that_does_not() -> None:
     told = str(failed.value)
     for words in (
         "control fanuc-0i-f", "N30 #100=#1*#1", "vars #100: expected 8, got 9",
-        "they part at place 3 of 3", "executed: O1:N10 O2:N30 O2:N40 O1:N20", "variables at the stop: #100=9",
+        "they differ from place 3 of 3", "executed: O1:N10 O2:N30 O2:N40 O1:N20", "variables at the stop: #100=9",
     ):  # fmt: skip
         assert words in told
     with pytest.raises(AssertionError, match="the alarm:\n    PS0076"):
@@ -51,14 +51,14 @@ def test_a_failure_names_the_block_the_calls_and_the_last_write() -> None:
         "as expected up to: O2 N30, line 5: N30 #100=#1*#1\n"
         "      called from O1 N10, line 2 (G65 O2)\nthen ran: O2 N40, line 6: N40 M99\n"
     ) in told
-    assert "#100 was written last by O2 N30, line 5: N30 #100=#1*#1" in told
+    assert "#100 was last written by O2 N30, line 5: N30 #100=#1*#1" in told
     assert "the last block: O1 N20, line 3: N20 M30" in told
 
 
 def test_a_case_that_means_nothing_is_refused() -> None:
     with pytest.raises(ValueError, match="has nothing to run"):
         case("nothing", control="fanuc-0i-f", runs="N10")
-    with pytest.raises(ValueError, match="nothing of what happened"):
+    with pytest.raises(ValueError, match="not what happened"):
         square()
     with pytest.raises(TypeError, match="rnus"):
         square(rnus="N10")
@@ -119,12 +119,12 @@ ON = "[[case]]\nclaim = 'a'\ncontrol = 'fanuc-0i-f'\nmdi = 'M30'\n"
 @pytest.mark.parametrize(
     ("text", "told"),
     [
-        ("control = 1", "a table has cases"),
-        ("case = 1", "a table has cases"),
+        ("control = 1", "a table must have cases"),
+        ("case = 1", "a table must have cases"),
         ("[[case]]\nmdi = 'M30'", "case 1 has no claim"),
-        ("[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = ''", "names no control"),
-        ("[[case]]\nclaim = 'a'\ncontrl = 'x'", "no 'contrl'; near are control"),
-        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = {a = 1}", "no number of a variable"),
+        ("[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = ''", "has no control"),
+        ("[[case]]\nclaim = 'a'\ncontrl = 'x'", "no 'contrl'; did you mean control"),
+        ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = {a = 1}", "not the number of a variable"),
         ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = {1 = 'x'}", 'a number or "vacant"'),
         ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nvars = 1", "table of variables"),
         ("control = 'fanuc-0i-f'\nload = ['../x']\n[[case]]\nclaim = 'a'", "outside the folder"),
@@ -132,27 +132,27 @@ ON = "[[case]]\nclaim = 'a'\ncontrol = 'fanuc-0i-f'\nmdi = 'M30'\n"
         ("control = 'fanuc-0i-f'\nload = 'x'\n[[case]]\nclaim = 'a'", "list of files"),
         ("control = 'fanuc-0i-f'\n[[case]]\nclaim = 'a'\nmdi = 'M30'\nruns = 'x'", "not a block"),
         ("= 1", "nctest.toml"),
-        ("runs = 1\n[[case]]\nclaim = 'a'", "above the cases: runs is a text, such as"),
-        ("claim = 'a'\n[[case]]\nruns = ''", "claim stands in a case"),
-        (ON + "m = ['M3']", "case 1, 'a': m is a list of whole numbers, such as [3, 8], not ['M3']"),
-        (ON + "skip = true", "skip is a list of whole numbers, such as [1], not True"),
-        (ON + "max_blocks = true", "max_blocks is a whole number, such as 1000, not True"),
-        (ON + "time = '1'", "time is a number, such as 1.5, not '1'"),
-        (ON + "optional_stop = 1", "optional_stop is true or false, such as true, not 1"),
-        (ON + "params = {3401 = 'a'}", "params is a table of numbers"),
-        (ON + "number = 3", "number is a text or a table of texts"),
-        (ON + "stop = 'ended'", "stop is one of end, alarm, cycles, limit, waiting"),
+        ("runs = 1\n[[case]]\nclaim = 'a'", "above the cases: runs must be a text, such as"),
+        ("claim = 'a'\n[[case]]\nruns = ''", "claim belongs in a case"),
+        (ON + "m = ['M3']", "case 1, 'a': m must be a list of whole numbers, such as [3, 8], not ['M3']"),
+        (ON + "skip = true", "skip must be a list of whole numbers, such as [1], not True"),
+        (ON + "max_blocks = true", "max_blocks must be a whole number, such as 1000, not True"),
+        (ON + "time = '1'", "time must be a number, such as 1.5, not '1'"),
+        (ON + "optional_stop = 1", "optional_stop must be true or false, such as true, not 1"),
+        (ON + "params = {3401 = 'a'}", "params must be a table of numbers"),
+        (ON + "number = 3", "number must be a text or a table of texts"),
+        (ON + "stop = 'ended'", "stop must be one of end, alarm, cycles, limit, waiting"),
         (ON + "vars = {100 = 1, '#100' = 2}", "vars has #100 twice"),
-        (ON + "setup = {work_offset = {}}", "setup: a setup has no 'work_offset'; near are work_offsets"),
-        (ON + "inputs = {signal = {}}", "inputs: inputs has no 'signal'; near are signals"),
+        (ON + "setup = {work_offset = {}}", "setup: a setup has no 'work_offset'; did you mean work_offsets"),
+        (ON + "inputs = {signal = {}}", "inputs: inputs has no 'signal'; did you mean signals"),
         (ON + "moves = 'Q X1'", "moves: not a kind of move: 'Q X1'"),
         (ON + "centre = 'X1 |'\nfinal_work = 'a'", "final_work: not a point: 'a'"),
-        (ON + "setup = 'x.toml'", "setup: there is no x.toml beside the table"),
+        (ON + "setup = 'x.toml'", "setup: there is no x.toml in the folder of the table"),
         (ON + "inputs = '.'", "inputs: . is a folder, not a file"),
-        (ON + "variables = 'wrong.nctest.toml'", "wrong.nctest.toml: variables: a variable number is a whole number"),
-        (ON + 'load = ["a\\u0000"]', "load holds a NUL"),
+        (ON + "variables = 'wrong.nctest.toml'", "wrong.nctest.toml: variables: a variable number must be a whole number"),
+        (ON + 'load = ["a\\u0000"]', "load has a NUL"),
         (ON + "load = ['wrong.nctest.toml']\nfiles = {a = 'O1'}", "both load and files"),
-        (ON + "alarm = 'user-alrm'", "there is no cause 'user-alrm'; near are user-alarm"),
+        (ON + "alarm = 'user-alrm'", "there is no cause 'user-alrm'; did you mean user-alarm"),
         (ON + "number = 'PS1'\nruns = ''", "not which alarm"),
     ],
 )  # fmt: skip
@@ -219,7 +219,7 @@ def test_a_table_takes_no_file_from_outside_its_project(tmp_path: Path, key: str
     inside = dict.fromkeys(("setup", "inputs", "variables"), "{}") | {"load": "[]"}
     outside = "'../../shared/O5.nc'"
     with pytest.raises(
-        ValueError, match=rf"{key}: ../../shared/O5.nc lies outside the folder of the project"
+        ValueError, match=rf"{key}: ../../shared/O5.nc is outside the folder of the project"
     ):
         load_table(
             write_shared(tmp_path, **{**inside, key: f"[{outside}]" if key == "load" else outside})
@@ -227,7 +227,7 @@ def test_a_table_takes_no_file_from_outside_its_project(tmp_path: Path, key: str
     (tmp_path / "tests" / "tables" / "link").symlink_to(tmp_path / "shared")
     linked = "'link/setup.toml'"
     with pytest.raises(
-        ValueError, match=rf"{key}: link/setup.toml lies outside the folder of the project"
+        ValueError, match=rf"{key}: link/setup.toml is outside the folder of the project"
     ):
         load_table(
             write_shared(tmp_path, **{**inside, key: f"[{linked}]" if key == "load" else linked})
@@ -433,7 +433,7 @@ def test_snapshots_are_written_compared_and_missed(project: pytest.Pytester) -> 
     asked = ("-q", "--control", "fanuc-0i-f")
     done = project.runpytest_inprocess(*asked)
     done.assert_outcomes(failed=1)
-    done.stdout.fnmatch_lines(["*--cncsub-update writes it*"])
+    done.stdout.fnmatch_lines(["*run with --cncsub-update to write it*"])
     project.runpytest_inprocess(*asked, "--cncsub-update").assert_outcomes(passed=1)
     (file,) = (project.path / "snapshots").rglob("*.txt")
     assert (
@@ -495,7 +495,7 @@ def test_a_program_that_no_test_loads_counts_in_a_folder(project: pytest.Pyteste
     assert lines_of(done) == [
         "Coverage: 58.3 %, 5 of 8 blocks, 2 of 4 branches, 1 of 1 calls",
         "O7  blocks 0/3  branches 0/2  not executed: lines 2-4  idle/O7.nc",
-        "2 programs are covered in full and not listed",
+        "2 programs are fully covered and not listed",
     ]
     (project.path / "cncsub.toml").write_text('control = "fanuc-0i-f"\nfolders = ["idle"]')
     done = project.runpytest_inprocess("-q", "--cncsub-cov")
@@ -510,7 +510,7 @@ def test_nothing_measured_fails_a_limit(project: pytest.Pytester, asked: list[st
     assert (done.ret == 1) == ("test_plain" in asked)
     assert lines_of(done) == [
         "Coverage: nothing was measured, 0 of 0 blocks, 0 of 0 branches, 0 of 0 calls",
-        "coverage measured nothing (0 of 0 blocks), and has to reach 0 % (--cncsub-cov-fail-under)",
+        "coverage measured nothing (0 of 0 blocks), and must reach 0 % (--cncsub-cov-fail-under)",
     ]
 
 
@@ -537,7 +537,7 @@ def test_a_wrong_option_of_coverage_is_a_usage_error(
 def test_a_report_that_cannot_be_written_fails(project: pytest.Pytester) -> None:
     done = project.runpytest_inprocess("-q", "--cncsub-cov-lcov", "macros")
     assert done.ret == 1
-    assert lines_of(done)[-1].startswith("--cncsub-cov-lcov macros is not written: ")
+    assert lines_of(done)[-1].startswith("--cncsub-cov-lcov macros cannot be written: ")
 
 
 def test_workers_count_together(project: pytest.Pytester) -> None:
@@ -649,5 +649,5 @@ def test_arguments_arrive_as_they_are_written(values: dict[str, Decimal]) -> Non
 
 
 def test_letters_that_are_no_arguments() -> None:
-    with pytest.raises(ValueError, match="'P' is no argument"):
+    with pytest.raises(ValueError, match="'P' is not an argument"):
         arguments("P")

@@ -169,7 +169,7 @@ def test_what_stays_in_its_process_says_so() -> None:
         library.flatten(), run.coverage(),
     ]  # fmt: skip
     for value in staying:
-        with pytest.raises(TypeError, match="stay in their process; send"):
+        with pytest.raises(TypeError, match="cannot be sent to another process; send"):
             pickle.dumps(value)
 
 
@@ -220,7 +220,7 @@ def test_the_variables_are_a_mapping_of_those_that_hold_a_value() -> None:
     assert variables.popitem() == (1, 1.0)
     del variables[101]
     assert dict(variables) == {}
-    with pytest.raises(KeyError, match="no variable holds a value"):
+    with pytest.raises(KeyError, match="no variable has a value"):
         variables.popitem()
 
 
@@ -236,7 +236,7 @@ def test_the_control_keeps_its_own_variables() -> None:
     for number in (3901, 5221):
         with pytest.raises(KeyError, match="always has a value"):
             del variables[number]
-    with pytest.raises(KeyError, match="no variable holds a value that can be taken"):
+    with pytest.raises(KeyError, match="no variable has a value that can be removed"):
         variables.popitem()
 
 
@@ -250,7 +250,7 @@ def test_bounds_are_found_by_either_letter() -> None:
     assert bounds.get("x") == bounds["x"] == bounds["X"] == (1, 2)
     assert bounds.get("y") is None
     assert bounds.get("y", 0) == 0
-    with pytest.raises(KeyError, match="no move named the axis 'y'; there are X"):
+    with pytest.raises(KeyError, match="no move has the axis 'y'; there are X"):
         bounds["y"]
 
 

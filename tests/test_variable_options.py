@@ -57,24 +57,24 @@ def run(control: cncsub.Control, *blocks: str, **options: object) -> cncsub.Run:
         ("1-33", "#1 is a local variable"),
         ("0", "#0 is always vacant"),
         ("33-100", "#33 is a local variable"),
-        ("100-1000", "100-1000: #1000 is a variable of the control's own"),
-        ("3000", "#3000 is a variable of the control's own"),
-        ("5008-5010", "#5008 is a variable of the control's own"),
-        ("2201", "#2201 is a variable of the control's own, by the option offsets-from-2201"),
-        ("100010", "by the option parameter-reading"),
-        ("200000-300000", "100001 variables are more than a run holds: at most 100000"),
+        ("100-1000", "100-1000: #1000 is a system variable of the control"),
+        ("3000", "#3000 is a system variable of the control"),
+        ("5008-5010", "#5008 is a system variable of the control"),
+        ("2201", "#2201 is a system variable of the control, with the option offsets-from-2201"),
+        ("100010", "with the option parameter-reading"),
+        ("200000-300000", "100001 variables are more than a run can hold: at most 100000"),
         ("0-999999999", "#0 is always vacant"),
-        ("1000000-999999999", "999000000 variables are more than a run holds"),
-        ("100-9999999999", "100-9999999999 is no range of numbers"),
-        ("100--199", "100--199 is no range of numbers and no option"),
-        ("100-", "100- is no range of numbers"),
-        ("-100", "-100 is no range of numbers"),
-        ("1e2", "1e2 is no range of numbers"),
+        ("1000000-999999999", "999000000 variables are more than a run can hold"),
+        ("100-9999999999", "100-9999999999 is neither a range of numbers nor"),
+        ("100--199", "100--199 is neither a range of numbers nor an option"),
+        ("100-", "100- is neither a range of numbers nor"),
+        ("-100", "-100 is neither a range of numbers nor"),
+        ("1e2", "1e2 is neither a range of numbers nor"),
         (
             "700-set",
-            "700-set is no range of numbers and no option: write 100-199; near are 700-sets",
+            "700-set is neither a range of numbers nor an option: write 100-199; the nearest are 700-sets",
         ),
-        ("parameter-reading", "parameter-reading is no range of numbers and no option"),
+        ("parameter-reading", "parameter-reading is neither a range of numbers nor an option"),
     ],
 )
 def test_a_wrong_entry_of_commons_is_named(text: str, told: str) -> None:
@@ -86,11 +86,11 @@ def test_a_wrong_entry_of_commons_is_named(text: str, told: str) -> None:
 @pytest.mark.parametrize(
     ("control", "text", "told"),
     [
-        ("gsk-980tdi", "100-500", "#995 is missing, into which G31 writes"),
+        ("gsk-980tdi", "100-500", "#995 is missing: G31 writes to it"),
         ("gsk-980mdi", "100-999 9100", "#9000 to #9999 are #[#0] to #[#999] on this control"),
-        ("hnc-21m", "100-250", "100-250: #200 is a variable of the control's own"),
-        ("fanuc-0i-f", "2500", "by the option work-offsets-by-axis"),
-        ("gsk-988ta", "8000-sets", "8000-sets is no range of numbers and no option"),
+        ("hnc-21m", "100-250", "100-250: #200 is a system variable of the control"),
+        ("fanuc-0i-f", "2500", "with the option work-offsets-by-axis"),
+        ("gsk-988ta", "8000-sets", "8000-sets is neither a range of numbers nor an option"),
     ],
 )
 def test_commons_have_to_suit_their_control(control: str, text: str, told: str) -> None:
@@ -115,7 +115,7 @@ def test_options_of_system_variables_are_added_taken_away_and_checked() -> None:
     fewer = both.replace(variable_options="-parameter-reading")
     assert run(fewer, "#2201=1", "#100000=1").alarm is not None
     for wrong in ("parameter-readin", "8000-sets", "-work-offsets-by-axis"):
-        with pytest.raises(ValueError, match="^variable_options: .*near are"):
+        with pytest.raises(ValueError, match="^variable_options: .*nearest are"):
             both.replace(variable_options=wrong)
 
 
@@ -151,7 +151,7 @@ def test_exactly_the_commons_that_were_given_hold_values(name: str, data: st.Dat
     try:
         control = base.replace(commons=text)
     except ValueError as wrong:
-        if re.search("control's own|local|#9000|is missing", str(wrong)):
+        if re.search("of the control|local|#9000|is missing", str(wrong)):
             return
         raise
     for number in {n + by for pair in pairs for n in pair for by in (-1, 0, 1)}:

@@ -39,15 +39,15 @@ def test_variables_of_each_kind_of_file(tmp_path: Path, name: str, text: str) ->
 @pytest.mark.parametrize(
     ("name", "text", "told"),
     [
-        ("v.txt", "%\n#500=1.\nG1 X5.\n", r"v\.txt:3: no variable: 'G1 X5\.'"),
-        ("v.txt", "#500=#501+1\n", r"v\.txt:1: no variable"),
-        ("v.txt", "#500=1.\n#500=2.\n", r"v\.txt:2: #500 stands there twice"),
-        ("v.txt", "G10L85P500(12AB)\n", r"v\.txt:1: no variable"),
-        ("v.csv", "500,1\nabc,2\n", r"v\.csv:2: no variable: 'abc,2'"),
+        ("v.txt", "%\n#500=1.\nG1 X5.\n", r"v\.txt:3: not a variable: 'G1 X5\.'"),
+        ("v.txt", "#500=#501+1\n", r"v\.txt:1: not a variable"),
+        ("v.txt", "#500=1.\n#500=2.\n", r"v\.txt:2: #500 is there twice"),
+        ("v.txt", "G10L85P500(12AB)\n", r"v\.txt:1: not a variable"),
+        ("v.csv", "500,1\nabc,2\n", r"v\.csv:2: not a variable: 'abc,2'"),
         ("v.csv", "500,one\n", r"v\.csv:1: could not convert"),
-        ("v.csv", "500,1,2\n", r"v\.csv:1: no variable"),
-        ("v.toml", "abc = 1\n", r"v\.toml: variables: a variable number is"),
-        ("v.toml", "x = 1\n[variables]\n500 = 1\n", r"one table, variables"),
+        ("v.csv", "500,1,2\n", r"v\.csv:1: not a variable"),
+        ("v.toml", "abc = 1\n", r"v\.toml: variables: a variable number must be"),
+        ("v.toml", "x = 1\n[variables]\n500 = 1\n", r"the one table variables"),
     ],
 )
 def test_nothing_is_passed_over(tmp_path: Path, name: str, text: str, told: str) -> None:
@@ -96,7 +96,7 @@ def test_a_static_tree_tells_callers_arguments_passes_and_what_is_missing(tmp_pa
         f"O1 on {cncsub.controls[CONTROL].title}, as it is written",
         "|-- G65 O2 A1. B[#100+1], 3 passes, from O1 N10",
         "|   `-- M98 O3, from O2 N60",
-        "|       `-- M98 O2, which is open already, from O3 N80",
+        "|       `-- M98 O2, which is already open, from O3 N80",
         "|-- M98 [#5], from O1 N20",
         "|-- M98 O2, see above, from O1 N30",
         "`-- M98 O9, which does not exist, from O1 N40",

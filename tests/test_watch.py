@@ -312,7 +312,7 @@ def test_a_stream_writes_what_is_watched(tmp_path: Path, trace: str) -> None:
     assert written["program"].to_pylist() == ["O1"] * 5000
     library.stream().to_parquet(tmp_path / "plain")
     assert not list((tmp_path / "plain").glob("watch-*"))
-    with pytest.raises(ValueError, match="keeps nothing"):
+    with pytest.raises(ValueError, match="records nothing"):
         library.stream(trace="none").to_parquet(tmp_path / "none")
 
 
@@ -393,22 +393,22 @@ def test_threads_watch_one_library() -> None:
 @pytest.mark.parametrize(
     ("control", "watch", "error", "said"),
     [
-        ("fanuc-0i-f", "100", TypeError, r"watch holds the numbers of variables, such as \[100, 500\], not '100'"),
-        ("fanuc-0i-f", None, TypeError, "watch holds the numbers"),
+        ("fanuc-0i-f", "100", TypeError, r"watch must be a list of variable numbers such as \[100, 500\], not '100'"),
+        ("fanuc-0i-f", None, TypeError, "watch must be a list of variable numbers"),
         ("fanuc-0i-f", 100.0, TypeError, "not 100.0"),
-        ("fanuc-0i-f", True, TypeError, "watch: a variable number is a whole number such as 100, not True"),
+        ("fanuc-0i-f", True, TypeError, "watch: a variable number must be a whole number such as 100, not True"),
         ("fanuc-0i-f", [100.5], TypeError, "not 100.5"),
         ("fanuc-0i-f", [None], TypeError, "not None"),
-        ("fanuc-0i-f", ["#100"], ValueError, "watch: a variable is watched by its number, such as 100, not by name: '#100'"),
-        ("linuxcnc", ["<_depth>"], ValueError, "not by name: '<_depth>'"),
-        ("siemens-one", ["R1"], ValueError, "not by name: 'R1'"),
+        ("fanuc-0i-f", ["#100"], ValueError, "watch: give the number of a variable, such as 100, not its name: '#100'"),
+        ("linuxcnc", ["<_depth>"], ValueError, "not its name: '<_depth>'"),
+        ("siemens-one", ["R1"], ValueError, "not its name: 'R1'"),
         ("fanuc-0i-f", [0], ValueError, "watch: #0 is always vacant"),
         ("fanuc-0i-f", [-1], ValueError, "watch: there is no variable #-1"),
         ("fanuc-0i-f", [2**31], ValueError, "watch: there is no variable #2147483648"),
         ("fanuc-0i-f", [100, 99999], ValueError, "watch: .*#99999"),
         ("fanuc-0i-f", [3000], ValueError, "watch: #3000 cannot be read"),
         ("gsk-928te", [7777], ValueError, "watch: .*#7777"),
-        ("fanuc-0i-f", range(10**9), ValueError, "watch: at most 1000 variables are watched in one run; name fewer"),
+        ("fanuc-0i-f", range(10**9), ValueError, "watch: at most 1000 variables can be watched in one run; give fewer"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_watched_is_refused_in_words(
@@ -485,9 +485,9 @@ def test_the_command_writes_the_changes_as_json(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("watch", "words"),
     [
-        ("a", "--watch takes numbers and ranges such as 500 or 100-149, not 'a'"),
+        ("a", "--watch must be numbers and ranges such as 500 or 100-149, not 'a'"),
         ("149-100", "the last number comes before the first"),
-        ("1-9999", "1,000 variables at most"),
+        ("1-9999", "at most 1,000 variables"),
         ("999999", "watch: "),
     ],
 )

@@ -27,25 +27,33 @@ def library() -> cncsub.Library:
 @pytest.mark.parametrize(
     ("parameters", "error", "words"),
     [
-        ({"6151": 1}, ValueError, "fanuc-0i-f has no parameter 6151; near are 6202, 6203, 6204"),
+        (
+            {"6151": 1},
+            ValueError,
+            "fanuc-0i-f has no parameter 6151; the nearest are 6202, 6203, 6204",
+        ),
         ({"6151": 1}, ValueError, "`cncsub controls fanuc-0i-f` lists them"),
-        ({"6001": 1}, ValueError, "no parameter 6001; near are 6001#1, 6001#3, 6001#4, 6001#5"),
-        ({"6001#0": 1}, ValueError, "no parameter 6001#0; near are 6001#1"),
-        ({"6050#1": 1}, ValueError, "no parameter 6050#1; near are 6050"),
+        (
+            {"6001": 1},
+            ValueError,
+            "no parameter 6001; the nearest are 6001#1, 6001#3, 6001#4, 6001#5",
+        ),
+        ({"6001#0": 1}, ValueError, "no parameter 6001#0; the nearest are 6001#1"),
+        ({"6050#1": 1}, ValueError, "no parameter 6050#1; the nearest are 6050"),
         ({"6001#8": 1}, ValueError, "6001#8: the bits of a parameter are 0 to 7"),
-        ({"6001#5": 2}, ValueError, "6001#5 is a bit, 0 or 1"),
-        ({"6001#5": -1}, ValueError, "6001#5 is a bit, 0 or 1"),
-        ({"6001#5": 0.5}, ValueError, "6001#5 is a bit, 0 or 1"),
-        ({"name": 1}, ValueError, "'name' is no parameter: write its number, as '6050'"),
-        ({"": 1}, ValueError, "'' is no parameter"),
-        ({"6001#": 1}, ValueError, "'6001#' is no parameter"),
-        ({"9" * 30: 1}, ValueError, "is no parameter"),
-        ({6050: 70}, TypeError, "a parameter is named by a text, such as '6050'.* not 6050"),
-        ({None: 70}, TypeError, "a parameter is named by a text"),
-        ({"\ud800": 1}, TypeError, "a parameter is named by a text"),
-        ({"6050": "70"}, TypeError, "parameter 6050 takes a number, not '70'"),
-        ({"6050": None}, TypeError, "parameter 6050 takes a number, not None"),
-        ({"6050": 10**400}, ValueError, "parameter 6050 is a number up to"),
+        ({"6001#5": 2}, ValueError, "6001#5 is a bit: its value must be 0 or 1"),
+        ({"6001#5": -1}, ValueError, "6001#5 is a bit: its value must be 0 or 1"),
+        ({"6001#5": 0.5}, ValueError, "6001#5 is a bit: its value must be 0 or 1"),
+        ({"name": 1}, ValueError, "'name' is not a parameter: write its number, such as '6050'"),
+        ({"": 1}, ValueError, "'' is not a parameter"),
+        ({"6001#": 1}, ValueError, "'6001#' is not a parameter"),
+        ({"9" * 30: 1}, ValueError, "is not a parameter"),
+        ({6050: 70}, TypeError, "the name of a parameter must be a text such as '6050'.* not 6050"),
+        ({None: 70}, TypeError, "the name of a parameter must be a text"),
+        ({"\ud800": 1}, TypeError, "the name of a parameter must be a text"),
+        ({"6050": "70"}, TypeError, "parameter 6050 must be a number, not '70'"),
+        ({"6050": None}, TypeError, "parameter 6050 must be a number, not None"),
+        ({"6050": 10**400}, ValueError, "parameter 6050 must be a number up to"),
         ([("6050", 70)], TypeError, "takes a mapping such as .'6050': 70., not list"),
         (None, TypeError, "takes a mapping"),
         ("6050=70", TypeError, "takes a mapping"),
@@ -77,7 +85,9 @@ def test_zeros_in_front_of_a_parameter_may_be_missing() -> None:
      ("O2",), ("O2", 30, 1), ["O2", 30], "O2", 1.0, True, {}],
 )  # fmt: skip
 def test_until_names_a_block_or_a_depth(library: cncsub.Library, until: Any) -> None:
-    with pytest.raises(TypeError, match=r"until is a Block, program and sequence number such as"):
+    with pytest.raises(
+        TypeError, match=r"until must be a Block, a program and a sequence number such as"
+    ):
         library.machine().run(until=until)
 
 
@@ -114,25 +124,37 @@ def test_until_counts_calls_from_none_on(library: cncsub.Library, until: int) ->
         (
             {"variables": {3000: 1}},
             ValueError,
-            "variables: #3000 takes a value from a program only",
+            "variables: #3000 can be set only by a program",
         ),
         (
             {"variables": {3006: 1}},
             ValueError,
-            "variables: #3006 takes a value from a program only",
+            "variables: #3006 can be set only by a program",
         ),
         ({"variables": {5001: 1}}, ValueError, "variables: #5001 cannot be written"),
         ({"variables": {1000: 1}}, ValueError, "variables: #1000 cannot be written"),
         ({"variables": {4001: 1}}, ValueError, "variables: #4001 cannot be written"),
         ({"variables": {9_999_999: 1}}, ValueError, "variables: there is no #9999999"),
         ({"variables": {0: 1}}, ValueError, "variables: there is no variable #0"),
-        ({"variables": {100: "5"}}, TypeError, r"#100 takes a number or None \(vacant\), not '5'"),
-        ({"variables": {100: True}}, TypeError, "#100 takes a number"),
-        ({"variables": {"100": 5}}, TypeError, "a variable number is a whole number such as 100"),
-        ({"inputs": {"signals": {100: 1}}}, ValueError, "signals: #100 is no signal on fanuc-0i-f"),
-        ({"inputs": {"writes": [{3000: 1}]}}, ValueError, "writes: #3000 takes a value"),
+        (
+            {"variables": {100: "5"}},
+            TypeError,
+            r"#100 must be a number or None \(vacant\), not '5'",
+        ),
+        ({"variables": {100: True}}, TypeError, "#100 must be a number"),
+        (
+            {"variables": {"100": 5}},
+            TypeError,
+            "a variable number must be a whole number such as 100",
+        ),
+        (
+            {"inputs": {"signals": {100: 1}}},
+            ValueError,
+            "signals: #100 is not a signal on fanuc-0i-f",
+        ),
+        ({"inputs": {"writes": [{3000: 1}]}}, ValueError, "writes: #3000 can be set only"),
         ({"inputs": {"writes": [{9_999_999: 1}]}}, ValueError, "writes: there is no #9999999"),
-        ({"inputs": {"skips": ["0.5"]}}, TypeError, r"skips\[0\] takes a fraction"),
+        ({"inputs": {"skips": ["0.5"]}}, TypeError, r"skips\[0\] must be a fraction"),
     ],
 )
 def test_a_variable_that_cannot_be_given_is_told(
@@ -152,17 +174,17 @@ def test_signals_and_work_offsets_can_be_given(library: cncsub.Library) -> None:
 
 def test_an_unknown_option_is_told_with_what_is_near(library: cncsub.Library) -> None:
     for name in ("machine", "stream"):
-        with pytest.raises(TypeError, match=f"{name} has no option 'cycles'; near are max_cycles;"):
+        with pytest.raises(TypeError, match=f"{name} has no option 'cycles'"):
             getattr(library, name)(cycles=3)
-    with pytest.raises(TypeError, match="mdi has no option 'cycles'; near are max_cycles;"):
+    with pytest.raises(TypeError, match="mdi has no option 'cycles'"):
         library.mdi("M98 P2", cycles=3)  # type: ignore[call-arg]
-    with pytest.raises(TypeError, match="mdi runs the text that was typed and takes no main"):
+    with pytest.raises(TypeError, match="mdi runs the text that was typed and has no main"):
         library.mdi("M98 P2", main="O1")  # type: ignore[call-arg]
 
 
 @pytest.mark.parametrize("odd", ["no", b"", None, 2, [], math.nan])
 def test_optional_stop_is_yes_or_no(library: cncsub.Library, odd: Any) -> None:
-    with pytest.raises(TypeError, match="optional_stop is True or False, not"):
+    with pytest.raises(TypeError, match="optional_stop must be True or False, not"):
         library.run(optional_stop=odd)
     assert library.run(optional_stop=np.bool_(True), max_seconds=np.float32(9)).stop == "end"
 
@@ -180,19 +202,19 @@ def test_optional_stop_is_yes_or_no(library: cncsub.Library, odd: Any) -> None:
         ({"limits": {"X": (5, 1)}}, ValueError, "5 is above 1"),
         ({"limits": {"X": (1, math.nan)}}, ValueError, "out of range: nan"),
         ({"limits": {"X": (1, 2), "x": (1, 2)}}, ValueError, "limits has X twice, also as 'x'"),
-        ({"reference": {9: {"X": 1}}}, ValueError, "reference: the points are 1 to 4, not 9"),
-        ({"reference": {0: {"X": 1}}}, ValueError, "reference: the points are 1 to 4, not 0"),
+        ({"reference": {9: {"X": 1}}}, ValueError, "reference: the points must be 1 to 4, not 9"),
+        ({"reference": {0: {"X": 1}}}, ValueError, "reference: the points must be 1 to 4, not 0"),
         ({"start": {"X": 1, "x": 2}}, ValueError, "start has X twice, also as 'x'"),
         ({"start": {"X": math.nan}}, ValueError, r"start\['X'\] is out of range: nan"),
         ({"start": {"X": -math.inf}}, ValueError, "out of range: -inf"),
-        ({"start": {"X": b"1"}}, TypeError, r"start\['X'\] is a number, not b'1'"),
-        ({"start": {1: 1}}, ValueError, "start: 1 is no axis"),
+        ({"start": {"X": b"1"}}, TypeError, r"start\['X'\] must be a number, not b'1'"),
+        ({"start": {1: 1}}, ValueError, "start: 1 is not an axis"),
         ({"rapid": {"X": 1, "x": 2}}, ValueError, "rapid has X twice"),
         ({"work_offsets": {"G54.1 P999": {}}}, ValueError, "EXT and G54.1 P1 to P300"),
         ({"work_offsets": {"G54.1 P0": {}}}, ValueError, "EXT and G54.1 P1 to P300"),
         ({"work_offsets": {"G54": {}, "g54 ": {}}}, ValueError, "work_offsets has G54 twice"),
         ({"length_offsets": {1: 5, "1": 6}}, ValueError, "length_offsets has 1 twice, also as '1'"),
-        ({"length_offsets": {1.5: 5}}, ValueError, "1.5 is no number of an offset"),
+        ({"length_offsets": {1.5: 5}}, ValueError, "1.5 is not the number of an offset"),
     ],
 )
 def test_a_setup_that_means_nothing_is_refused(
@@ -219,20 +241,20 @@ def test_a_control_has_as_many_work_coordinate_systems_as_its_rule_says() -> Non
 def test_a_stream_that_was_read_writes_no_files(library: cncsub.Library, tmp_path: Path) -> None:
     stream = library.stream(rows=1)
     next(stream)
-    with pytest.raises(ValueError, match="parts of this stream were taken already"):
+    with pytest.raises(ValueError, match="parts of this stream were already read"):
         stream.to_parquet(tmp_path / "half")
     assert not (tmp_path / "half").exists()
     assert len(list(stream)) == 3
     stream = library.stream()
     stream.to_parquet(tmp_path / "whole")
-    with pytest.raises(ValueError, match="taken already"):
+    with pytest.raises(ValueError, match="already read"):
         stream.to_parquet(tmp_path / "again")
 
 
 def test_a_stream_that_keeps_nothing_writes_no_files(
     library: cncsub.Library, tmp_path: Path
 ) -> None:
-    with pytest.raises(ValueError, match="trace='none' keeps nothing that could be written"):
+    with pytest.raises(ValueError, match="trace='none' records nothing that could be written"):
         library.stream(trace="none").to_parquet(tmp_path / "none")
     assert not (tmp_path / "none").exists()
     library.stream(trace="calls").to_parquet(tmp_path / "calls")
@@ -360,29 +382,38 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        ("plot main.nc -o x.html --points 3", "--points is a number of points from 100 on, not 3"),
-        ("plot main.nc -o x.html --color red", "--color is one of kind"),
-        ("plot main.nc -o x.html --of calls --over z", "--over is time or steps, not 'z'"),
+        (
+            "plot main.nc -o x.html --points 3",
+            "--points must be a number of points from 100, not 3",
+        ),
+        ("plot main.nc -o x.html --color red", "--color must be one of kind"),
+        ("plot main.nc -o x.html --of calls --over z", "--over must be time or steps, not 'z'"),
         (
             "plot main.nc -o x.html --of calls --color tool",
-            "--color goes with --of path, not calls",
+            "--color is only for --of path, not calls",
         ),
-        ("plot main.nc -o x.html --of calls --machine", "--machine goes with --of path, not calls"),
-        ("plot main.nc -o x.html --of programs --points 500", "--points goes with --of path"),
-        ("plot main.nc -o x.html --over steps", "--over goes with --of calls or watch, not path"),
-        ("run main.nc --skip 12", "--skip: the block-skip switches are 1 to 9, not 12"),
+        (
+            "plot main.nc -o x.html --of calls --machine",
+            "--machine is only for --of path, not calls",
+        ),
+        ("plot main.nc -o x.html --of programs --points 500", "--points is only for --of path"),
+        ("plot main.nc -o x.html --over steps", "--over is only for --of calls or watch, not path"),
+        ("run main.nc --skip 12", "--skip: a block-skip switch must be 1 to 9, not 12"),
         ("run main.nc --start 7", "--start: there is no block N7 in O1"),
-        ("run main.nc --start -7", "--start, a sequence number, is at least 0, not -7"),
-        ("run main.nc --set 100=nan", "--set takes NUMBER=VALUE, such as 100=23.34 or 100=vacant"),
-        ("run main.nc --set 100=inf", "--set takes NUMBER=VALUE"),
-        ("run main.nc --set 100=1e300", "--set, --variables: #100 takes a number up to 1e+47"),
-        ("run main.nc --prefer none.nc", "--prefer names"),
-        ("run main.nc -", "- is the standard input, and is read alone"),
-        ("batch main.nc --each x", "--each is one of file, beside, folder, not 'x'"),
+        ("run main.nc --start -7", "--start, a sequence number, must be at least 0, not -7"),
+        (
+            "run main.nc --set 100=nan",
+            "--set must be NUMBER=VALUE, such as 100=23.34 or 100=vacant",
+        ),
+        ("run main.nc --set 100=inf", "--set must be NUMBER=VALUE"),
+        ("run main.nc --set 100=1e300", "--set, --variables: #100 must be a number up to 1e+47"),
+        ("run main.nc --prefer none.nc", "--prefer is"),
+        ("run main.nc -", "- is the standard input, which is read alone"),
+        ("batch main.nc --each x", "--each must be one of file, beside, folder, not 'x'"),
         ("batch main.nc --max-seconds -1", "--max-seconds must be more than 0 and finite"),
-        ("check main.nc --rule program-mising", "'program-mising'; near are program-missing"),
+        ("check main.nc --rule program-mising", "'program-mising'; did you mean program-missing"),
         ("check main.nc --rule ZZ999", "no rule 'ZZ999'; there are CS101 to CS"),
-        ("run dangling.nc", "a link that leads nowhere; near are mangling.nc, main.nc\n"),
+        ("run dangling.nc", "a broken link; did you mean mangling.nc, main.nc?\n"),
     ],
 )
 def test_a_wrong_option_is_told_by_the_name_of_the_option(
@@ -410,15 +441,15 @@ def test_explain_knows_what_is_near() -> None:
     def told(name: str) -> str:
         return CliRunner().invoke(app, ["explain", name]).output
 
-    assert "near are program-missing" in told("program-mising")
+    assert "did you mean program-missing" in told("program-mising")
     assert told("program-missing").startswith("CS201 program-missing")
-    assert "near are CS709" in told("CS999")
-    assert "near are PS0076" in told("PS076x")
+    assert "did you mean CS709" in told("CS999")
+    assert "did you mean PS0076" in told("PS076x")
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf, np.nan, np.float64("-inf")])
 def test_what_is_no_number_is_no_value_of_a_variable(library: cncsub.Library, value: float) -> None:
-    with pytest.raises(ValueError, match=r"variables: #100 takes a number (or None|up to)"):
+    with pytest.raises(ValueError, match=r"variables: #100 must be a number (or None|up to)"):
         library.run(variables={100: value})
-    with pytest.raises(ValueError, match="#100 takes a number"):
+    with pytest.raises(ValueError, match="#100 must be a number"):
         library.machine().variables[100] = value

@@ -264,7 +264,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.error(f"there is no {options.rs274}: install linuxcnc-uspace, or give --rs274 PATH")
     suite = json.loads(options.suite.read_text(encoding="utf-8"))
     if suite.get("format") != "cncsub-conformance" or suite.get("version") != 1:
-        parser.error(f"{options.suite} is no conformance suite of version 1")
+        parser.error(f"{options.suite} is not a conformance suite of version 1")
     with tempfile.TemporaryDirectory(prefix="rs274-") as folder:
         report = hold(suite, str(Path(command).absolute()), Path(folder))
     print("\n".join(report.lines()))

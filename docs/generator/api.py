@@ -21,7 +21,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     ),
     "references": (
         "References",
-        "What programs refer to, told without running.",
+        "What programs refer to, found without running.",
         ["CallGraph", "Edge", "CallTo", "JumpTo", "VariableUse", "Computed", "Flow", "FlowEdge"],
     ),
     "runs": (
@@ -86,7 +86,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
     ),
     "checking": (
         "Checking",
-        "What is wrong, told without running.",
+        "What is wrong, found without running.",
         ["CheckRule", "Finding", "Edit"],
     ),
     "comparing": (
@@ -145,9 +145,9 @@ def documented() -> set[str]:
 def _index() -> str:
     text = (
         "# Python\n\n`import cncsub` needs NumPy alone. What needs pandas, pyarrow, plotly or the"
-        " command's packages (`cncsub[cli]`) imports them when it is used, and says so where they"
+        " command's packages (`cncsub[cli]`) imports them when it is used, and says so if they"
         " are missing.\n"
-        "[What is public](../../public.md) is what stands on these pages.\n\n"
+        "These pages have all that [is public](../../public.md).\n\n"
     )
     rows = (
         [f"[{title}]({page}.md)", words(about), ", ".join(code(name) for name in names)]

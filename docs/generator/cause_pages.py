@@ -17,7 +17,7 @@ _ROWS = Path(__file__).resolve().parents[2] / "tests" / "conformance"
 _HEAD = """\
 # Alarms
 
-What stops a program, by our own names: a **cause** says what happened on whatever control, and
+What stops a program, by our own names: a **cause** says what happened on any control, and
 each control shows a number and a text of its own for it. `cncsub explain PS0076` finds the cause of
 a number.
 
@@ -60,11 +60,11 @@ def _page(slug: str) -> str:
             text += "\n\\* This wording is not that of a printed list of the control.\n"
         if len(rows) < len(cncsub.controls):
             text += (
-                "\nOn the other controls no source gives it a number; where it happens there,"
-                " the alarm has the cause alone.\n"
+                "\nOn the other controls no source gives it a number:"
+                " the alarm has only the cause.\n"
             )
     else:
-        text += "No source gives it a number on any control: the alarm has the cause alone.\n"
+        text += "No source gives it a number on any control: the alarm has only the cause.\n"
     return text
 
 
@@ -143,5 +143,5 @@ def _example(case: Any, name: str) -> str:
         + fenced("nc", program)
         + "\n"
         + fenced("text", str(run.alarm))
-        + f"\nWho says so: {cited(case.source_on(name), '../')} ({case.evidence[name]}).\n\n"
+        + f"\nSource: {cited(case.source_on(name), '../')} ({case.evidence[name]}).\n\n"
     )

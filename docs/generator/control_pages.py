@@ -61,7 +61,7 @@ _OWN_LANGUAGE = {
 _P = {
     "number": "number",
     "count-and-number": "count + number",
-    "sequence-number": "N of the own program",
+    "sequence-number": "N of the same program",
 }
 
 
@@ -224,7 +224,8 @@ def _parameters(control: cncsub.Control) -> str:
         for p in control.parameters.values()
     )
     return (
-        "## Parameters\n\nAs delivered, as far as known. `--param NAME=VALUE`, or"
+        "## Parameters\n\nThe values as delivered, as far as they are known."
+        " `--param NAME=VALUE`, or"
         " `control.with_parameters({...})`, sets one.\n\n"
         + table(("parameter", "value", "what it is", "source"), rows)
     )
@@ -254,7 +255,7 @@ def _alarms(control: cncsub.Control) -> str:
     text = "## Alarms\n\n"
     if not control.alarms:
         return (
-            text + "No source gives numbers: an alarm has its cause alone"
+            text + "No source gives numbers: an alarm has only its cause"
             " ([all causes](../causes/index.md)).\n"
         )
     rows = sorted(
@@ -276,10 +277,10 @@ def _alarms(control: cncsub.Control) -> str:
 
 _FATES = {
     "computed": "Computed",
-    "passed": "Passed over: no path depends on them",
-    "not computed": "Not computed: the control has them, and a run stops there with"
+    "passed": "Ignored: they do not change the path",
+    "not computed": "Not computed: the control has them, and a run stops at them with"
     " [code-not-computed](../causes/code-not-computed.md)",
-    "not known": "Not known: no source says whether the control has them; a run stops there with"
+    "not known": "Not known: no source says whether the control has them; a run stops at them with"
     " [code-not-known](../causes/code-not-known.md)",
     "refused": "Refused",
 }
@@ -306,9 +307,9 @@ def _codes(control: cncsub.Control) -> str:
             if fates[fate]:
                 text += f"{told}: {', '.join(map(code, fates[fate]))}.\n\n"
         text += (
-            "Every other G code is refused: the control's list has none.\n\n"
+            "Every other G code is refused: the control does not have it.\n\n"
             if others == "refused"
-            else "Of every other G code no source says whether the control has it.\n\n"
+            else "For every other G code no source says whether the control has it.\n\n"
         )
     return text
 

@@ -11,7 +11,7 @@ _PAGE = "reference/sources.md"
 _HEAD = """\
 # Sources
 
-Every rule, parameter and alarm of a control cites where it is known from, by a key of this page
+Every rule, parameter and alarm of a control cites its source by a key of this page
 (`cncsub.sources` holds them all). The evidence given here holds on the controls that the source is
 about; on any other control the source is secondary at best:
 

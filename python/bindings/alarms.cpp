@@ -16,7 +16,7 @@ py::tuple state_of(const Frame& f) {
   return py::make_tuple(f.program, f.n, f.line, f.file, f.kind, f.called, f.repeat, f.repeats);
 }
 Frame frame_of(const py::tuple& state) {
-  if (state.size() != 8) throw py::value_error("this is no Frame");
+  if (state.size() != 8) throw py::value_error("this is not a Frame");
   return {state[0].cast<std::string>(),   state[1].cast<std::int64_t>(),
           state[2].cast<std::uint32_t>(), state[3].cast<std::string>(),
           state[4].cast<std::string>(),   state[5].cast<std::string>(),
@@ -30,7 +30,7 @@ py::tuple state_of(const Alarm& a) {
                         a.column, a.width, a.word, a.file, a.detail, a.source_line, frames);
 }
 Alarm alarm_from(const py::tuple& state) {
-  if (state.size() != 13) throw py::value_error("this is no Alarm");
+  if (state.size() != 13) throw py::value_error("this is not an Alarm");
   Alarm alarm;
   const auto slug = state[0].cast<std::string>();
   const auto& causes = all_causes();

@@ -18,9 +18,9 @@ namespace {
 
 constexpr const char* kWithParameters = R"(with_parameters(parameters)
 
-The control with parameters of its own changed: a mapping of number, or number and bit, to value.
+The control with parameters changed: a mapping from number, or number and bit, to value.
 
-Raises `ValueError` for a parameter that it does not have, and names what is near.
+Raises `ValueError` for a parameter that the control does not have, and suggests similar ones.
 
 >>> import cncsub
 >>> control = cncsub.controls["fanuc-0i-f"].with_parameters({"6050": 70, "6001#5": 1})
@@ -30,11 +30,11 @@ Raises `ValueError` for a parameter that it does not have, and names what is nea
 
 constexpr const char* kReplace = R"(replace(**rules)
 
-The control with rules changed, by the names `control.rules` shows.
+The control with rules changed, by the names that `control.rules` shows.
 
-A list takes entries (`g_meanings="68.2=neutral"`), takes them away (`"-68.2"`), or is given as a
-whole (`"= 0 1 2"`). `commons` is always given as a whole: ranges of variable numbers, and names of
-`control.variable_options`. Raises `ValueError` with the entry that is wrong and what is near it.
+An entry is added to a list (`g_meanings="68.2=neutral"`), removed (`"-68.2"`), or the list is given
+as a whole (`"= 0 1 2"`). `commons` is always given as a whole: ranges of variable numbers, and
+names of `control.variable_options`. Raises `ValueError` with the entry that is wrong and similar ones.
 
 >>> import cncsub
 >>> control = cncsub.controls["mitsubishi-m700"].replace(commons="100-199 500-999 900000-907399")
@@ -46,13 +46,13 @@ ValueError: commons: 199-100 ends before it begins: write 100-199
 )";
 constexpr const char* kFromToml = R"(from_toml(path)
 
-A control of one's own, made from a built-in one by a TOML file.
+A control of your own, made from a built-in one by a TOML file.
 
-The file names `name` and `base`, and may hold `title` and the tables `rules`, `parameters`, `calls`
+The file has `name` and `base`, and can have `title` and the tables `rules`, `parameters`, `calls`
 (codes that call programs) and `alarms`; each value alone, or with a `note` that says where it comes
-from. Without a `name` it holds `base`, `rules` and `parameters` alone, and makes what `replace` and
-`with_parameters` make. The same may stand in the table `control` of `cncsub.toml`. Raises
-`ValueError` for what no control can be, with the file and the key.
+from. Without a `name` it has only `base`, `rules` and `parameters`, and makes what `replace` and
+`with_parameters` make. The same can be the table `control` of `cncsub.toml`. Raises
+`ValueError` for what a control cannot be, with the file and the key.
 
 >>> import cncsub, pathlib, tempfile
 >>> file = pathlib.Path(tempfile.mkdtemp()) / "our-mill.toml"
@@ -91,7 +91,7 @@ True
 )";
 constexpr const char* kAbsent = R"(The groups of rules that the control does not have.
 
-Each with its source and evidence: a control without macros answers no rule of macros.
+Each with its source and evidence: a control without macros has no rule of macros.
 
 >>> import cncsub
 >>> control = cncsub.controls["gsk-928te"]
@@ -101,9 +101,10 @@ Each with its source and evidence: a control without macros answers no rule of m
 Traceback (most recent call last):
 ValueError: gsk-928te has no rules of macros, such as max_loops: general knowledge: no macro statements
 )";
-constexpr const char* kVariableOptions = R"(Variables that a shop buys, by the name of the option.
+constexpr const char* kVariableOptions =
+    R"(Variables that are an option of the control, by the name of the option.
 
-Each has `meaning`, `numbers`, `fitted` (whether the control as it is set has them all), `source`,
+Each has `meaning`, `numbers`, `fitted` (whether the control has them all as it is set), `source`,
 `evidence`, and the `rule` by which `replace` fits it: `commons`, whose options name all commons of
 a control, or `variable_options`, whose options are added.
 
@@ -189,13 +190,13 @@ std::shared_ptr<Control> with_parameters(const Control& control, const py::objec
   for (const auto& [key, value] : py::dict(parameters)) {
     if (!py::isinstance<py::str>(key) || PyUnicode_AsUTF8(key.ptr()) == nullptr) {
       PyErr_Clear();  // error of a text with a lone surrogate
-      throw py::type_error("a parameter is named by a text, such as '6050' or '6001#5', not " +
-                           shown(key));
+      throw py::type_error(
+          "the name of a parameter must be a text such as '6050' or '6001#5', not " + shown(key));
     }
     const auto number = number_of(value);
     if (!number)
       throw py::type_error("parameter " + py::str(key).cast<std::string>() +
-                           " takes a number, not " + shown(value));
+                           " must be a number, not " + shown(value));
     if (auto wrong = changed->set_parameter(key.cast<std::string>(), *number))
       throw py::value_error(*wrong);
     if (!control.base.empty()) mark_parameter(*changed, key.cast<std::string>(), kByCaller);
@@ -211,13 +212,14 @@ RuleValue rule_value(const py::handle& value) {
   } catch (const py::cast_error&) {  // more than 64 bits, or a lone surrogate
     throw py::value_error("a rule does not take " + shown(value));
   }
-  throw py::type_error("a rule is True or False, a whole number or a text, not " + shown(value));
+  throw py::type_error("a rule must be True or False, a whole number or a text, not " +
+                       shown(value));
 }
 
 const Control& base_of(const std::string& name) {
   for (const Control& control : all_controls())
     if (control.name == name) return control;
-  throw py::value_error("no control is called '" + name + "'");
+  throw py::value_error("there is no control '" + name + "'");
 }
 
 const Control& base_of(const Control& control) {
@@ -235,7 +237,7 @@ void check_rule_name(const Control& control, const std::string& name) {
       py::module_::import("cncsub.controls")
           .attr("did_you_mean")(name, names,
                                 "; `cncsub controls " + control.name + " --all` lists the rules");
-  throw py::value_error("no rule is named " + name + near.cast<std::string>());
+  throw py::value_error("there is no rule " + name + near.cast<std::string>());
 }
 
 /// Set a rule as a caller asks, or raise what is wrong with its name or its value.
@@ -290,7 +292,7 @@ void set_alarm(Control& control, const OwnAlarm& own) {
     entry.evidence = kBySomebody;
     return;
   }
-  throw py::value_error("no cause is called " + own.slug);
+  throw py::value_error("there is no cause " + own.slug);
 }
 
 Evidence evidence_of_own(const std::string& source) {
@@ -363,7 +365,7 @@ py::tuple state_of(const Control& control) {
 
 std::shared_ptr<Control> control_of(const py::tuple& state) {
   const bool own = state.size() == 7;
-  if (!own && state.size() != 3) throw py::value_error("this is no Control");
+  if (!own && state.size() != 3) throw py::value_error("this is not a Control");
   const Control& base = base_of(state[0].cast<std::string>());
   auto control = with_parameters(base, state[1]);
   if (own)
@@ -372,7 +374,7 @@ std::shared_ptr<Control> control_of(const py::tuple& state) {
                           state[6].cast<std::vector<OwnAlarmRow>>());
   for (const auto& [key, change] : py::dict(state[2])) {
     const auto reported = change.cast<py::tuple>();
-    if (reported.size() != 3) throw py::value_error("this is no Control");
+    if (reported.size() != 3) throw py::value_error("this is not a Control");
     const auto source = reported[1].cast<std::string>();
     if (auto wrong = set_rule(*control, key.cast<std::string>(), rule_value(reported[0]), source,
                               own ? evidence_of_own(source) : Evidence::Inferred))
@@ -510,9 +512,10 @@ void add_controls(py::module_& m) {
                                  names[i] = p.sets[i].rule;
                                return names;
                              })
-      .def_readonly("used", &ParameterRow::used,
-                    "Whether anything is computed from it; what is not is only what a program "
-                    "reads of it, as by PRM[].")
+      .def_readonly(
+          "used", &ParameterRow::used,
+          "Whether cncsub computes anything from it; if not, it is only the value that a program "
+          "can read, as by PRM[].")
       .def("__repr__", [](const ParameterRow& p) {
         return "<Parameter " + p.name + " = " + written(p.value) + ": " + p.meaning + ">";
       });

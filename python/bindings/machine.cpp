@@ -191,7 +191,7 @@ void set_variable(Live& live, std::int64_t number, std::optional<double> value, 
 double get_signal(Live& live, std::int64_t number) {
   const Look machine(live);
   if (!is_signal(machine->code(), number))
-    throw py::key_error("#" + std::to_string(number) + " is no signal on " +
+    throw py::key_error("#" + std::to_string(number) + " is not a signal on " +
                         machine->code().control->name);
   const auto& signals = machine->state().signals;
   const auto found = signals.find(static_cast<std::int32_t>(number));
@@ -201,7 +201,7 @@ double get_signal(Live& live, std::int64_t number) {
 void set_signal(Live& live, std::int32_t number, double value) {
   const Work machine(live);
   if (!is_signal(machine->code(), number))
-    throw py::key_error("#" + std::to_string(number) + " is no signal on " +
+    throw py::key_error("#" + std::to_string(number) + " is not a signal on " +
                         machine->code().control->name);
   machine->set_from_outside(number, value);
 }

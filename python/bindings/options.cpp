@@ -148,7 +148,7 @@ Trace::Depth depth_of(const std::string& name) {
   if (name == "calls") return Trace::Depth::Calls;
   if (name == "blocks") return Trace::Depth::Blocks;
   if (name == "moves") return Trace::Depth::Moves;
-  throw py::value_error("trace is 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
+  throw py::value_error("trace must be 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
 }
 
 namespace {
@@ -164,7 +164,7 @@ std::uint16_t switches_of(const py::handle& from) {
   std::uint16_t switches = 0;
   for (const int number : from.cast<std::vector<int>>()) {
     if (number < 1 || number > 9)
-      throw py::value_error("a block-skip switch is 1 to 9, not " + std::to_string(number));
+      throw py::value_error("a block-skip switch must be 1 to 9, not " + std::to_string(number));
     switches = static_cast<std::uint16_t>(switches | (1u << number));
   }
   return switches;
@@ -208,7 +208,7 @@ Options options_of(const py::dict& from) {
     try {
       if (!value.is_none()) row->second(options, value);
     } catch (const py::cast_error&) {
-      throw py::type_error("a machine takes another kind of value for " + name);
+      throw py::type_error("the value has the wrong type for the option " + name);
     }
   }
   return options;
@@ -238,7 +238,7 @@ void check_inputs(const Code& code, const Inputs& inputs) {
   for (const auto& [number, value] : inputs.signals)
     if (!is_signal(code, number))
       refuse("inputs",
-             "signals: #" + std::to_string(number) + " is no signal on " + code.control->name);
+             "signals: #" + std::to_string(number) + " is not a signal on " + code.control->name);
   const auto check = [&](const char* field, const std::map<std::int32_t, double>& values) {
     for (const auto& [number, value] : values)
       if (auto fault = unwritable(code, number); fault && !is_signal(code, number))

@@ -18,7 +18,7 @@ PathFrame frame_of(const std::string& name) {
   if (name == "work") return PathFrame::Work;
   if (name == "tool") return PathFrame::Tool;
   if (name == "machine") return PathFrame::Machine;
-  throw py::value_error("the coordinates are work, tool or machine");
+  throw py::value_error("the coordinates must be work, tool or machine");
 }
 
 /// Return x, y, z, move, begins of the moves [first, last); the number of points where that is more

@@ -92,8 +92,8 @@ class Finding:
     `rule`: its number, such as `CS201`; `name`: its slug; `severity`: `"error"`, `"warning"` or
     `"note"`. `program`, `n`, `line`, `column`, `file`, `word`: where, as in an `Alarm`. `message`:
     what is wrong there. `hint`: what to write instead. `alarm`: what the control raises when the
-    block runs, `None` where it raises nothing or that is not known. `path`: the calls that lead
-    there, the outermost first. `fix`: edits that mend it, `None` where none is certain. `places`:
+    block runs, `None` if it raises nothing or no source says what. `path`: the calls that lead
+    there, the outermost first. `fix`: edits that correct it, `None` if none is certain. `places`:
     where the same cause is found again, the first 1,000 by their blocks; `count`: how often in all.
     """
 
@@ -209,11 +209,11 @@ def chosen_rules(names: Iterable[str] | None) -> frozenset[str]:
     if names is None:
         return frozenset(rule.number for rule in all_rules())
     if isinstance(names, str):
-        raise TypeError(f"rules are a list of names, not the text {names!r}")
+        raise TypeError(f"rules must be a list of names, not the text {names!r}")
     chosen: set[str] = set()
     for name in names:
         if not isinstance(name, str):
-            raise TypeError(f"a rule is named by a text such as CS201, not {name!r}")
+            raise TypeError(f"the name of a rule must be a text such as CS201, not {name!r}")
         group = {rule.number for rule in all_rules() if rule.number.startswith(name.upper())}
         is_group = re.fullmatch(r"CS\d?", name.upper()) is not None and bool(group)
         chosen |= group if is_group else {rule_named(name).number}

@@ -60,9 +60,9 @@ def near_names(name: object, names: Iterable[str], *, most: int = 3) -> list[str
 
 
 def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str:
-    """Return `; near are ...` for the end of a message, or `otherwise`."""
+    """Return `; did you mean ...?` for the end of a message, or `otherwise`."""
     near = near_names(name, names)
-    return f"; near are {', '.join(near)}" if near else otherwise
+    return f"; did you mean {', '.join(near)}?" if near else otherwise
 
 
 def names_beginning(letters: str) -> list[str]:
@@ -71,7 +71,7 @@ def names_beginning(letters: str) -> list[str]:
 
 
 class Named(Mapping[str, T]):
-    """A mapping whose `KeyError` names what is near."""
+    """A mapping whose `KeyError` suggests similar names."""
 
     def __init__(self, what: str, read: Callable[[], dict[str, T]]) -> None:
         self._what = what
@@ -86,7 +86,7 @@ class Named(Mapping[str, T]):
             return self._entries[name]
         except (KeyError, TypeError):
             known = did_you_mean(name, self._entries, f"; there are {', '.join(self._entries)}")
-            raise KeyError(f"no {self._what} is called {name!r}{known}") from None
+            raise KeyError(f"there is no {self._what} {name!r}{known}") from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._entries)

@@ -67,7 +67,7 @@ _DOCS: Mapping[type, tuple[str, Mapping[str, str]]] = {
     _core.Control: (
         _CONTROL,
         {
-            "name": "The key in `cncsub.controls`; of a changed control, also what was changed.",
+            "name": "The key in `cncsub.controls`; of a changed control also the changes.",
             "title": "The name for people.",
             "dialect": "The language of its programs: `iso`, `linuxcnc`, `sinumerik`.",
             "base": "The built-in control that it was made from: a key of `cncsub.controls`.",

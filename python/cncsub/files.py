@@ -108,8 +108,9 @@ def read_paths(
     out. `siblings`: files that nobody named, which are read after the paths as files of a folder
     are.
 
-    Raises `FileNotFoundError` for a missing path, naming what is near, and `ValueError` for a path
-    that is neither a file nor a folder, for a folder without programs and for an unknown encoding.
+    Raises `FileNotFoundError` for a missing path, suggesting similar names, and `ValueError` for a
+    path that is neither a file nor a folder, for a folder without programs and for an unknown
+    encoding.
     """
     check_encoding(encoding)
     reading = Reading()
@@ -140,14 +141,14 @@ def _real(path: StrPath) -> str:
 def _checked_path(path: StrPath) -> Path:
     if not isinstance(path, str | os.PathLike):
         raise TypeError(
-            f"a path is a text or a pathlib.Path, not {type(path).__name__};"
+            f"a path must be a text or a pathlib.Path, not {type(path).__name__};"
             " loads() takes the text of a program"
         )
     name = os.fspath(path)
     if not name:
         raise FileNotFoundError(errno.ENOENT, "an empty path", name)
     if "\0" in name or "\n" in name:
-        raise ValueError("this is no path; cncsub.loads() takes the text of a program")
+        raise ValueError("this is not a path; cncsub.loads() takes the text of a program")
     return Path(name)
 
 
@@ -173,9 +174,9 @@ def _cannot_find(path: Path, error: OSError) -> OSError:
     if error.errno not in (errno.ENOENT, errno.ENOTDIR, errno.ELOOP, errno.ENAMETOOLONG):
         return error
     near = _near_files(path)
-    cure = f"; near are {', '.join(near)}" if near else ""
+    cure = f"; did you mean {', '.join(near)}?" if near else ""
     what = (
-        "a link that leads nowhere"
+        "a broken link"
         if error.errno == errno.ELOOP or path.is_symlink()
         else "no such file or folder"
     )
@@ -336,13 +337,13 @@ def refused_entry(path: Path, root: Path) -> str | None:
         if system.leads_elsewhere(path) and not Path(
             os.path.realpath(path, strict=True)
         ).is_relative_to(root):
-            return "a link that leads out of the folder"
+            return "a link to a place outside the folder"
     except OSError:
-        return "a link that leads nowhere" if os.path.islink(path) else "cannot be opened"  # noqa: PTH114
+        return "a broken link" if os.path.islink(path) else "cannot be opened"  # noqa: PTH114
     if not stat.S_ISDIR(mode) and not stat.S_ISREG(mode):
         return "not a regular file"
     if stat.S_ISREG(mode) and path.suffix.lower() in _OTHER_ENDINGS:
-        return f"{path.suffix} files are no programs"
+        return f"{path.suffix} files are not programs"
     return None
 
 
@@ -394,7 +395,7 @@ def check_encoding(encoding: str | None) -> None:
     if encoding is None:
         return
     if not isinstance(encoding, str):
-        raise TypeError(f"encoding is a name such as 'gbk', not {type(encoding).__name__}")
+        raise TypeError(f"encoding must be a name such as 'gbk', not {type(encoding).__name__}")
     try:
         known = codecs.lookup(encoding)
     except (LookupError, ValueError):
@@ -452,7 +453,7 @@ def text_pieces(text: object, encoding: str | None = None) -> list[str | Data]:
         return decoded(bytes(text), encoding)
     if isinstance(text, str):
         return cut(text.removeprefix("\ufeff"))  # a byte order mark that somebody has decoded
-    raise TypeError(f"the text of a program is a text or bytes, not {type(text).__name__}")
+    raise TypeError(f"the text of a program must be a text or bytes, not {type(text).__name__}")
 
 
 def shown_and_stem(name: object) -> tuple[str, str]:
@@ -462,7 +463,7 @@ def shown_and_stem(name: object) -> tuple[str, str]:
     if name is None:
         return TEXT, ""
     if not isinstance(name, str):
-        raise TypeError(f"name is what the file would be called, not {type(name).__name__}")
+        raise TypeError(f"name must be a file name, not {type(name).__name__}")
     stem = os.path.splitext(os.path.basename(name))[0]  # noqa: PTH119, PTH122
     return clean(name), clean(stem)
 

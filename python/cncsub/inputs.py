@@ -27,27 +27,27 @@ ANSWERS = ("start", "stop")
 
 @dataclass(frozen=True, kw_only=True)
 class Inputs:
-    """Answers to what a program asks of the world outside, scripted: the same inputs give the same
-    run.
+    """What a program reads from outside while it runs, given in advance: the same inputs give the
+    same run.
 
     `signals`: values of the interface inputs by variable number, bits (`#1000`...) and words
     (`#1032`...). `clock`: a `datetime` for `#3011` and `#3012`, or the milliseconds `#3001` counts
     from; `None` leaves all at 0. `operator`: one answer for each M00, M01 or `#3006` in order,
-    `"start"` (cycle start) or `"stop"` (the run stops, waiting); without it the operator always
-    presses cycle start, with it the run waits where the answers are used up. `writes`: what another
-    program writes into variables while this one waits for them, one mapping for each time the run
-    would wait; `(3, {500: 1})` is written the third time only. `None` makes a variable vacant.
-    `skips`: where the first G31, the second and so on meet their skip signal: a coordinate of the
-    path, `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its
-    time for a G04 that a signal may end), or `None` for one that meets nothing. A list counts every
-    such block, whichever signal it watches; a mapping has a list for each signal, 1 to 8:
+    `"start"` (cycle start) or `"stop"` (the run stops and waits); without it the operator always
+    presses cycle start, with it the run waits when no answer is left. `writes`: what another
+    program writes into variables while this one waits for them, one mapping for each wait;
+    `(3, {500: 1})` is written only at the third wait. `None` makes a variable vacant. `skips`:
+    where the first G31, the second and so on get their skip signal: a coordinate of the path,
+    `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its time
+    for a G04 that a signal may end), or `None` for one that gets no signal. A list is for all such
+    blocks, whichever signal they watch; a mapping has a list for each signal, 1 to 8:
     `{1: [{"X": 40}], 2: [None, {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which
     signals these watch (rule `skip_signals`). G36 and G37, which measure a tool, watch `"XAE"`,
     `"YAE"` and `"ZAE"`. `workpiece`: what the blocks after the end of the list touch, see
-    `Workpiece`; a G31 that nothing answers meets nothing. `answers`: what the machine does about a
-    code it is sent, signals and variables by number: `{"M117": {1004: 1}}`.
+    `Workpiece`; a G31 without an answer gets no signal. `answers`: what the machine does when a
+    code is sent to it, signals and variables by number: `{"M117": {1004: 1}}`.
 
-    Raises `TypeError` and `ValueError` for values of another kind.
+    Raises `TypeError` and `ValueError` for wrong values.
 
     >>> import cncsub
     >>> text = "O1\\nN10 IF[#500 EQ #0]GOTO 10\\nN20 #501=#500*2\\nN30 M30\\n"
@@ -69,7 +69,7 @@ class Inputs:
 
     @classmethod
     def from_toml(cls, path: str | os.PathLike[str]) -> Inputs:
-        """Read the fields from a TOML file. In `skips`, `"never"` stands for `None`; open ends are
+        """Read the fields from a TOML file. In `skips`, `"never"` is `None`; open ends are
         `-inf` and `inf`.
 
             answers = { M117 = { 1004 = 1 } }
@@ -115,7 +115,7 @@ def inputs_of(inputs: Inputs | Mapping[str, Any] | None) -> dict[str, Any] | Non
     if isinstance(inputs, Inputs):
         return inputs.to_core()
     if not isinstance(inputs, Mapping):
-        raise TypeError(f"inputs is a cncsub.Inputs or a mapping, not {type(inputs).__name__}")
+        raise TypeError(f"inputs must be a cncsub.Inputs or a mapping, not {type(inputs).__name__}")
     return _inputs_from(inputs).to_core()
 
 
@@ -123,8 +123,8 @@ def _inputs_from(inputs: Mapping[str, Any]) -> Inputs:
     known = [f.name for f in dataclasses.fields(Inputs)]
     for key in inputs:
         if key not in known:
-            near = did_you_mean(key, known)
-            words = f"inputs has no {key!r}{near}; there are {', '.join(known)}"
+            near = did_you_mean(key, known, f"; there are {', '.join(known)}")
+            words = f"inputs has no {key!r}{near}"
             raise wrong_value("inputs", words)
     return Inputs(**inputs)
 
@@ -186,24 +186,24 @@ def checked_watch(numbers: object) -> list[int]:
         numbers = (numbers,)
     if isinstance(numbers, str | bytes) or not isinstance(numbers, Iterable):
         raise TypeError(
-            f"watch holds the numbers of variables, such as [100, 500], not {numbers!r}"
+            f"watch must be a list of variable numbers such as [100, 500], not {numbers!r}"
         )
     checked: dict[int, None] = {}
     for number in numbers:
         if isinstance(number, str):
             raise ValueError(
-                f"watch: a variable is watched by its number, such as 100, not by name: {number!r}"
+                f"watch: give the number of a variable, such as 100, not its name: {number!r}"
             )
         if not _is_whole(number):
             raise TypeError(
-                f"watch: a variable number is a whole number such as 100, not {number!r}"
+                f"watch: a variable number must be a whole number such as 100, not {number!r}"
             )
         if not 0 <= int(number) < 2**31:
             raise ValueError(f"watch: there is no variable #{number}")
         checked[int(number)] = None
         if len(checked) > _MOST_WATCHED:
             raise ValueError(
-                f"watch: at most {_MOST_WATCHED} variables are watched in one run; name fewer"
+                f"watch: at most {_MOST_WATCHED} variables can be watched in one run; give fewer"
             )
     return list(checked)
 
@@ -211,14 +211,14 @@ def checked_watch(numbers: object) -> list[int]:
 def _variables(what: str, values: object) -> dict[int, float | None]:
     if not isinstance(values, Mapping):
         raise TypeError(
-            f"{what} maps variable numbers to values, such as {{100: 23.34}},"
+            f"{what} must be a mapping from variable numbers to values, such as {{100: 23.34}},"
             f" not {type(values).__name__}"
         )
     checked: dict[int, float | None] = {}
     for number, value in values.items():
         if not _is_whole(number):
             raise TypeError(
-                f"{what}: a variable number is a whole number such as 100, not {number!r}"
+                f"{what}: a variable number must be a whole number such as 100, not {number!r}"
             )
         if not 0 < int(number) < 2**31:
             raise ValueError(f"{what}: there is no variable #{number} to give a value to")
@@ -235,11 +235,11 @@ def _value(what: str, value: object) -> float | None:
             raise TypeError
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{what} takes a number or None (vacant), not {value!r}") from None
+        raise TypeError(f"{what} must be a number or None (vacant), not {value!r}") from None
     if math.isnan(number):
-        raise ValueError(f"{what} takes a number or None (vacant), not nan")
+        raise ValueError(f"{what} must be a number or None (vacant), not nan")
     if abs(number) > LARGEST_VALUE:
-        raise ValueError(f"{what} takes a number up to {LARGEST_VALUE:g}, not {value!r}")
+        raise ValueError(f"{what} must be a number up to {LARGEST_VALUE:g}, not {value!r}")
     return number
 
 
@@ -250,7 +250,7 @@ def _is_whole(number: object) -> bool:
 
 def _listed(what: str, values: object) -> Sequence[Any]:
     if isinstance(values, str | bytes | Mapping) or not isinstance(values, Sequence):
-        raise TypeError(f"{what} is a list, not {type(values).__name__}")
+        raise TypeError(f"{what} must be a list, not {type(values).__name__}")
     return values
 
 
@@ -259,17 +259,17 @@ def _write(entry: object) -> list[dict[int, float | None]]:
         return [_variables("writes", entry)]
     if not isinstance(entry, tuple | list) or len(entry) != 2 or not _is_whole(entry[0]):
         raise TypeError(
-            "writes holds mappings such as {500: 1} and pairs such as (3, {500: 1}),"
+            "writes must have mappings such as {500: 1} or pairs such as (3, {500: 1}),"
             f" not {entry!r}"
         )
     if not 1 <= entry[0] <= 1_000_000:
-        raise ValueError(f"writes: {entry[0]} is no count of waits; the first wait is 1")
+        raise ValueError(f"writes: {entry[0]} is not the number of a wait; the first wait is 1")
     return [*({} for _ in range(entry[0] - 1)), _variables("writes", entry[1])]
 
 
 def _answer(answer: object) -> str:
     if answer not in ANSWERS:
-        raise ValueError(f"the operator answers 'start' or 'stop', not {answer!r}")
+        raise ValueError(f"operator must be 'start' or 'stop', not {answer!r}")
     return str(answer)
 
 
@@ -292,34 +292,36 @@ def _skip(where: str, skip: object) -> tuple[str, float]:
         return "never", 0.0
     if isinstance(skip, Mapping):
         if len(skip) != 1:
-            raise ValueError(f'{where} is the coordinate of one axis, {{"X": 40.0}}, not {skip!r}')
+            raise ValueError(
+                f'{where} must be the coordinate of one axis, {{"X": 40.0}}, not {skip!r}'
+            )
         ((axis, coordinate),) = skip.items()
         name = checked_axis(where, axis)
         value = _value(f"{where}: {name}", coordinate)
         if value is None:
             raise ValueError(f"{where}: {name} has no coordinate")
         return name, value
-    takes = f'{where} takes a fraction of the move, a coordinate such as {{"X": 40.0}}, or None'
+    takes = f'{where} must be a fraction of the move, a coordinate such as {{"X": 40.0}}, or None'
     try:
         value = _value(where, skip)
     except TypeError:
         raise TypeError(f"{takes}, not {skip!r}") from None
     if value is None or not 0 <= value <= 1:
-        raise ValueError(f"{takes}; a fraction is 0 to 1, not {skip!r}")
+        raise ValueError(f"{takes}; a fraction must be 0 to 1, not {skip!r}")
     return "fraction", value
 
 
 def _answers(answers: object) -> dict[str, dict[int, float | None]]:
     if not isinstance(answers, Mapping):
         raise TypeError(
-            f'answers maps codes to variables, such as {{"M117": {{1004: 1}}}},'
+            f'answers must be a mapping from codes to variables, such as {{"M117": {{1004: 1}}}},'
             f" not {type(answers).__name__}"
         )
     checked: dict[str, dict[int, float | None]] = {}
     for code, values in answers.items():
         match = re.fullmatch(r"([MT])0*([0-9]{1,9})", str(code).strip().upper())
         if match is None:
-            raise ValueError(f"answers: {code!r} is no M or T code such as 'M117'")
+            raise ValueError(f"answers: {code!r} is not an M or T code such as 'M117'")
         name = f"{match[1]}{match[2]}"
         if name in checked:
             raise ValueError(f"answers has {name} twice, also as {code!r}")
@@ -337,5 +339,5 @@ def _clock(clock: datetime | float | None) -> dict[str, float | int]:
         }
     milliseconds = _value("clock, a datetime or a number of milliseconds,", clock)
     if milliseconds is None or not 0 <= milliseconds < 2**53:
-        raise ValueError(f"clock counts milliseconds from 0 on, not {clock!r}")
+        raise ValueError(f"clock must be milliseconds from 0, not {clock!r}")
     return {"clock_ms": milliseconds}

@@ -43,7 +43,7 @@ class Library(Mapping[str, Program]):
     """The memory of a control: program name to `Program`, in the order of the files.
 
     A program is found by any way to write its name: `library["O0002"]`, `library["O2"]` and
-    `library[2]` are the same object. Of several programs under one name the control calls one; the
+    `library[2]` are the same object. Of several programs with one name the control calls one; the
     others are in `.duplicates`.
 
     >>> import cncsub
@@ -141,9 +141,7 @@ class Library(Mapping[str, Program]):
 
     @property
     def main(self) -> Program | None:
-        """The program that runs when none is named: the first. `None` where there is no program at
-        all.
-        """
+        """The program that runs when none is given: the first. `None` if there is no program."""
         first = self.code.main if self._first is None else self._find(self._first)
         return None if first is None else self._program(first)
 
@@ -176,13 +174,13 @@ class Library(Mapping[str, Program]):
 
     @property
     def duplicates(self) -> tuple[Program, ...]:
-        """Programs the control never calls, because another one of the same name counts."""
+        """Programs that the control never calls, because it uses another one of the same name."""
         return tuple(self._program(index) for index in self.code.duplicates)
 
     @cached_property
     def notes(self) -> tuple[Note, ...]:
-        """The notes on this memory: programs that do not count because another one of their name
-        does, a first program without a head, what was left out. See `Note`.
+        """The notes on this memory: programs that the control does not use because of another one
+        of the same name, a first program without a head, what was left out. See `Note`.
 
         >>> import cncsub
         >>> text = "O1\\nM98 P2\\nM30\\nO2\\nM99\\nO2\\nG4 X1.\\nM99\\n"
@@ -412,12 +410,10 @@ class Library(Mapping[str, Program]):
         [-1, 10]
         """
         if not isinstance(text, str):
-            raise TypeError(f"mdi takes the text that was typed, not {type(text).__name__}")
+            raise TypeError(f"mdi must be the text that was typed, not {type(text).__name__}")
         for name in ("main", "mode"):
             if name in options:
-                raise TypeError(
-                    f"mdi runs the text that was typed and takes no {name}; run takes it"
-                )
+                raise TypeError(f"mdi runs the text that was typed and has no {name}; run has it")
         check_names("mdi", options)
         return _finished(machine_with(self.code.with_mdi(clean(text)), -1, **options, mode="mdi"))
 
@@ -482,10 +478,10 @@ def _one_program(code: _core.Code, *, named: bool) -> _core.ProgramData:
     whole = [program for program in programs if not program.inside]
     if len(whole) > 1:
         names = ", ".join(program.name for program in whole)
-        raise ValueError(f"with_program takes one program; this text holds {names}")
+        raise ValueError(f"with_program needs one program; this text has {names}")
     if not whole or not (named or whole[0].has_head):
         raise ValueError(
-            "with_program takes a program with a name: begin it with O1000, or give name="
+            "with_program needs a program with a name: begin it with O1000, or give name="
         )
     return whole[0]
 

@@ -41,7 +41,7 @@ def load(
     outcome. It shows whether a fast path is to blame for what is seen.
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
-    without programs or an unknown encoding; each names what is near. A program a control would
+    without programs or an unknown encoding; each suggests similar names. A program a control would
     refuse raises nothing: it alarms when it runs. Ctrl-C raises `KeyboardInterrupt`, as anywhere
     else, and nothing is kept.
 
@@ -121,13 +121,13 @@ def _texts(text: Any, name: object) -> list[tuple[str, str, Any]]:
         return [(*shown_and_stem(name), text)]
     if isinstance(text, os.PathLike) or not isinstance(text, Sequence | Mapping):
         raise TypeError(
-            f"loads takes the text of a program, not {type(text).__name__}; load takes paths"
+            f"loads needs the text of a program, not {type(text).__name__}; load takes paths"
         )
     if name is not None:
-        raise TypeError("name is of one text; loads takes several as a mapping from name to text")
+        raise TypeError("name is for one text; give several texts as a mapping from name to text")
     if isinstance(text, Mapping):
         if None in text:
-            raise TypeError("texts stand by the names of their files: None is no name")
+            raise TypeError("the keys must be names of files, not None")
         return [(*shown_and_stem(of), each) for of, each in text.items()]
     return [(f"{TEXT[:-1]} {place}>", "", each) for place, each in enumerate(text, 1)]
 
@@ -145,7 +145,7 @@ def _preferring(library: Library, prefer: StrPath | Iterable[StrPath]) -> Librar
         near = f"; there is {', '.join(alike)}" if alike else ""
         raise carrying(
             "prefer",
-            ValueError(f"prefer names {missing}, which is not among the files that are read{near}"),
+            ValueError(f"prefer is {missing}, which is not one of the files that are read{near}"),
         )
     sources = sorted(library.code.sources, key=lambda source: source[0] not in preferred)
     main = library.main

@@ -1,4 +1,4 @@
-"""A control of one's own: a built-in one, with what a machine has otherwise, read from TOML."""
+"""A control of your own: a built-in one, with what a machine has otherwise, read from TOML."""
 
 from __future__ import annotations
 
@@ -40,16 +40,16 @@ def own_control(told: Any, file: str) -> Control:
     Raises `ValueError` for what no control can be.
     """
     if not isinstance(told, dict):
-        raise ValueError(f"a control of one's own is a table with name and base, not {told!r}")
+        raise ValueError(f"a control of your own must be a table with name and base, not {told!r}")
     for key in told:
         if key not in KEYS:
-            raise ValueError(f"a control of one's own has no {key!r}{did_you_mean(key, KEYS)}")
+            raise ValueError(f"a control of your own has no {key!r}{did_you_mean(key, KEYS)}")
     if "name" not in told and "base" in told:
         return _changed(told)
     name, base = _name(told), _base(told)
     title = told.get("title", own_title(name, base))
     if not isinstance(title, str) or not title.isprintable():
-        raise ValueError(f"title is a text that can be printed, not {title!r}")
+        raise ValueError(f"title must be a text that can be printed, not {title!r}")
     nobody = WITHOUT_NOTE.format(file)
     tables = {key: _noted(told.get(key, {}), key, nobody) for key in KEYS[3:]}
     rules = [(rule, _rule_value(rule, value), note) for rule, value, note in tables["rules"]]
@@ -72,11 +72,11 @@ def _changed(told: Mapping[str, Any]) -> Control:
             )
     for key in _TABLES:
         if key in told and not isinstance(told[key], dict):
-            raise ValueError(f"{key} is a table, not {told[key]!r}")
+            raise ValueError(f"{key} must be a table, not {told[key]!r}")
         for name, value in told.get(key, {}).items():
             if isinstance(value, dict | list):
                 raise ValueError(
-                    f"{key}.{name} is a value: notes are for a control with a name of its own,"
+                    f"{key}.{name} must be a value: notes are for a control with a name of its own,"
                     ' such as name = "our-mill"'
                 )
     parameters, rules = told.get("parameters", {}), told.get("rules", {})
@@ -88,25 +88,28 @@ def _name(told: Mapping[str, Any]) -> str:
     name = told.get("name")
     if not isinstance(name, str) or not _NAME.fullmatch(name):
         raise ValueError(
-            "a control of one's own has a name of small letters, digits, '.', '_' and '-', such as"
+            "the name of a control of your own must be small letters, digits, '.', '_' and '-',"
+            " such as"
             f' name = "our-mill"; this one is {name!r}'
         )
     if name in controls:
-        raise ValueError(f"{name} is a built-in control: give yours a name of its own")
+        raise ValueError(f"{name} is a built-in control: give yours another name")
     return name
 
 
 def _base(told: Mapping[str, Any]) -> Control:
     base = told.get("base")
     if not isinstance(base, str):
-        raise ValueError(f'base is a built-in control, such as base = "fanuc-0i-f", not {base!r}')
+        raise ValueError(
+            f'base must be a built-in control, such as base = "fanuc-0i-f", not {base!r}'
+        )
     return control_of(base)
 
 
 def _noted(told: Any, key: str, nobody: str) -> Iterator[tuple[str, Any, str]]:
     """Yield the entries of a table, each with its value and its note."""
     if not isinstance(told, dict):
-        raise ValueError(f"{key} is a table, not {told!r}")
+        raise ValueError(f"{key} must be a table, not {told!r}")
     for name, told_of in told.items():
         for value in told_of if isinstance(told_of, list) and key == "rules" else [told_of]:
             yield name, *_value_and_note(value, f"{key}.{name}", nobody, key == "alarms")
@@ -119,26 +122,28 @@ def _value_and_note(value: Any, name: str, nobody: str, is_alarm: bool) -> tuple
     of = dict(value)
     note = of.pop("note", nobody)
     if not isinstance(note, str) or not note.isprintable():
-        raise ValueError(f"{name}: a note is a text that can be printed, not {note!r}")
+        raise ValueError(f"{name}: a note must be a text that can be printed, not {note!r}")
     if is_alarm:
         return of, note
     if set(of) != {"value"}:
-        raise ValueError(f'{name} is a value, or {{value = ..., note = "..."}}, not {value!r}')
+        raise ValueError(f'{name} must be a value, or {{value = ..., note = "..."}}, not {value!r}')
     return of["value"], note
 
 
 def _rule_value(rule: str, value: Any) -> bool | int | str:
     if isinstance(value, bool | int | str):
         return value
-    raise ValueError(f"rules.{rule} is true or false, a whole number or a text, not {value!r}")
+    raise ValueError(f"rules.{rule} must be true or false, a whole number or a text, not {value!r}")
 
 
 def _call(code: str, to: Any) -> str:
     if not _CODE.fullmatch(code):
-        raise ValueError(f"calls.{code}: a code that calls is G1 to G9999, M1 to M9999, S, T or B")
+        raise ValueError(
+            f"calls.{code}: a code that calls must be G1 to G9999, M1 to M9999, S, T or B"
+        )
     if not isinstance(to, str) or not _CALL.fullmatch(to):
         raise ValueError(
-            f"calls.{code} is how it calls a program: call:9001, macro-call:9010, modal-call:9010"
+            f"calls.{code} must be call:9001, macro-call:9010, modal-call:9010"
             f" or modal-call-every-block:9010, not {to!r}"
         )
     return f"{code}={to}"
@@ -146,13 +151,13 @@ def _call(code: str, to: Any) -> str:
 
 def _number(parameter: str, value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise ValueError(f"parameters.{parameter} is a number, not {value!r}")
+        raise ValueError(f"parameters.{parameter} must be a number, not {value!r}")
     return float(value)
 
 
 def _cause(slug: str) -> str:
     if slug not in causes:
-        raise ValueError(f"alarms.{slug}: no cause is called {slug!r}{did_you_mean(slug, causes)}")
+        raise ValueError(f"alarms.{slug}: there is no cause {slug!r}{did_you_mean(slug, causes)}")
     return slug
 
 
@@ -161,10 +166,12 @@ def _alarm(slug: str, told: Any) -> tuple[str | None, str | None]:
     of = {"number": told} if isinstance(told, str) else told
     if not isinstance(of, dict) or not of or not set(of) <= {"number", "text"}:
         raise ValueError(
-            f'alarms.{slug} is a number, or {{number = "PS0077", text = "...", note = "..."}},'
+            f'alarms.{slug} must be a number, or {{number = "PS0077", text = "...", note = "..."}},'
             f" not {told!r}"
         )
     for key, value in of.items():
         if not isinstance(value, str) or not value or not value.isprintable():
-            raise ValueError(f"alarms.{slug}.{key} is a text that can be printed, not {value!r}")
+            raise ValueError(
+                f"alarms.{slug}.{key} must be a text that can be printed, not {value!r}"
+            )
     return of.get("number"), of.get("text")

@@ -14,4 +14,4 @@ class NotPicklable:
 
     def __reduce_ex__(self, protocol: object) -> NoReturn:
         name = type(self).__name__
-        raise TypeError(f"{name} objects stay in their process; {self._instead}")
+        raise TypeError(f"{name} objects cannot be sent to another process; {self._instead}")

@@ -25,7 +25,7 @@ def find_program(code: _core.Code, name: object) -> int:
     if isinstance(name, str):
         return code.find(clean(name))
     if isinstance(name, bool) or not hasattr(name, "__index__"):
-        raise TypeError(f"a program is called by its name or number, not by {name!r}")
+        raise TypeError(f"a program must be given by its name or number, not by {name!r}")
     number = operator.index(name)
     return code.find(number) if 0 <= number < 2**63 else -1  # the engine counts to 64 bits
 
@@ -36,11 +36,13 @@ def named_like(code: _core.Code, patterns: Iterable[str]) -> list[int]:
     A pattern that no program matches gives none: a project names programs of all its folders.
     """
     if isinstance(patterns, str):
-        raise TypeError(f"entry is a list of names such as ['O90*'], not the text {patterns!r}")
+        raise TypeError(
+            f"entry must be a list of names such as ['O90*'], not the text {patterns!r}"
+        )
     found: dict[int, None] = {}
     for pattern in patterns:
         if not isinstance(pattern, str):
-            raise TypeError(f"entry holds names such as 'O90*', not {pattern!r}")
+            raise TypeError(f"entry must have names such as 'O90*', not {pattern!r}")
         place = find_program(code, pattern)
         if place >= 0:
             found[place] = None
@@ -64,7 +66,7 @@ class Word(NamedTuple):
 class Token(NamedTuple):
     """A piece of a block: a word, or what stands between two words.
 
-    `kind`: `"word"`, `"comment"`, `"blank"` or `"ignored"`, as what a control passes over. `text`:
+    `kind`: `"word"`, `"comment"`, `"blank"` or `"ignored"`, as what a control skips. `text`:
     as it is written; the texts of all tokens joined are the text of the block. `column`: of its
     first character in its line, from 1. `word`: what the control reads, `None` between the words.
     """

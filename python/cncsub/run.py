@@ -32,7 +32,8 @@ Until = Block | tuple[str | int, int] | int
 class Stop(enum.StrEnum):
     """Why a run stopped, as a text too: `END` (by M02, M30 or what else ends a program), `ALARM`,
     `CYCLES` (the main program started over `max_cycles` times), `LIMIT` (`max_blocks`,
-    `max_seconds` or `max_memory`), `WAITING` (for an input nobody gave), `INTERRUPTED` (Ctrl-C).
+    `max_seconds` or `max_memory`), `WAITING` (for an input that is not given),
+    `INTERRUPTED` (Ctrl-C).
 
     >>> import cncsub
     >>> run = cncsub.loads("O1\\nN10 M99\\n", control="fanuc-0i-f").run(max_cycles=3)
@@ -44,7 +45,7 @@ class Stop(enum.StrEnum):
     ALARM = "alarm"
     CYCLES = "cycles"  # the main program started over `max_cycles` times
     LIMIT = "limit"  # `max_blocks` or `max_seconds`
-    WAITING = "waiting"  # for an input nobody gave
+    WAITING = "waiting"  # for an input that is not given
     INTERRUPTED = "interrupted"  # Ctrl-C
 
 
@@ -106,10 +107,10 @@ class Recorded(NotPicklable):
 
     @property
     def dropped(self) -> tuple[Dropped, ...]:
-        """Words that the control read and did not obey, in order (with any `trace` but `"none"`): M
-        codes beyond those it takes in a block, all but the last of an address or of a group of G
-        codes, I and K beside R, U beside X. An M code that would start the spindle or the coolant
-        has a `warning`.
+        """Words that the control read and ignored, in order (with any `trace` but `"none"`): M
+        codes beyond those that it executes in a block, all but the last of an address or of a group
+        of G codes, I and K beside R, U beside X. An M code that would start the spindle or the
+        coolant has a `warning`.
 
         >>> import cncsub
         >>> run = cncsub.loads("O1\\nN10 M8 M3 S500\\nM30\\n", control="fanuc-0i-f").run()
@@ -124,13 +125,13 @@ class Recorded(NotPicklable):
 
     @property
     def missed_skips(self) -> list[MissedSkip]:
-        """The blocks of G31 that met nothing, in order.
+        """The blocks of G31 that got no skip signal, in order.
 
         >>> import cncsub
         >>> text = "O1\\nN10 G31 Z-5. F50\\nN20 M30\\n"
         >>> for missed in cncsub.loads(text, control="fanuc-0i-f").run().missed_skips:
         ...     print(missed)
-        O1 N10 met nothing
+        O1 N10 got no skip signal
         """
         return [MissedSkip(*place) for place in self.recorded.missed_skips]
 
@@ -194,12 +195,12 @@ class State(NotPicklable):
 
     @property
     def waiting_for(self) -> str:
-        """What the run waits for, where it stopped with `Stop.WAITING`; else empty."""
+        """What the run waits for if it stopped with `Stop.WAITING`; otherwise empty."""
         return self.core.waiting_for
 
     @property
     def endless(self) -> Endless | None:
-        """Why the program had not ended where a limit stopped the run, or where it waits: it
+        """Why the program had not ended when a limit stopped the run, or why it waits: it
         repeats by design (M99 of the main program), its state came back exactly (an endless loop,
         with its blocks), it waits, or it is only long. `None` where it ended, alarmed or runs.
 
@@ -209,7 +210,7 @@ class State(NotPicklable):
         >>> import cncsub
         >>> text = "O1\\nN10 M98 P2\\nN20 GOTO10\\nO2\\nN30 M99\\n"
         >>> print(cncsub.loads(text, control="fanuc-0i-f").run(max_blocks=1000).endless)
-        an endless loop, proven: after 3 blocks everything is as it was; O1 N10, O2 N30, O1 N20
+        an endless loop, proven: after 3 blocks the state is the same again; O1 N10, O2 N30, O1 N20
         """
         from cncsub.analysis.endless import endless_of
 
@@ -502,7 +503,10 @@ class Machine(_Outcome):
             raise _wrong_until(until)
         depth = operator.index(until)
         if depth < -1:
-            raise ValueError(f"until: 0 calls are open at least, -1 runs to the end; not {depth}")
+            raise ValueError(
+                "until: the number of open calls must be 0 or more, or -1 to run to the end;"
+                f" not {depth}"
+            )
         return -1, min(depth, 1 << 30)
 
     def _block_place(self, name: str | int, n: int) -> tuple[int, int]:
@@ -573,6 +577,6 @@ class Machine(_Outcome):
 
 def _wrong_until(until: object) -> TypeError:
     return TypeError(
-        "until is a Block, program and sequence number such as ('O2', 30),"
+        "until must be a Block, a program and a sequence number such as ('O2', 30),"
         f" or a number of open calls, not {until!r}"
     )

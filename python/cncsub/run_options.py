@@ -47,11 +47,11 @@ class Option(NamedTuple):
 
 def whole(what: str, value: object, least: int) -> int:
     if isinstance(value, bool) or not hasattr(value, "__index__"):
-        raise TypeError(f"{what} is a whole number, not {value!r}")
+        raise TypeError(f"{what} must be a whole number, not {value!r}")
     number = int(value)
     if not least <= number < 2**63:
         raise ValueError(
-            f"{what} is at least {least}, not {number}"
+            f"{what} must be at least {least}, not {number}"
             if number < least
             else f"{what} is too large"
         )
@@ -69,7 +69,7 @@ def _none_or(checked: Callable[[Any], object]) -> Callable[[Any], object]:
 def _one_of(what: str, known: Sequence[str]) -> Callable[[Any], str]:
     def checked(value: object) -> str:
         if value not in known:
-            raise ValueError(f"{what} is one of {', '.join(known)}, not {value!r}")
+            raise ValueError(f"{what} must be one of {', '.join(known)}, not {value!r}")
         return str(value)
 
     return checked
@@ -78,7 +78,7 @@ def _one_of(what: str, known: Sequence[str]) -> Callable[[Any], str]:
 def _yes_or_no(what: str) -> Callable[[Any], bool]:
     def checked(value: object) -> bool:
         if isinstance(value, str | bytes) or not hasattr(value, "__bool__") or value not in (0, 1):
-            raise TypeError(f"{what} is True or False, not {value!r}")
+            raise TypeError(f"{what} must be True or False, not {value!r}")
         return bool(value)
 
     return checked
@@ -86,7 +86,7 @@ def _yes_or_no(what: str) -> Callable[[Any], bool]:
 
 def _seconds(value: Any) -> float:
     if isinstance(value, bool) or not (hasattr(value, "__float__") or hasattr(value, "__index__")):
-        raise TypeError(f"max_seconds is a number of seconds, not {value!r}")
+        raise TypeError(f"max_seconds must be a number of seconds, not {value!r}")
     try:
         seconds = float(value)
     except OverflowError:
@@ -103,12 +103,12 @@ def _switches(block_skip: object) -> tuple[int, ...]:
         block_skip = (block_skip,)
     if isinstance(block_skip, str | bytes) or not isinstance(block_skip, Iterable):
         raise TypeError(
-            "block_skip holds the numbers of the switches that are on, such as (1,),"
+            "block_skip must be the numbers of the switches that are on, such as (1,),"
             f" not {block_skip!r}"
         )
     switches = tuple(whole("block_skip", switch, 1) for switch in block_skip)
     if any(switch > 9 for switch in switches):
-        raise ValueError(f"block_skip: the block-skip switches are 1 to 9, not {max(switches)}")
+        raise ValueError(f"block_skip: a block-skip switch must be 1 to 9, not {max(switches)}")
     return switches
 
 
@@ -129,8 +129,8 @@ class FlattenOptions(TypedDict, total=False):
         Option(
             None,
             _none_or(_whole("start, a sequence number,", 0)),
-            "The sequence number to begin at.",
-            asked="The sequence number to begin at.",
+            "The sequence number to start at.",
+            asked="The sequence number to start at.",
         ),
     ]
     variables: Annotated[
@@ -138,7 +138,7 @@ class FlattenOptions(TypedDict, total=False):
         Option(
             None,
             _none_or(_variables),
-            "Number to value before the run; `None` is vacant.",
+            "The values of variables before the run, by number; `None` is vacant.",
         ),
     ]
     block_skip: Annotated[
@@ -154,7 +154,7 @@ class FlattenOptions(TypedDict, total=False):
         Option(
             1,
             _whole("max_cycles", 1),
-            "How often a main program that ends in M99 runs; reaching it is a `Stop`, no error.",
+            "How often a main program that ends in M99 runs; then the run ends with a `Stop`.",
             asked="How often a main program that ends in M99 runs.",
             least=1,
         ),
@@ -164,31 +164,35 @@ class FlattenOptions(TypedDict, total=False):
         Option(
             10_000_000,
             _whole("max_blocks", 0),
-            "How many blocks are executed at most; reaching it is a `Stop`, no error.",
+            "How many blocks are executed at most; at the limit the run ends with a `Stop`.",
             asked="How many blocks are executed at most.",
             least=0,
         ),
     ]
     max_seconds: Annotated[
         float | None,
-        Option(None, _none_or(_seconds), "How long the computer may take; a `Stop`, too."),
+        Option(
+            None,
+            _none_or(_seconds),
+            "How many seconds the computer may take; at the limit the run ends with a `Stop`.",
+        ),
     ]
     max_memory: Annotated[
         int | None,
         Option(
             None,
             _none_or(_whole("max_memory", 0)),
-            "How many bytes the tables and messages may take, 4 GiB unless it is given; a `Stop`,"
-            " too.",
+            "How many bytes the tables and messages may take, 4 GiB if it is not given; at the"
+            " limit the run ends with a `Stop`.",
         ),
     ]
     inputs: Annotated[
         Inputs | Mapping[str, Any] | None,
-        Option(None, inputs_of, "What answers while the program runs: see `Inputs`."),
+        Option(None, inputs_of, "What the program reads from outside while it runs: see `Inputs`."),
     ]
     setup: Annotated[
         Setup | Mapping[str, Any] | None,
-        Option(None, setup_of, "What was set at the machine: see `Setup`."),
+        Option(None, setup_of, "The settings of the machine before the run: see `Setup`."),
     ]
 
 
@@ -200,7 +204,7 @@ class MdiOptions(FlattenOptions, total=False):
         Option(
             "moves",
             _one_of("trace", TRACES),
-            'What is kept: `"none"`, `"calls"`, `"blocks"` or `"moves"`.',
+            'What is recorded: `"none"`, `"calls"`, `"blocks"` or `"moves"`.',
         ),
     ]
     watch: Annotated[
@@ -208,8 +212,8 @@ class MdiOptions(FlattenOptions, total=False):
         Option(
             (),
             checked_watch,
-            "The numbers of variables, a thousand at most, whose changes are kept in `Run.watch`."
-            " Each costs a look after every block and 24 bytes a change.",
+            "The numbers of at most a thousand variables whose changes are recorded in `Run.watch`."
+            " Each takes some time after every block, and 24 bytes for each change.",
         ),
     ]
     conditions: Annotated[
@@ -217,8 +221,8 @@ class MdiOptions(FlattenOptions, total=False):
         Option(
             False,
             _yes_or_no("conditions"),
-            "Whether the values that conditions compare are kept in `Run.conditions`, 32 bytes a"
-            " comparison.",
+            "Whether the values that conditions compare are recorded in `Run.conditions`, with 32"
+            " bytes for each comparison.",
         ),
     ]
 
@@ -255,8 +259,7 @@ def check_names(function: str, options: Mapping[str, object], of: type = RunOpti
     for name in options:
         if name not in known:
             raise TypeError(
-                f"{function} has no option {name!r}{did_you_mean(name, known)};"
-                " the options are those of run"
+                f"{function} has no option {name!r}, only those of run{did_you_mean(name, known)}"
             )
 
 

@@ -33,12 +33,11 @@ T = TypeVar("T")
 class Setup:
     """The state of the machine before the run. Lengths in mm, X of a lathe as a diameter.
 
-    `machine`: `"mill"`, `"lathe-a"` or `"lathe-b"` (G-code system A or B); `None` is what the
-    control is by itself. `start`: where the tool stands, in work coordinates. `work_offsets`: zero
-    points by `"G54"` to `"G59"`, `"EXT"` and `"G54.1 P1"`. `length_offsets`, `radius_offsets`: by H
-    and by D. `tools`: a lathe's tool offsets by number, each with `"X"`, `"Z"`, `"R"` (nose radius)
-    and `"tip"` (0 to 9). `reference`: reference points 1 to 4 in machine coordinates, 1 is that of
-    G28.
+    `machine`: `"mill"`, `"lathe-a"` or `"lathe-b"` (G-code system A or B); `None` is the type of
+    the control. `start`: where the tool is, in work coordinates. `work_offsets`: zero points by
+    `"G54"` to `"G59"`, `"EXT"` and `"G54.1 P1"`. `length_offsets`, `radius_offsets`: by H and by D.
+    `tools`: a lathe's tool offsets by number, each with `"X"`, `"Z"`, `"R"` (nose radius) and
+    `"tip"` (0 to 9). `reference`: reference points 1 to 4 in machine coordinates, 1 is that of G28.
     `rapid`: mm/min by axis. `limits`: lowest and highest machine coordinate by axis; without them
     nothing is limited. `stroke_area`: the same for the area of G22, before a program sets it.
     `increment`: the least input increment in mm.
@@ -142,7 +141,7 @@ def setup_of(setup: Setup | Mapping[str, Any] | None) -> dict[str, Any] | None:
     if isinstance(setup, Setup):
         return setup.to_core()
     if not isinstance(setup, Mapping):
-        raise TypeError(f"setup is a cncsub.Setup or a mapping, not {type(setup).__name__}")
+        raise TypeError(f"setup must be a cncsub.Setup or a mapping, not {type(setup).__name__}")
     return setup_from(setup).to_core()
 
 
@@ -157,13 +156,13 @@ def setup_from(values: Mapping[str, Any]) -> Setup:
 
 def _machine(machine: object) -> str:
     if machine not in MACHINES:
-        raise ValueError(f"machine is one of {', '.join(MACHINES)}, not {machine!r}")
+        raise ValueError(f"machine must be one of {', '.join(MACHINES)}, not {machine!r}")
     return str(machine)
 
 
 def _mapping(what: str, values: object) -> Mapping[Any, Any]:
     if not isinstance(values, Mapping):
-        raise TypeError(f"{what} is a mapping, not {type(values).__name__}")
+        raise TypeError(f"{what} must be a mapping, not {type(values).__name__}")
     return values
 
 
@@ -191,7 +190,7 @@ def checked_number(what: str, value: object) -> float:
             raise TypeError
         number = float(value)  # type: ignore[arg-type]
     except (TypeError, ValueError, OverflowError):
-        raise TypeError(f"{what} is a number, not {value!r}") from None
+        raise TypeError(f"{what} must be a number, not {value!r}") from None
     if not abs(number) < 1e9:
         raise ValueError(f"{what} is out of range: {value!r}")
     return number
@@ -207,7 +206,7 @@ def _positive(what: str, value: object) -> float:
 def checked_axis(what: str, axis: object) -> str:
     name = axis.upper() if isinstance(axis, str) else ""
     if len(name) != 1 or name not in AXES:
-        raise ValueError(f"{what}: {axis!r} is no axis; the axes are {', '.join(AXES)}")
+        raise ValueError(f"{what}: {axis!r} is not an axis; the axes are {', '.join(AXES)}")
     return name
 
 
@@ -220,7 +219,7 @@ def work_system(what: str, name: object) -> str:
     system = re.sub(r"\s*P\s*", " P", str(name).upper().strip())
     if not _SYSTEM.fullmatch(system):
         raise ValueError(
-            f"{what}: {name!r} is no work coordinate system;"
+            f"{what}: {name!r} is not a work coordinate system;"
             " there are G54 to G59, EXT and G54.1 P1 to P300"
         )
     return system
@@ -228,14 +227,14 @@ def work_system(what: str, name: object) -> str:
 
 def _offset(what: str, key: object) -> int:
     if not re.fullmatch(r"[0-9]{1,4}", str(key)):
-        raise ValueError(f"{what}: {key!r} is no number of an offset, tool or point")
+        raise ValueError(f"{what}: {key!r} is not the number of an offset, tool or point")
     return int(str(key))
 
 
 def _reference(what: str, key: object) -> int:
     number = _offset(what, key)
     if not 1 <= number <= REFERENCES:
-        raise ValueError(f"{what}: the points are 1 to {REFERENCES}, not {key!r}")
+        raise ValueError(f"{what}: the points must be 1 to {REFERENCES}, not {key!r}")
     return number
 
 
@@ -246,17 +245,17 @@ def _tool(what: str, tool: object) -> dict[str, float]:
             raise ValueError(f"{what} has no {key!r}; there are {', '.join(_TOOL_KEYS)}")
     numbers = {key: checked_number(f"{what}[{key!r}]", value) for key, value in values.items()}
     if numbers.get("tip", 0) not in range(10):
-        raise ValueError(f"{what}: the tip is a direction 0 to 9, not {values['tip']!r}")
+        raise ValueError(f"{what}: the tip must be a direction 0 to 9, not {values['tip']!r}")
     return numbers
 
 
 def _limit(what: str, pair: object) -> tuple[float, float]:
     # A set has no order, and a mapping has names.
     if isinstance(pair, str | bytes | bytearray | Mapping | Set) or not hasattr(pair, "__len__"):
-        raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
+        raise TypeError(f"{what} must be the lowest and the highest coordinate, not {pair!r}")
     values = [checked_number(what, value) for value in pair]  # type: ignore[attr-defined]
     if len(values) != 2:
-        raise TypeError(f"{what} is the lowest and the highest coordinate, not {pair!r}")
+        raise TypeError(f"{what} must be the lowest and the highest coordinate, not {pair!r}")
     low, high = values
     if low > high:
         raise ValueError(f"{what}: {low:g} is above {high:g}")

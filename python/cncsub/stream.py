@@ -98,17 +98,17 @@ class Stream(State):
         """
         if self._begun:
             raise ValueError(
-                "parts of this stream were taken already and would be missing from the files;"
+                "parts of this stream were already read and would be missing from the files;"
                 " make a new stream"
             )
         tables = _tables(self.core.trace)
         if self._trace == "none" and tables == TABLES:
-            raise ValueError("a stream with trace='none' keeps nothing that could be written")
+            raise ValueError("a stream with trace='none' records nothing that could be written")
         folder = Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
         for name in tables:
             if next(folder.glob(f"{name}-*.parquet*"), None) is not None:
-                raise FileExistsError(f"{folder} holds {name} of another run; name another folder")
+                raise FileExistsError(f"{folder} holds {name} of another run; give another folder")
         with contextlib.ExitStack() as open_files:
             files = {name: open_files.enter_context(_Files(folder, name)) for name in tables}
             try:
@@ -123,7 +123,7 @@ class Stream(State):
         a part does not know how the calls and loops that are open in it began.
         """
         raise ValueError(
-            "a stream gives away the blocks that coverage counts: take the coverage of"
+            "a stream does not keep the blocks that coverage counts: use the coverage of"
             ' library.run(..., trace="blocks") or of library.machine()'
         )
 

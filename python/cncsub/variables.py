@@ -33,7 +33,7 @@ class Variables(NotPicklable, Mapping[int, float | None]):
 
     def __getitem__(self, number: int) -> float | None:
         if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise KeyError(f"a variable number is a whole number such as 100, not {number!r}")
+            raise KeyError(f"a variable number must be a whole number such as 100, not {number!r}")
         try:
             return self._core.get_variable(operator.index(number), self._level)
         except (TypeError, LookupError) as error:
@@ -95,9 +95,9 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
 
     def __delitem__(self, number: int) -> None:
         if number not in self:
-            raise KeyError(f"#{number} holds no value")
+            raise KeyError(f"#{number} has no value")
         if not self._core.can_be_vacant(operator.index(number)):
-            raise KeyError(f"#{number} is the control's own and always has a value")
+            raise KeyError(f"#{number} is a system variable and always has a value")
         self[number] = None
 
     def setdefault(self, number: int, default: float | None = None) -> float | None:
@@ -120,7 +120,7 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         """Make one variable vacant and return its number and value."""
         for number in self._clearable():
             return number, self.pop(number)
-        raise KeyError("no variable holds a value that can be taken")
+        raise KeyError("no variable has a value that can be removed")
 
     def clear(self) -> None:
         """Make all commons and the locals of this level vacant."""
@@ -135,7 +135,7 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         program.
         """
         if isinstance(level, bool) or not hasattr(level, "__index__"):
-            raise TypeError(f"a level is a whole number, not {level!r}")
+            raise TypeError(f"a level must be a whole number, not {level!r}")
         if not 0 <= level <= self._core.level:
             raise ValueError(f"the open levels are 0 to {self._core.level}, not {level}")
         return MachineVariables(self._core, level)
@@ -162,7 +162,7 @@ class Signals(NotPicklable, MutableMapping[int, float]):
 
     def __getitem__(self, number: int) -> float:
         if isinstance(number, bool) or not hasattr(number, "__index__"):
-            raise KeyError(f"a signal is a whole number such as 1004, not {number!r}")
+            raise KeyError(f"a signal must be a whole number such as 1004, not {number!r}")
         try:
             return self._core.get_signal(operator.index(number))
         except (TypeError, LookupError) as error:

@@ -1,4 +1,4 @@
-"""Files of variables: TOML, CSV, and what a control punched out."""
+"""Files of variables: TOML, CSV, and what a control wrote."""
 
 from __future__ import annotations
 
@@ -31,11 +31,11 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     A file that ends in `.toml` has numbers for keys, `500 = 1.5`, in a table `variables` or without
     one; one that ends in `.csv` has a row for each variable, its number and its value, separated by
     commas, semicolons or tabs, with a head line or without. Any other file is what a control
-    punched out: `G10L85P500(407F400000000000)`, the bits of a FANUC, or statements `#500=1.234`.
+    wrote: `G10L85P500(407F400000000000)`, the bits of a FANUC, or statements `#500=1.234`.
     `vacant`, `#0` and an empty cell are vacant.
 
     Raises `FileNotFoundError`, and `ValueError` with the file and the line for anything else: no
-    line is passed over in silence. A variable that stands there twice is refused as well.
+    line is skipped in silence. A variable that is there twice is refused as well.
 
     >>> import cncsub, pathlib, tempfile
     >>> file = pathlib.Path(tempfile.mkdtemp(), "macro.txt")
@@ -54,7 +54,7 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     found: dict[int, float | None] = {}
     for line, number, value in _checked(name, rows):
         if number in found:
-            raise ValueError(f"{name}:{line}: #{number} stands there twice")
+            raise ValueError(f"{name}:{line}: #{number} is there twice")
         found[number] = value
     return found
 
@@ -62,7 +62,9 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
 def _from_table(table: Mapping[str, Any]) -> dict[int, float | None]:
     told = table.get("variables", table)
     if not isinstance(told, Mapping) or (told is not table and len(table) > 1):
-        raise ValueError("a file of variables has numbers for keys, or one table, variables")
+        raise ValueError(
+            "a file of variables must have numbers as keys, or the one table variables"
+        )
     values = {key: None if _is_vacant(value) else value for key, value in told.items()}
     return checked_variables("variables", numbered(values))
 
@@ -90,7 +92,7 @@ def _checked(name: str, rows: Rows) -> Iterator[tuple[int, int, float | None]]:
 class _LineError(ValueError):
     def __init__(self, line: int, text: str) -> None:
         shown = text if len(text) <= 60 else text[:60] + " ..."
-        super().__init__(f"no variable: {shown!r}")
+        super().__init__(f"not a variable: {shown!r}")
         self.line = line
 
 

@@ -196,14 +196,18 @@ class Workpiece:
     def to_core(self) -> dict[str, Any]:
         """Return the workpiece as the engine takes it."""
         if isinstance(self.solids, str | bytes | Mapping) or not isinstance(self.solids, Sequence):
-            raise TypeError(f"workpiece: solids is a list, not {type(self.solids).__name__}")
+            raise TypeError(f"workpiece: solids must be a list, not {type(self.solids).__name__}")
         if len(self.solids) > MOST_SOLIDS:
-            raise ValueError(f"workpiece: {len(self.solids)} solids; {MOST_SOLIDS} are the most")
+            raise ValueError(
+                f"workpiece: {len(self.solids)} solids; at most {MOST_SOLIDS} are possible"
+            )
         if self.ball not in ("centre", "end"):
-            raise ValueError(f"workpiece: ball is 'centre' or 'end', not {self.ball!r}")
+            raise ValueError(f"workpiece: ball must be 'centre' or 'end', not {self.ball!r}")
         stylus = checked_number("workpiece: stylus", self.stylus)
         if stylus < 0:
-            raise ValueError(f"workpiece: the radius of the stylus is not negative: {stylus:g}")
+            raise ValueError(
+                f"workpiece: the radius of the stylus must not be negative: {stylus:g}"
+            )
         core = {
             "solids": [_solid(place, solid) for place, solid in enumerate(self.solids)],
             "stylus": stylus,
@@ -221,7 +225,7 @@ def workpiece_of(workpiece: object) -> dict[str, Any]:
         return workpiece.to_core()
     if not isinstance(workpiece, Mapping):
         raise TypeError(
-            f"workpiece is a cncsub.Workpiece or a mapping, not {type(workpiece).__name__}"
+            f"workpiece must be a cncsub.Workpiece or a mapping, not {type(workpiece).__name__}"
         )
     _known("workpiece", workpiece, [f.name for f in dataclasses.fields(Workpiece)])
     if "solids" not in workpiece:
@@ -235,12 +239,12 @@ def skip_signal(where: str, signal: object) -> int:
         return MOST_SIGNALS + 1 + ARRIVALS.index(str(signal))
     if isinstance(signal, bool) or not hasattr(signal, "__index__"):
         raise TypeError(
-            f"{where}: a skip signal is a number 1 to {MOST_SIGNALS}, or one of"
+            f"{where}: a skip signal must be a number 1 to {MOST_SIGNALS}, or one of"
             f" {', '.join(ARRIVALS)}, not {signal!r}"
         )
     number = int(signal.__index__())
     if not 1 <= number <= MOST_SIGNALS:
-        raise ValueError(f"{where}: the skip signals are 1 to {MOST_SIGNALS}, not {signal!r}")
+        raise ValueError(f"{where}: a skip signal must be 1 to {MOST_SIGNALS}, not {signal!r}")
     return number
 
 
@@ -253,10 +257,12 @@ def _solid(place: int, solid: object) -> dict[str, Any]:
     if isinstance(solid, Plane | Box | Cylinder | Sphere):
         return solid.to_core(f"{where}, a {type(solid).__name__.lower()}")
     if not isinstance(solid, Mapping):
-        raise TypeError(f"{where} is a Plane, Box, Cylinder, Sphere or a mapping, not {solid!r}")
+        raise TypeError(
+            f"{where} must be a Plane, Box, Cylinder, Sphere or a mapping, not {solid!r}"
+        )
     shapes = [shape for shape in SHAPES if shape in solid]
     if len(shapes) != 1:
-        raise ValueError(f"{where} names its shape, one of {', '.join(SHAPES)}: {dict(solid)!r}")
+        raise ValueError(f"{where} must have a shape, one of {', '.join(SHAPES)}: {dict(solid)!r}")
     where = f"{where}, a {shapes[0]}"
     kind = SHAPES[shapes[0]]
     _, *others = (f.name for f in dataclasses.fields(kind))
@@ -283,7 +289,8 @@ def _coordinates(name: object) -> str:
         system = "EXT"
     if system == "EXT":
         raise ValueError(
-            f"workpiece: coordinates are 'machine', 'G54' to 'G59' or 'G54.1 P1' to 'G54.1 P300',"
+            "workpiece: coordinates must be 'machine', 'G54' to 'G59' or 'G54.1 P1' to 'G54.1"
+            " P300',"
             f" not {name!r}"
         )
     return system
@@ -298,18 +305,18 @@ def _positive(what: str, value: object) -> float:
 
 def _yes(what: str, value: object) -> bool:
     if not isinstance(value, bool):
-        raise TypeError(f"{what} is True or False, not {value!r}")
+        raise TypeError(f"{what} must be True or False, not {value!r}")
     return value
 
 
 def _by_axis(what: str, values: object) -> dict[str, Any]:
     if not isinstance(values, Mapping):
-        raise TypeError(f'{what} is a mapping such as {{"X": 40}}, not {values!r}')
+        raise TypeError(f'{what} must be a mapping such as {{"X": 40}}, not {values!r}')
     checked: dict[str, Any] = {}
     for axis, value in values.items():
         name = axis.upper() if isinstance(axis, str) else ""
         if len(name) != 1 or name not in AXES:
-            raise ValueError(f"{what}: {axis!r} is no axis; a solid has X, Y and Z")
+            raise ValueError(f"{what}: {axis!r} is not an axis; a solid has X, Y and Z")
         if name in checked:
             raise ValueError(f"{what} has {name} twice")
         checked[name] = value
@@ -326,22 +333,24 @@ def _direction(what: str, way: object) -> list[float]:
         name = way.strip().upper()
         axis, sign = name.strip("+-"), -1.0 if "-" in name else 1.0
         if len(axis) != 1 or axis not in AXES or len(name) > 2:
-            raise ValueError(f"{what} is a sign and an axis, such as '+Z' or '-X', not {way!r}")
+            raise ValueError(
+                f"{what} must be a sign and an axis, such as '+Z' or '-X', not {way!r}"
+            )
         return [sign if axis == other else 0.0 for other in AXES]
     components = _point(what, way)
     length = math.hypot(*components)
     if length == 0:
-        raise ValueError(f"{what} is a direction, and {way!r} has no length")
+        raise ValueError(f"{what} must be a direction, and {way!r} has no length")
     return [component / length for component in components]
 
 
 def _ends(what: str, ends: object) -> tuple[float, float]:
     if isinstance(ends, str | bytes) or not isinstance(ends, Sequence) or len(ends) != 2:
-        raise TypeError(f"{what} is a pair such as (-20, 0), not {ends!r}")
+        raise TypeError(f"{what} must be a pair such as (-20, 0), not {ends!r}")
     low = _end(what, ends[0], -math.inf)
     high = _end(what, ends[1], math.inf)
     if not low < high:
-        raise ValueError(f"{what} goes from the lower to the higher value, not {ends!r}")
+        raise ValueError(f"{what} must go from the lower to the higher value, not {ends!r}")
     return low, high
 
 

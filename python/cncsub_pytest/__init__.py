@@ -27,10 +27,10 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         "--control",
         action="append",
         metavar="NAME",
-        help="The control of the fixture cnc; given again, tests run once on each.",
+        help="The control of the fixture cnc; give it several times to run the tests on each.",
     )
     group.addoption(
-        "--cncsub-update", action="store_true", help="Write the snapshots of cnc.snapshot anew."
+        "--cncsub-update", action="store_true", help="Write the snapshots of cnc.snapshot again."
     )
     coverage.add_options(group)
     parser.addini("cncsub_control", "The controls of the fixture cnc.", type="args", default=[])
@@ -117,7 +117,7 @@ class Cnc:
             place.write_text(found, encoding="utf-8", newline="\n")
             return
         if not place.exists():
-            pytest.fail(f"there is no {place}: --cncsub-update writes it", pytrace=False)
+            pytest.fail(f"there is no {place}: run with --cncsub-update to write it", pytrace=False)
         known = place.read_text(encoding="utf-8")
         if known == found:
             return

@@ -33,20 +33,21 @@ def add_options(group: pytest.OptionGroup) -> None:
         const="",
         default=[],
         metavar="FOLDER",
-        help="Measure which NC blocks the tests executed. With =FOLDER (a folder or a file; given"
-        " again, another one) only of programs there, and of all of them: a program that no test"
-        " loads counts 0 %%. Without, the folders of the project, or all that the tests load.",
+        help="Measure which NC blocks the tests executed. With =FOLDER (a folder or a file; can"
+        " be given several times) it measures all programs there, and no others: a program that no"
+        " test loads counts 0 %%. Without a folder it measures the folders of the project, or all"
+        " programs that the tests load.",
     )
     group.addoption(
         "--cncsub-cov-fail-under",
         type=_percentage,
         metavar="PERCENT",
-        help="Fail below so many percent, and where nothing was measured.",
+        help="Fail below this percentage, and if nothing was measured.",
     )
     group.addoption(
         "--cncsub-cov-skip-covered",
         action="store_true",
-        help="List no programs that are covered in full.",
+        help="Do not list programs that are fully covered.",
     )
     for name, what in _REPORTS.items():
         group.addoption(
@@ -60,7 +61,7 @@ def _percentage(text: str) -> float:
     except ValueError:
         value = -1
     if not 0 <= value <= 100:
-        raise ArgumentTypeError(f"it is a percentage, 0 to 100, not {text!r}")
+        raise ArgumentTypeError(f"it must be a percentage, 0 to 100, not {text!r}")
     return value
 
 
@@ -180,7 +181,7 @@ class Measuring:
                 Path(file).parent.mkdir(parents=True, exist_ok=True)
                 write_whole(Path(file), text)
             except (OSError, ValueError) as error:
-                self._faults.append(f"--cncsub-cov-{name} {file} is not written: {error}")
+                self._faults.append(f"--cncsub-cov-{name} {file} cannot be written: {error}")
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
         if self._total is None:
@@ -194,7 +195,8 @@ class Measuring:
             terminalreporter.write_line(line)
         if self._left_out:
             terminalreporter.write_line(
-                f"left out: {self._left_out} runs that kept no blocks, or whose programs have other"
+                f"left out: {self._left_out} runs that recorded no blocks, or whose programs"
+                " have other"
                 " texts under the same names; name= of loads tells them apart"
             )
         for fault in self._faults:
@@ -229,8 +231,8 @@ def _read(paths: list[Path]) -> Reading | None:
 
 def _no_programs(why: str) -> pytest.UsageError:
     return pytest.UsageError(
-        f"--cncsub-cov: {why}. A folder of NC programs follows the equals sign, as in"
-        " --cncsub-cov=macros; nothing follows it where tests are named next: --cncsub-cov= tests"
+        f"--cncsub-cov: {why}. Write a folder of NC programs after the equals sign, as"
+        " in --cncsub-cov=macros; without a folder write --cncsub-cov= before the names of tests"
     )
 
 

@@ -34,7 +34,7 @@ REASONS = {
     "M02 or M30 returns from a subprogram, and the flat program would end there",
     "a code starts the program over, and the flat program goes on after it",
     "the run ends by an alarm:  user-alarm",
-    "what M70 to M73 keep and take back in is each call's own, and a flat program has no calls",
+    "M70 to M73 save and restore the modes of each call, and a flat program has no calls",
 }
 
 

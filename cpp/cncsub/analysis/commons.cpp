@@ -149,10 +149,11 @@ void CommonCheck::tell(const ProgramFlow& flow, const Numbers& asked, std::size_
       if (found == places_.end() || (lacking[at - flow.first()] >> found->second & 1) == 0)
         continue;
       const std::string name = uses_.name_of(number);
-      c_.found(Check::CommonVacant, at, uses_.place_of(at, number),
-               name +
-                   " is given a value only on other ways: here it may have none, or that of the "
-                   "program before");
+      c_.found(
+          Check::CommonVacant, at, uses_.place_of(at, number),
+          name +
+              " gets a value only on other paths: here it may be vacant, or hold the value of the "
+              "program before");
       places_.erase(found);  // reported once
     }
   }

@@ -261,17 +261,17 @@ void CountingCheck::ask(Address at, const Asked& asked, const Expression& writte
   if (!by || !is_rounded(*by)) return;
   const auto begins = start(asked.counter, head);
   const auto limit = value(asked.limit, head, to);
-  const std::string sums = "the control adds up fractions that it holds in binary: ";
+  const std::string sums = "fractions such as 0.1 are not exact in binary: ";
   std::string reported;
   if (limit && begins) {
     const auto real = passes(asked.op, *limit, *begins, *by, 0);
     const auto meant = passes(asked.op, *limit, *begins, *by, kDigits);
     if (!meant || real == meant) return;
-    reported = sums + (real ? "it does " + std::to_string(*real) + " passes where " +
-                                  std::to_string(*meant) + " are written"
-                            : "the counter never has this value, and the loop never ends");
+    reported = sums + (real ? "the loop makes " + std::to_string(*real) + " passes instead of " +
+                                  std::to_string(*meant)
+                            : "the counter never reaches this value, and the loop never ends");
   } else if (asked.op == Ins::NotEqual) {
-    reported = sums + "the counter may never have this value, and the loop never ends";
+    reported = sums + "the counter may never reach this value, and then the loop never ends";
   }
   if (reported.empty()) return;
   c_.found(Check::FractionLoop, at, {written.at(), written.width()}, std::move(reported));

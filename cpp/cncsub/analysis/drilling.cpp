@@ -134,8 +134,7 @@ void DrillCheck::depths() {
         !drills_without_depth(at) || repeats_never(c_, block, program_))
       continue;
     c_.found(Check::NothingDrilled, at, {block.text, block.length},
-             code_name(use.code) +
-                 " has no Z: what an earlier cycle had is forgotten at G80 and at G00 to G03");
+             code_name(use.code) + " has no Z: G80 and G00 to G03 clear the Z of an earlier cycle");
   }
 }
 
@@ -170,8 +169,8 @@ void DrillCheck::counts(Address at, const Block& block) {
       c_.found(Check::OtherCount, at,
                {static_cast<std::uint32_t>(block.text + word.at),
                 static_cast<std::uint32_t>(word.width)},
-               std::string("the control counts the holes of a cycle by ") + own + ", not by " +
-                   other + ": it drills once");
+               std::string("the control repeats a cycle by ") + own + ", not by " + other +
+                   ": this cycle drills once");
 }
 
 }  // namespace

@@ -79,13 +79,13 @@ void LabelCheck::head(Address at, const OWord& own) {
   const auto [first, added] = heads_.try_emplace(own.label, at);
   if (!added)
     c_.found(Check::Duplicate, at, place(at),
-             "line " + std::to_string(c_.code.blocks[first->second].line) +
-                 " is the head of this subprogram already");
+             "this subprogram already begins in line " +
+                 std::to_string(c_.code.blocks[first->second].line));
   while (!open_.empty() && !ends_later(at)) never_ended();
   if (!open_.empty())
     c_.found(Check::SubInSub, at, place(at),
              "the subprogram of line " + std::to_string(c_.code.blocks[open_.back()].line) +
-                 " has not ended");
+                 " is still open here");
   if (own.kind == OWordKind::Sub) open_.push_back(at);
 }
 
@@ -99,7 +99,7 @@ void LabelCheck::end_sub(Address at, const OWord& own) {
   const auto ended = std::find_if(open_.rbegin(), open_.rend(),
                                   [&](Address head) { return o_word(head).label == own.label; });
   if (ended == open_.rend()) {
-    c_.found(Check::LoopUnclosed, at, place(at), "no sub before it has this label");
+    c_.found(Check::LoopUnclosed, at, place(at), "no sub has this label");
     return;
   }
   const Address head = *ended;
@@ -111,7 +111,7 @@ void LabelCheck::end_sub(Address at, const OWord& own) {
 /// ends.
 void LabelCheck::never_ended() {
   const Address head = open_.back();
-  c_.found(Check::LoopUnclosed, head, place(head), "no endsub after it has this label");
+  c_.found(Check::LoopUnclosed, head, place(head), "no later endsub has this label");
   open_.pop_back();
 }
 
@@ -183,7 +183,7 @@ void LabelCheck::breaks(const std::vector<Address>& all) {
   for (const Address at : all)
     if (o_word(at).kind == OWordKind::Break && at < last_do_)
       c_.found(Check::BreakLeftOver, at, place(at),
-               "a do loop after it, as that of line " +
+               "a later do loop, such as that of line " +
                    std::to_string(c_.code.blocks[last_do_].line) + ", ends after its first pass");
 }
 
@@ -210,7 +210,7 @@ void LabelCheck::crossings(std::uint32_t sub) {
     if (!ends.empty() && ends.back() < to)
       c_.found(Check::LoopUnclosed, from, place(from),
                "it ends after line " + std::to_string(c_.code.blocks[ends.back()].line) +
-                   ", where what it begins in ends");
+                   ", and must end before that line");
     else
       ends.push_back(to);
   }
@@ -225,7 +225,7 @@ void LabelCheck::statements(const std::vector<Address>& all) {
     if (begins(kind) && !of_do) open = kind;
     if (open != OWordKind::Sub) continue;
     Fault fault{Cause::LabelNotFound, o_word(at).at, o_word(at).width,
-                "no statement before it has this label"};
+                "no earlier statement has this label"};
     c_.refused(Check::LoopUnclosed, at, std::move(fault));
     return;
   }
@@ -234,7 +234,7 @@ void LabelCheck::statements(const std::vector<Address>& all) {
   for (const Address at : all)
     if (o_word(at).kind == end) return;
   c_.found(Check::LoopUnclosed, all.front(), place(all.front()),
-           "no " + std::string(word_of(end)) + " after it has this label");
+           "no " + std::string(word_of(end)) + " with this label comes after it");
 }
 
 }  // namespace
@@ -253,7 +253,8 @@ void check_openings(Checker& c, const ProgramFlow& flow) {
     const CallRecord& record = c.code.calls[edge.record];
     c.refused(Check::ProgramMissing, edge.from,
               {Cause::ProgramNotFound, record.at, record.width,
-               "its file begins with %, as the main program does: nothing is read after it"});
+               "its file begins with %, as that of the main program does: the control reads no "
+               "second such file"});
   }
 }
 

@@ -63,14 +63,15 @@ bool LogicCheck::is_mixed(std::string_view text, Asked asked) const {
 }
 
 const char* LogicCheck::read_as(Asked asked) const {
-  if (asked == Asked::OtherLogic) return "here AND, OR and XOR are done from left to right";
+  if (asked == Asked::OtherLogic) return "this control takes AND, OR and XOR from left to right";
   switch (order_) {
     case LogicOrder::Last:
-      return "here logic comes after comparisons and arithmetic";
+      return "on this control AND, OR and XOR come after comparisons and arithmetic";
     case LogicOrder::LastOfConditions:
-      return "here logic of conditions comes last, that of numbers as in arithmetic";
+      return "on this control AND, OR and XOR of conditions come last, those of numbers rank like "
+             "* and +";
     default:
-      return "here AND comes where * does, OR and XOR where + does, before any comparison";
+      return "on this control AND ranks like *, OR and XOR like +, before any comparison";
   }
 }
 

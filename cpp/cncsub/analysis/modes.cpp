@@ -265,7 +265,7 @@ void ModeCheck::leak(const ProgramFlow& flow, const CallEdge& edge, Modes own,
                                   " on, and line " + std::to_string(c_.code.blocks[moves].line) +
                                   " moves with it");
     if (begins_with_label(c_.code, c_.flow(edge.called).first()))
-      found.hint = "switch it off before endsub, or on again in the caller";
+      found.hint = "switch it off before endsub, or set the mode again in the caller";
   }
 }
 

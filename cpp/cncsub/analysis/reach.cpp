@@ -195,7 +195,7 @@ void check_ends_in_call(Checker& c, const ProgramFlow& flow, const std::vector<b
       c.found(Check::EndsInCall, at, {block.text, block.length},
               c.code.name_of(flow.program()) + " is called from " + c.code.name_of(call.caller));
   found.path = {call.from};
-  if (begins_with_label(c.code, flow.first())) found.hint = "write a return of its label instead";
+  if (begins_with_label(c.code, flow.first())) found.hint = "write a return with its label instead";
 }
 
 /// Report parts of a main program that it calls and also runs into.
@@ -217,7 +217,7 @@ void check_fallen_into(Checker& c, const ProgramFlow& flow) {
     const Block& block = c.code.blocks[start];
     c.found(Check::FallenInto, start, {block.text, block.length},
             "line " + std::to_string(c.code.blocks[edge.from].line) +
-                " calls it, and the block before it runs into it")
+                " calls this part, and the block before runs on into it")
         .path = {edge.from};
   }
 }

@@ -33,7 +33,7 @@ void check_code(Checker& c, Address at, int g) {
   const bool refused = meaning == Meaning::None || meaning == Meaning::Unknown;
   if (!refused) {
     fault.cause = Cause::CodeNotComputed;
-    fault.detail = "the moves of " + code_name(g) + " are not computed";
+    fault.detail = "cncsub does not compute the moves of " + code_name(g);
   }
   c.refused(refused ? Check::CodeMissing : Check::NotComputed, at, std::move(fault));
 }
@@ -60,7 +60,8 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
 void check_labelled(Checker& c, Address at, std::int32_t program, const Block& block) {
   for (const CallReference& call : references_of(c.code, block, program).calls)
     if (call.found == kNoProgram && !call.computed_program && !call.program.empty())
-      c.found(Check::ProgramMissing, at, call.place, "o<" + call.program + "> is nowhere");
+      c.found(Check::ProgramMissing, at, call.place,
+              "there is no subprogram o<" + call.program + ">");
 }
 
 void check_variable(Checker& c, Address at, const VariableReference& of, bool written) {

@@ -117,7 +117,7 @@ void TargetCheck::ambiguous(Address at, const Program& program, std::int64_t n, 
   if (!reported_.insert({index, n}).second) return;
   const std::string lines = lines_of(c_.code, program, n);
   if (!lines.empty())
-    c_.found(Check::Ambiguous, at, place, "N" + std::to_string(n) + " stands in " + lines);
+    c_.found(Check::Ambiguous, at, place, "N" + std::to_string(n) + " is in " + lines);
 }
 
 void TargetCheck::jump(Address at, std::int64_t n, Address to, TextPlace place, Cause otherwise) {
@@ -137,7 +137,8 @@ Finding& TargetCheck::into_loop(Address at, TextPlace place, Address end) {
   Finding& into = c_.found(Check::IntoLoop, at, place,
                            "the loop ends in line " + std::to_string(c_.code.blocks[end].line));
   const Statement& statement = c_.code.statements[c_.code.blocks[end].aux];
-  into.alarm = Fault{Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"};
+  into.alarm =
+      Fault{Cause::MissingDo, statement.at, statement.width, "a jump leads into this loop"};
   into.alarm_block = end;
   return into;
 }
@@ -227,7 +228,7 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
   Finding& reported = no_return_block(to, c_.program(lacks->caller));
   reported.path = {lacks->from};
   if (lacking < 2 || !reported.alarm) return;
-  reported.detail += ", nor in " + std::to_string(lacking - 1) + " more that call";
+  reported.detail += ", nor in " + std::to_string(lacking - 1) + " more callers";
   reported.alarm->detail = reported.detail;
 }
 
@@ -261,8 +262,8 @@ void check_targets(Checker& c) {
     if (c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
       continue;  // another file has the same contents
     c.found(Check::Duplicate, program.first, {block.text, block.length},
-            c.code.name_of(program) + " stands in " + c.code.files[first.file].name + ", line " +
-                std::to_string(first.line) + ", too, and that one runs");
+            c.code.name_of(program) + " is also in " + c.code.files[first.file].name + ", line " +
+                std::to_string(first.line) + ", and that one runs");
   }
 }
 

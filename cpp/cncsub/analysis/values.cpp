@@ -22,7 +22,7 @@ void tell_no_point(Checker& c, Address at, TextPlace place) {
   const std::string_view text = c.code.files[c.program(program).file].text.view();
   c.found(Check::NoPoint, at, place,
           std::string(text.substr(place.at, place.width)) +
-              " counts increments of the control, a thousandth of a millimetre or less");
+              " is counted in increments of the control, a thousandth of a millimetre or less");
 }
 
 /// Return whether an argument of a macro is a small whole number that the control takes as
@@ -101,7 +101,7 @@ void check_call(Checker& c, Address at, const CallRecord& record) {
       c.code.control->calls.zero_repeats.value != ZeroRepeats::Alarm)
     c.found(Check::NoRepeats, at, {record.l.at, record.l.width},
             c.code.control->calls.zero_repeats.value == ZeroRepeats::Skip
-                ? "the call is passed over"
+                ? "the control skips the call"
                 : "the control calls once");
   if (!record.constant || record.kind != CallKind::Subprogram || !constant(record.p)) return;
   const auto whole = to_whole<std::int64_t>(record.p.value);
@@ -140,8 +140,8 @@ void check_plain_code(Checker& c, Address at, const Block& block) {
   if (m < 0) return;
   const std::string name = "M" + std::to_string(m), near = instead_of(c, m);
   c.found(Check::PlainCode, at, {block.text, block.length},
-          name + " only goes to the machine" +
-              (near.empty() ? "" : "; what comes nearest here is " + near));
+          name + " is only sent to the machine" +
+              (near.empty() ? "" : "; the nearest on this control is " + near));
 }
 
 /// Return the parameter that sets a rule, in words; empty where none does.
@@ -158,14 +158,15 @@ std::string dropped(const Checker& c, const Block& block, std::string_view text,
   const char letter = drop.at < text.size() ? upper(text[drop.at]) : '\0';
   const int most = c.code.control->reading.m_codes_per_block.value;
   if (letter == 'M')
-    return "of the M codes of a block the control obeys " +
-           (most == 1 ? std::string("the last alone") : "the last " + std::to_string(most)) +
+    return "of several M codes in a block the control executes only " +
+           (most == 1 ? std::string("the last") : "the last " + std::to_string(most)) +
            parameter_of(c, "m_codes_per_block");
   if (is_call(block.op) && (letter == 'Q' || letter == 'H'))
-    return std::string("the control's calls know no ") + letter + parameter_of(c, "start_word");
+    return std::string("calls on this control have no word ") + letter +
+           parameter_of(c, "start_word");
   if (!is_call(block.op))
-    return std::string(1, letter) + " stands again: the control obeys the last";
-  return "the control does not obey it";
+    return std::string(1, letter) + " is in the block twice: the control uses the last one";
+  return "the control ignores it";
 }
 
 /// Return what this control takes in place of a word that it does not obey; empty where there is
@@ -181,11 +182,12 @@ std::string instead_of(const Checker& c, const Block& block, std::string_view te
     return "write the count before the number: `M98 P30002`";
   if (letter != 'Q' && letter != 'H') return "";
   if (start == StartWord::None)
-    return std::string("take ") + letter +
-           " away: a call begins at the head; make what begins at that block a program of its own";
+    return std::string("remove ") + letter +
+           ": a call starts at the head; to start at that block, make it the head of a program of "
+           "its own";
   const char own = start == StartWord::Q ? 'Q' : 'H';
   return std::string("write ") + own + value + " for " + letter + value + ": " + own +
-         " names the block where a call begins";
+         " names the block at which a call starts";
 }
 
 /// Report a word of an offset, such as D1, that the control obeys and a run leaves out. A word that
@@ -193,10 +195,12 @@ std::string instead_of(const Checker& c, const Block& block, std::string_view te
 void tell_left_out(Checker& c, Address at, std::string_view text, const Drop& drop) {
   const std::string_view word = text.substr(std::min<std::size_t>(drop.at, text.size()), 2);
   if (word.empty() || (word.size() == 2 && is_letter(word[1]))) return;
-  Finding& found =
-      c.found(Check::NotComputed, at, {drop.at, drop.width},
-              std::string(1, upper(word[0])) + " is not computed here: a run goes on without it");
-  found.hint = "nothing in the program: a run makes the moves that it makes without this word";
+  Finding& found = c.found(
+      Check::NotComputed, at, {drop.at, drop.width},
+      std::string(1, upper(word[0])) + " is not computed by cncsub: a run goes on without it");
+  found.hint =
+      "leave the program as it is, and check these moves yourself: a run makes them without this "
+      "word";
 }
 
 void check_drops(Checker& c, Address at, const Block& block) {
@@ -219,7 +223,7 @@ void check_last(Checker& c, const ProgramFlow& flow) {
   if (!means_m99(c, flow)) return;
   const Block& block = c.code.blocks[flow.last() - 1];
   Finding& found = c.found(Check::G99ForM99, flow.last() - 1, {block.text, block.length},
-                           "G99 is no return: the program runs into its end");
+                           "G99 does not return: the program runs to the end of its text");
   if (c.code.control->reading.missing_end.value != MissingEnd::Alarm) return;
   found.alarm = Fault{Cause::EndOfRecord, c.program(flow.program()).text_end, 1, found.detail};
   found.alarm_block = flow.last();

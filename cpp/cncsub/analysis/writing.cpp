@@ -54,7 +54,7 @@ void check_conflict(Checker& c, Address at, const Block& block, const Program& p
     } else if (before->second != g) {
       c.found(Check::CodesInConflict, at,
               place_of_code(c.code, block, program, before->second, false),
-              both + " are of one group: the control obeys " + code_name(g));
+              both + " are of one group: the control executes only " + code_name(g));
     }
     before->second = g;
   });
@@ -93,7 +93,7 @@ void check_open_comment(Checker& c, Address at, std::string_view text) {
   while (width > 1 && is_blank(line[open + width - 1])) --width;
   c.found(Check::OpenComment, at,
           {static_cast<std::uint32_t>(block.text + open), static_cast<std::uint32_t>(width)},
-          "nothing closes the comment: the rest of the block counts as its text");
+          "the comment is not closed: the rest of the block belongs to it");
 }
 
 // ---- small letters ----
@@ -157,7 +157,7 @@ bool prints(const Code& code, const Block& block) {
 }
 
 constexpr const char* kSmall =
-    "read here as capitals; a control without small letters refuses them or passes them over";
+    "this control reads them as capitals; one without small letters refuses or ignores them";
 
 CertainEdit in_capitals(Address block, TextPlace place, std::string_view text) {
   CertainEdit edit{block, place, std::string(text.substr(place.at, place.width))};

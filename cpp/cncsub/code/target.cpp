@@ -82,7 +82,7 @@ double CallWords::whole(const Operand& operand, double value) const {
 std::optional<Fault> CallWords::device() {
   if (!given(call_.device(), values_.device)) return std::nullopt;
   if (values_.device < 0 || values_.device > 4)
-    return fault(Cause::ValueOutOfRange, call_.device(), "the device is 0 to 4");
+    return fault(Cause::ValueOutOfRange, call_.device(), "the device must be 0 to 4");
   target_.external = target_.external || values_.device > 0;
   return std::nullopt;
 }
@@ -102,7 +102,7 @@ std::optional<Fault> CallWords::count() {
   const auto illegal = [&](Cause cause) {
     return fault(
         cause, call_.l,
-        named(call_.l, address, values_.l) + "; the count is 1 to " + std::to_string(most));
+        named(call_.l, address, values_.l) + "; the count must be 1 to " + std::to_string(most));
   };
   if (count < 0) return illegal(Cause::IllegalRepeatCount);
   if (count == 0) {
@@ -168,7 +168,7 @@ std::optional<Fault> CallWords::number_in_p() {
     return wrong_p(macro ? illegal : Cause::TooManyDigits,
                    "; it has at most " + std::to_string(digits) + " digits");
   if (number == 0 && control_.common.refuses.value.has(Cause::ProgramNumberZero))
-    return wrong_p(macro ? illegal : Cause::ProgramNumberZero, "; programs are numbered from 1");
+    return wrong_p(macro ? illegal : Cause::ProgramNumberZero, "; program numbers start at 1");
   target_.program_number = to_whole<std::int64_t>(number);
   if (macro || control_.calls.program_word.value != ProgramWord::CountAndNumber)
     return std::nullopt;
@@ -181,7 +181,7 @@ std::optional<Fault> CallWords::count_in_p(std::int64_t p) {
   if (count == 0 && call_.p.written <= 4) return std::nullopt;
   const bool in_l = counts_in_l();
   if (in_l && control_.calls.count_and_l.value == CountAndL::Alarm)
-    return fault(Cause::RepeatGivenTwice, call_.l, "P gives a repeat count already");
+    return fault(Cause::RepeatGivenTwice, call_.l, "P already gives a repeat count");
   if (count == 0) {
     if (control_.common.refuses.value.has(Cause::IllegalRepeatCount))
       return wrong_p(Cause::IllegalRepeatCount, "; the repeat count in it is 0");
@@ -195,7 +195,7 @@ std::optional<Fault> CallWords::count_in_p(std::int64_t p) {
     return wrong_p(above(static_cast<double>(count), most),
                    "; the count in it is above " + std::to_string(most));
   if (target_.program_number == 0 && control_.common.refuses.value.has(Cause::ProgramNumberZero))
-    return wrong_p(Cause::ProgramNumberZero, "; programs are numbered from 1");
+    return wrong_p(Cause::ProgramNumberZero, "; program numbers start at 1");
   return std::nullopt;
 }
 

@@ -37,7 +37,7 @@ std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, st
                    .detail = "#" + std::to_string(number) + " cannot be written"};
     case Access::WriteOnly:  // a statement: the block that writes it has done it already
       return Fault{.cause = Cause::VariableWriteProtected,
-                   .detail = "#" + std::to_string(number) + " takes a value from a program only"};
+                   .detail = "#" + std::to_string(number) + " can be set only by a program"};
   }
   return std::nullopt;
 }

@@ -180,12 +180,12 @@ Wrong assign_value(std::string_view name, E& place, const RuleValue& value) {
         place = static_cast<E>(i);
         return std::nullopt;
       }
-  return std::string(name) + " is one of " + joined(list);
+  return std::string(name) + " must be one of " + joined(list);
 }
 
 Wrong assign_value(std::string_view name, bool& place, const RuleValue& value) {
   const auto* yes = std::get_if<bool>(&value);
-  if (yes == nullptr) return std::string(name) + " is True or False";
+  if (yes == nullptr) return std::string(name) + " must be True or False";
   place = *yes;
   return std::nullopt;
 }
@@ -193,7 +193,8 @@ Wrong assign_value(std::string_view name, bool& place, const RuleValue& value) {
 Wrong assign_value(std::string_view name, int& place, const RuleValue& value) {
   const auto* number = std::get_if<std::int64_t>(&value);
   if (number == nullptr || *number < 0 || *number > kLargestSetting)
-    return std::string(name) + " is a whole number from 0 to " + std::to_string(kLargestSetting);
+    return std::string(name) + " must be a whole number from 0 to " +
+           std::to_string(kLargestSetting);
   place = static_cast<int>(*number);
   return std::nullopt;
 }
@@ -205,7 +206,7 @@ Wrong assign([[maybe_unused]] const Control& control, std::string_view name, Rul
     return assign_value(name, rule.value, value);
   } else {
     const auto* text = std::get_if<std::string>(&value);
-    if (text == nullptr) return std::string(name) + " is a text";
+    if (text == nullptr) return std::string(name) + " must be a text";
     if constexpr (std::is_same_v<T, Ranges>)
       return change_commons(control, rule.value, *text);
     else if constexpr (std::is_same_v<T, VariableOptions>)
@@ -318,7 +319,7 @@ std::optional<std::string> set_rule(Control& control, const std::string& rule_na
     return wrong;                                                         \
   }
 #include "cncsub/control/rules.def"
-  return "no rule is named " + rule_name;
+  return "there is no rule " + rule_name;
 }
 
 void tell_entries(Control& control, const std::string& rule_name,

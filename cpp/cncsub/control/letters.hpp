@@ -53,12 +53,12 @@ class Characters {
 
 struct AddressKind {
   static constexpr std::size_t kMost = 26;
-  static constexpr std::string_view kWhat = "address: write capital letters, as in XYZ";
+  static constexpr std::string_view kWhat = "an address: write capital letters, as in XYZ";
   static constexpr bool has(char c) { return c >= 'A' && c <= 'Z'; }
 };
 struct MarkKind {
   static constexpr std::size_t kMost = 42;
-  static constexpr std::string_view kWhat = "mark: write +-_.";
+  static constexpr std::string_view kWhat = "a mark: write +-_.";
   static constexpr bool has(char c) {
     return (c > ' ' && c < 'A') || (c > 'Z' && c < 'a') || (c > 'z' && c < 127);
   }

@@ -52,7 +52,7 @@ std::string near_parameters(const std::vector<Parameter>& parameters, const Para
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::string near;
   for (std::size_t i = 0; i < far.size() && (i < 3 || far[i].first == 0); ++i)
-    near += (i == 0 ? "; near are " : ", ") + std::string(far[i].second);
+    near += (i == 0 ? "; the nearest are " : ", ") + std::string(far[i].second);
   return near;
 }
 
@@ -97,16 +97,18 @@ std::optional<std::string> Control::set_parameter(const std::string& parameter_n
   const auto read = ParameterName::read(parameter_name);
   if (!read)
     return "'" + parameter_name +
-           "' is no parameter: write its number, as '6050', or number and bit, as '6001#5'";
+           "' is not a parameter: write its number, such as '6050', or its number and bit, such as "
+           "'6001#5'";
   const std::string what = "parameter " + parameter_name;
   if (read->bit > 7) return what + ": the bits of a parameter are 0 to 7";
   Parameter* p = find_parameter(parameters, parameter_name);
   if (p == nullptr)
     return name + " has no " + what + near_parameters(parameters, *read) + " (`cncsub controls " +
            name + "` lists them)";
-  if (read->bit >= 0 && value != 0 && value != 1) return what + " is a bit, 0 or 1";
+  if (read->bit >= 0 && value != 0 && value != 1)
+    return what + " is a bit: its value must be 0 or 1";
   if (!(std::fabs(value) <= kLargestSetting))
-    return what + " is a number up to " + std::to_string(kLargestSetting);
+    return what + " must be a number up to " + std::to_string(kLargestSetting);
   p->value = value;
   apply(*this, *p, "set by parameter " + p->name + " = " + written(value), Evidence::Inferred);
   return std::nullopt;

@@ -51,7 +51,7 @@ std::string near_words(std::string_view word, std::vector<std::string_view> know
   });
   std::string text;
   for (std::size_t i = 0; i < known.size() && i < 3; ++i)
-    text += (i == 0 ? "; near are " : ", ") + std::string(known[i]);
+    text += (i == 0 ? "; the nearest are " : ", ") + std::string(known[i]);
   return text;
 }
 
@@ -64,11 +64,11 @@ std::string_view value_of(std::string_view entry) {
 }
 
 std::string no_code(std::string_view text) {
-  return std::string(text) + " is no code: write 54 or 54.1";
+  return std::string(text) + " is not a code: write 54 or 54.1";
 }
 std::string no_such(std::string_view what, std::string_view word,
                     const std::vector<std::string_view>& known) {
-  return std::string(word) + " is no " + std::string(what) + near_words(word, known);
+  return std::string(word) + " is not a known " + std::string(what) + near_words(word, known);
 }
 
 template <class Row, std::size_t Count>
@@ -92,7 +92,7 @@ Wrong check_code(std::string_view entry) {
 
 Wrong check_role(std::string_view entry) {
   if (entry.find('=') == std::string_view::npos || !CodeName::read(key_of(entry)))
-    return std::string(entry) + " is no code with its role: write M97=jump";
+    return std::string(entry) + " is not a code with its role: write M97=jump";
   return one_of("role of a code", value_of(entry), role_names());
 }
 
@@ -116,7 +116,7 @@ std::string MeaningEntry::text(const GCode& entry) {
 
 std::string MeaningEntry::wrong(std::string_view text) {
   if (text.find('=') == std::string_view::npos)
-    return std::string(text) + " has no meaning: write 68.2=neutral";
+    return std::string(text) + " names no meaning: write 68.2=neutral";
   if (!read_code(key_of(text))) return no_code(key_of(text));
   return no_such("meaning of a G code", value_of(text),
                  words_of(kMeaningWords, &MeaningWord::word));
@@ -132,16 +132,17 @@ std::string GroupEntry::text(const Entry& entry) {
 std::string GroupEntry::wrong(std::string_view text) {
   const auto names = words_of(kGroupNames, &GroupName::name);
   if (auto wrong = one_of("group of G codes", key_of(text), names)) return *wrong;
-  return std::string(text) + " is no group with its number: write plane=2";
+  return std::string(text) + " is not a group with its number: write plane=2";
 }
 
 std::string CornerEntry::wrong(std::string_view text) {
-  return std::string(text) + " is no address: write C or ,C";
+  return std::string(text) + " is not an address: write C or ,C";
 }
 
 std::string RegisteredEntry::wrong(std::string_view text) {
   return std::string(text) +
-         " is no code with what it calls: write M50=call:9001, G101=macro-call:9010, T=call:9000";
+         " is not a code with what it calls: write M50=call:9001, G101=macro-call:9010, "
+         "T=call:9000";
 }
 
 namespace {
@@ -164,7 +165,7 @@ Entries::iterator find_entry(Entries& entries, std::string_view entry) {
 Wrong take_away(Entries& entries, std::string_view entry) {
   const auto found = find_entry(entries, entry);
   if (found == entries.end())
-    return "there is no " + std::string(entry) + " to take away" + near_words(entry, entries);
+    return "there is no " + std::string(entry) + " to remove" + near_words(entry, entries);
   entries.erase(found);
   return std::nullopt;
 }

@@ -47,8 +47,8 @@ Wrong change(std::string_view rule, Characters<Kind>& set, std::string_view text
   Characters<Kind> changed;
   for (std::size_t i = 0; i < text.size(); ++i)
     if (!changed.put(text[i]))
-      return std::string(rule) + ": '" + std::string(first_character(text.substr(i))) + "' is no " +
-             std::string(Kind::kWhat);
+      return std::string(rule) + ": '" + std::string(first_character(text.substr(i))) +
+             "' is not " + std::string(Kind::kWhat);
   set = changed;
   return std::nullopt;
 }

@@ -30,11 +30,11 @@ std::optional<std::string> taken(const Control& control, const Span& span) {
     if (meets(span, range))
       return is(range, range.kind == VariableKind::Vacant  ? "is always vacant"
                        : range.kind == VariableKind::Local ? "is a local variable"
-                                                           : "is a variable of the control's own");
+                                                           : "is a system variable of the control");
   for (const VariableOption& option : control.variable_choices)
     for (const VariableRange& range : option.variables)
       if (meets(span, range))
-        return is(range, "is a variable of the control's own, by the option " + option.name);
+        return is(range, "is a system variable of the control, with the option " + option.name);
   if (control.macros.variable_forms.value.has(VariableForm::Indirect) && span.meets({9000, 9999}))
     return span.text() + ": #9000 to #9999 are #[#0] to #[#999] on this control";
   return std::nullopt;
@@ -47,7 +47,7 @@ std::optional<std::string> wrong_entry(const Control& control, std::string_view 
     for (const VariableOption& option : control.variable_choices)
       if (!option.commons.empty()) known.push_back(option.name);
     return std::string(entry.substr(0, 100)) +
-           " is no range of numbers and no option: write 100-199" + near_words(entry, known);
+           " is neither a range of numbers nor an option: write 100-199" + near_words(entry, known);
   }
   if (span->last < span->first)
     return span->text() + " ends before it begins: write " + Span{span->last, span->first}.text();
@@ -80,7 +80,7 @@ std::optional<std::string> too_many(const Spans& spans) {
   std::int64_t count = 0;
   for (const Span& span : spans) count += std::int64_t{span.last} - span.first + 1;
   if (count <= kMostCommons) return std::nullopt;
-  return std::to_string(count) + " variables are more than a run holds: at most " +
+  return std::to_string(count) + " variables are more than a run can hold: at most " +
          std::to_string(kMostCommons);
 }
 
@@ -91,7 +91,7 @@ std::optional<std::string> lacking(const Control& control, const Spans& spans) {
   for (int number = first; number < first + kSkipAxes; ++number)
     if (std::none_of(spans.begin(), spans.end(),
                      [number](const Span& span) { return span.has(number); }))
-      return "#" + std::to_string(number) + " is missing, into which G31 writes";
+      return "#" + std::to_string(number) + " is missing: G31 writes to it";
   return std::nullopt;
 }
 
@@ -121,7 +121,7 @@ std::optional<std::string> change_commons(const Control& control, Ranges& list,
     if (!changed.put(span))
       return "commons: " + std::to_string(all.size()) + " ranges are more than the " +
              std::to_string(SpanEntry::kMost) +
-             " that a control holds: write 100-199, not each number";
+             " that a control can hold: write 100-199, not each number";
   list = changed;
   return std::nullopt;
 }
@@ -132,7 +132,7 @@ std::optional<std::string> change_variable_options(const Control& control, Varia
   for (const VariableOption& option : control.variable_choices)
     if (option.commons.empty()) known.push_back(option.name);
   return change_list("variable_options", list, text, [&known](std::string_view entry) {
-    return one_of("option that brings them", entry, known);
+    return one_of("option that adds variables", entry, known);
   });
 }
 

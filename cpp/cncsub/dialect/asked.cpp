@@ -37,7 +37,7 @@ std::optional<std::string> never_asked(const Control& control, const std::string
   const bool known = std::any_of(all.begin(), all.end(),
                                  [&](const RuleView& rule) { return rule.name == rule_name; });
   if (!known) return std::nullopt;
-  return control.name + " never asks the rule " + rule_name +
+  return control.name + " does not use the rule " + rule_name +
          ": nothing in the language of its programs depends on it";
 }
 

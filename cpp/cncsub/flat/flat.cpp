@@ -217,7 +217,7 @@ void FlatRun::write_end(std::string& text, FlatOrigins& origins) {
     else
       end_line(text += code, origins);
   } else if (!said && !starts_over_ && machine_.stop() == Stop::End && !late_.empty()) {
-    refuse("the blocks that a cycle follows would stand where the program has no end");
+    refuse("the profile of a cycle would follow a program that has no end");
   }
   for (const Late& profile : late_) write_profile(text, origins, profile);
   if (taped_) text += "%\n";
@@ -260,7 +260,7 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   const std::size_t before = text.size();
   if ((coming_.call >= 0 || other_) && keeps_modes(codes_of(machine_, observer_, *block)))
     return refuse(
-        "what M70 to M73 keep and take back in is each call's own, and a flat program has no "
+        "M70 to M73 save and restore the modes of each call, and a flat program has no "
         "calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
@@ -283,7 +283,7 @@ bool FlatRun::write_words(std::string& text, FlatOrigins& origins, const Block& 
   if (text.size() == before) text += idle_words(machine_.motion().state(), block);
   const int most = machine_.code().control->reading.max_block_length.value;
   return most <= 0 || text.size() - before <= static_cast<std::size_t>(most) ||
-         refuse("the block would be longer than the control takes");
+         refuse("the block would be longer than the control allows");
 }
 
 bool FlatRun::write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
@@ -322,7 +322,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
     const Code& there = *for_;
     if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
         there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
-      return refuse(name + " is written, and the control has no statement that assigns a number");
+      return refuse(name + " gets a value, and the control has no statement that assigns a number");
     text += name + "=" + value_text(there, of.value);
     const VariableKind kind = code.place(of.number).kind;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)

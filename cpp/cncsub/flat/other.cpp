@@ -174,8 +174,8 @@ bool OtherWriter::put_codes(std::string& to, std::span<const int> codes, bool le
     bool idle = false;
     const int code = code_of(meant, idle);
     if (code < 0 && !idle)
-      return refuse(control_of(to_).name + " has no code that is what " + code_name(own) +
-                    " is here");
+      return refuse(control_of(to_).name + " has no code that does what " + code_name(own) +
+                    " does here");
     if (code < 0) continue;
     (meant.group == Group::Units ? units : others) += code_name(code) + " ";
   }
@@ -210,7 +210,7 @@ bool OtherWriter::put_m(std::string& to, const NcWords& words, bool ends) {
       if (role == Role::End)
         to += "M" + std::to_string(m);
       else if (!words_.code(to, 'M', m * 10))
-        return refuse("M" + std::to_string(m) + " calls there");
+        return refuse("M" + std::to_string(m) + " calls a program there");
     } else if (const auto code = there.code_of(role); role != Role::None && code) {
       to += code->text();
     } else if (!is_own(there.of_m(m)) && there.of_m(m) == Role::None) {

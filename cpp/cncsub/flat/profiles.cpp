@@ -12,7 +12,7 @@ namespace cncsub {
 bool FlatRun::write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
                                  const Profile& profile) {
   profile_.clear();
-  if (other_) return refuse("the cycle takes the blocks of a profile, which stay on this control");
+  if (other_) return refuse("a cycle with a profile cannot be written for another control");
   for (const NcWords& words : profile.blocks) {
     const Block& own = machine_.code().blocks[words.at];
     if (!blocks_.write(profile_.emplace_back(), own, program_at(words.at), &words))

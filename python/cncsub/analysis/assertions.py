@@ -50,8 +50,8 @@ def assert_alarm(run: Stopped, expected: str, at: str | None) -> None:
     __tracebackhide__ = True  # of pytest: a failure stands in the test
     if not isinstance(expected, str):
         raise TypeError(
-            f"an alarm is expected by its number or cause, a text, not {expected!r}; "
-            "one without a number by its cause"
+            f"alarm must be the number or the cause of an alarm, a text, not {expected!r}; "
+            "write the cause if it has no number"
         )
     program, n = _place(run, at)
     alarm = run.alarm
@@ -71,12 +71,12 @@ def _place(run: Stopped, at: object) -> tuple[int | None, int | None]:
     names = words[:-1] if n else words
     if at is not None and (not words or len(names) > 1):
         kind = ValueError if isinstance(at, str) else TypeError
-        raise kind(f'at says a program, a block, or both, such as "O10 N30", not {at!r}')
+        raise kind(f'at must be a program, a block or both, such as "O10 N30", not {at!r}')
     if not names:
         return None, int(n[1]) if n else None
     program = find_program(run.core.code, names[0])
     if program < 0:
-        raise ValueError(f"at says {at!r}, but there is no program {names[0]}")
+        raise ValueError(f"at is {at!r}, but there is no program {names[0]}")
     return program, int(n[1]) if n else None
 
 
@@ -95,7 +95,7 @@ def _lines(run: Stopped) -> Iterator[str]:
     if run.alarm is not None:
         yield from str(run.alarm).split("\n")
     count = len(run.steps)
-    yield f"what ran last, of {run.blocks} blocks:" if count else f"{run.blocks} blocks ran"
+    yield f"the last of {run.blocks} blocks:" if count else f"{run.blocks} blocks ran"
     for i in range(max(0, count - _LAST), count):
         step = run.steps[i]
         text = step.text.strip()
@@ -108,4 +108,4 @@ def _lines(run: Stopped) -> Iterator[str]:
             f"#{number} = {value:g}" for number, value in values[:_VARIABLES]
         )
     if len(values) > _VARIABLES:
-        yield f"  and {len(values) - _VARIABLES} more that hold a value"
+        yield f"  and {len(values) - _VARIABLES} more with a value"

@@ -13,12 +13,12 @@ MOST_BLOCKS = 12  # of a loop, in a text
 class Why(enum.StrEnum):
     """The kind of program that does not end: `REPEATS` (by design: M99 of the main program starts
     it over), `LOOP` (the whole state came back exactly, so that it never ends), `WAITING` (for an
-    input nobody gave), `LONG` (nothing is proven: it may end).
+    input that is not given), `LONG` (nothing is proven: it may end).
     """
 
     REPEATS = "repeats"  # by design: M99 of the main program starts it over
     LOOP = "loop"  # the whole state came back exactly, without a look outside: it never ends
-    WAITING = "waiting"  # for an input nobody gave
+    WAITING = "waiting"  # for an input that is not given
     LONG = "long"  # nothing is proven: it may end
 
 
@@ -57,7 +57,7 @@ class Endless:
     >>> library = cncsub.loads("O1\\nN10 #1=2\\nN20 GOTO10\\n", control="fanuc-0i-f")
     >>> run = library.run(max_blocks=1000)
     >>> print(run.endless)
-    an endless loop, proven: after 2 blocks everything is as it was; O1 N10, O1 N20
+    an endless loop, proven: after 2 blocks the state is the same again; O1 N10, O1 N20
     >>> [(block.n, block.line, block.text) for block in run.endless.blocks]
     [(10, 2, 'N10 #1=2'), (20, 3, 'N20 GOTO10')]
     """
@@ -79,17 +79,18 @@ class Endless:
             return f"it repeats by design{self._at()}{self._proof()}"
         if self.why is Why.LOOP:
             return (
-                f"an endless loop, proven: after {_blocks(self.period)} everything is as it was;"
+                f"an endless loop, proven: after {_blocks(self.period)} the state is the"
+                " same again;"
                 f" {self._places()}"
             )
-        return f"only long, as far as was looked: {self._seen()}"
+        return f"not proven to be endless: {self._seen()}"
 
     def _at(self) -> str:
         return f" at {self.blocks[0]}" if self.blocks else ""
 
     def _proof(self) -> str:
         if self.proven:
-            return f"; after {_blocks(self.period)} everything is as it was"
+            return f"; after {_blocks(self.period)} the state is the same again"
         return f"; {self._seen()}" if self.looked or self.outside else ""
 
     def _places(self) -> str:
@@ -100,12 +101,13 @@ class Endless:
     def _seen(self) -> str:
         if self.outside:
             return (
-                f"after {_blocks(self.period)} everything is as it was, but for {self.outside},"
+                f"after {_blocks(self.period)} the state is the same again, except for"
+                f" {self.outside},"
                 f" which it reads from outside; {self._places()}"
             )
         if self.then is not None:
-            return f"{_blocks(self.looked)} further on it stops: {self.then}"
-        seen = f"in {_blocks(self.looked)} more the state did not come back"
+            return f"after {_blocks(self.looked)} more it stops: {self.then}"
+        seen = f"in {_blocks(self.looked)} more the same state did not come again"
         return f"{seen}; {', '.join(self.changing)} changed" if self.changing else seen
 
 

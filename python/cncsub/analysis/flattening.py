@@ -96,7 +96,7 @@ class _FlatPair(Pair):
             if apart.any():
                 at = int(apart.argmax())
                 steps = (int(a.moves.step[at]), int(b.moves.step[at]))
-                yield self._say((a, b), steps, (f"move {at}", f"move {at} of another time"))
+                yield self._say((a, b), steps, (f"move {at}", f"move {at} with another time"))
         alarms = [(run.alarm.cause, run.alarm.number) if run.alarm else None for run in (a, b)]
         if a.stop != b.stop or alarms[0] != alarms[1]:
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
@@ -243,7 +243,7 @@ def flatten(
     """
     check_names("flatten", options, FlattenOptions)
     if not isinstance(comments, bool):
-        raise TypeError(f"comments is true or false, not {comments!r}")
+        raise TypeError(f"comments must be True or False, not {comments!r}")
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
     target = library.control if control is None else control_of(control)
@@ -273,7 +273,7 @@ def _refuse(
 ) -> NoReturn:
     """Refuse a flat program for another control that does not run alike."""
     run = uninterrupted(library.run(main, **options))
-    reason = f"the flat program would not run alike\n{parting.what}"
+    reason = f"the flat program would not do the same\n{parting.what}"
     if not len(run.steps):
         raise FlattenError(reason)
     step = run.steps[min(parting.first, len(run.steps) - 1)]
@@ -299,7 +299,7 @@ def _parts(
         run, other = map(uninterrupted, (library.run(main, **options), flat.run(**again)))
     except KeyError as error:  # read by this control, the text has no such program
         raise FlattenError(
-            f"{control.name} reads the flat text otherwise: {error.args[0]}"
+            f"{control.name} reads the flat text differently: {error.args[0]}"
         ) from None
     if len(other.calls):
         call = other.calls[0]

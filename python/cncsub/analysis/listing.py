@@ -158,9 +158,11 @@ def listing_of(
     wanted = _wanted(run, program)
     watched: Mapping[int, float | None] = run.watch.beginning
     if variable is not None and variable not in watched:
-        raise ValueError(f"#{variable} was not watched: run(watch=[{variable}]) keeps its changes")
+        raise ValueError(
+            f"#{variable} was not watched: run(watch=[{variable}]) records its changes"
+        )
     if len(run.steps) == 0 and len(run.calls) > 0:
-        raise ValueError('the run kept no blocks: trace="blocks" or "moves" keeps them')
+        raise ValueError('the run recorded no blocks: trace="blocks" or "moves" records them')
     return _rows(run, {"program": wanted, "depth": depth, "n": n}, variable)
 
 

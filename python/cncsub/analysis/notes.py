@@ -19,12 +19,12 @@ MOST_LOOKED_AT = 1_000  # programs, for one that may have been meant
 
 @dataclass(frozen=True, slots=True)
 class Note:
-    """A fact about a memory that nobody asked for and that its user should know.
+    """A fact about a memory that its user should know.
 
     `kind`: `"conflict"`, a program that does not count, because another one of its name with other
     blocks does; `"copy"`, the same where both have the same blocks; `"left-out"`, what was not
     read; `"no-head"`, the first program has no head and runs because its file comes first;
-    `"beside"`, a file that the command read too, because a call names its program; `"defaulted"`,
+    `"beside"`, a file that the command also read, because a call names its program; `"defaulted"`,
     the control is the one of a project; `"outside"`, a file or folder that a project names outside
     its own folder; `"no-effect"`, what was given and changes nothing; `"increments"`, lengths
     without a decimal point, which the control counts in increments.
@@ -50,8 +50,8 @@ def notes_of(library: Library) -> Iterator[Note]:
         same = same_blocks(program, counts)
         yield Note(
             "copy" if same else "conflict",
-            f"this {program.name} is never called: {counts.name} at {counts.file}:{counts.line}"
-            f" counts, {'which is the same' if same else 'and they differ'}",
+            f"this {program.name} is never called: the control uses {counts.name} at"
+            f" {counts.file}:{counts.line}, which is {'the same' if same else 'different'}",
             program.file,
             program.line,
         )
@@ -65,7 +65,7 @@ def _unused_parameters(control: Control) -> Iterator[Note]:
     delivered = controls[control.base].parameters
     for name, parameter in control.parameters.items():
         if not parameter.used and parameter.value != delivered[name].value:
-            told = f"no effect: nothing is computed from it ({parameter.meaning})"
+            told = f"no effect: cncsub computes nothing from it ({parameter.meaning})"
             yield Note("no-effect", told, f"parameter {name}")
 
 
@@ -86,9 +86,9 @@ def _no_head(library: Library) -> Note | None:
         return None
     return Note(
         "no-head",
-        f"there is no program head: it counts as the program {main.name}, and as the first one it"
-        f" runs where no other is named; {headed.name} of {headed.file} has a head, and runs where"
-        " it is named",
+        f"the file has no program head, so it is the program {main.name}; it is the first file,"
+        f" so it runs if no other program is named; {headed.name} of {headed.file} has a head,"
+        " and runs if it is named",
         main.file,
         main.line,
     )

@@ -320,7 +320,7 @@ class OtherControlPair(Pair):
         at = _other_dwell(a, b)
         if at is not None:
             steps = (int(a.moves.step[at]), int(b.moves.step[at]))
-            yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell of another time"))
+            yield self._say((a, b), steps, (f"move {at}", f"move {at}, a dwell with another time"))
 
 
 def _end_codes(control: Control) -> frozenset[int]:

@@ -48,7 +48,7 @@ class StaticCall:
         passes = "" if self.repeats == 1 else f", {self.repeats} passes"
         given = f" {' '.join(self.arguments)}" if self.arguments else ""
         missing = ", which does not exist" if self.exists is False else ""
-        again = {"": "", "cycle": ", which is open already", "above": ", see above"}[self.again]
+        again = {"": "", "cycle": ", which is already open", "above": ", see above"}[self.again]
         at = f"line {self.line}" if self.n is None else f"N{self.n}"
         to = self.program if self.program is not None else f"[{self.expression}]"
         return f"{self.kind} {to}{given}{passes}{missing}{again}, from {self.caller} {at}"

@@ -35,7 +35,7 @@ _LARGEST_CHUNK, _FIRST_CHUNK = 256, 8  # jobs
 _MOST_JOBS = 1024
 _MOST_UNKNOWN = 64  # chunks under way on an executor that does not tell its workers
 # Reasons for which the walk leaves entries alone that may have been meant to be run.
-_UNREADABLE = ("a link that leads nowhere", "cannot be opened")
+_UNREADABLE = ("a broken link", "cannot be opened")
 
 Paths = StrPath | Iterable[StrPath]
 
@@ -86,7 +86,7 @@ def run_many(
     """
     for name in options:
         if name not in stated(MdiOptions) or name == "trace":
-            raise TypeError(f"run_many has no option {name!r}; the options are those of run")
+            raise TypeError(f"run_many has no option {name!r}, only those of run")
     asked = {**LIMITS, **options}
     task = _task("run", control, each, external, encoding, asked)
     # Wrong options are told now, not in every row.
@@ -139,7 +139,7 @@ def _task(
     options: Any,
 ) -> Task:
     if each not in EACH:
-        raise wrong_value("each", f"each is one of {', '.join(EACH)}, not {each!r}")
+        raise wrong_value("each", f"each must be one of {', '.join(EACH)}, not {each!r}")
     check_encoding(encoding)
     place = None if external is None else str(Path(external).absolute())
     known = control_of(control)
@@ -155,10 +155,12 @@ def _batch(
     progress: bool,
 ) -> Any:
     if jobs is not None and jobs < 1:
-        raise wrong_value("jobs", f"jobs is how many processes work, at least 1, not {jobs!r}")
+        raise wrong_value(
+            "jobs", f"jobs, the number of processes, must be at least 1, not {jobs!r}"
+        )
     if jobs is not None and jobs > _MOST_JOBS:
         raise wrong_value(
-            "jobs", f"jobs is how many processes work, {_MOST_JOBS:,} at most, not {jobs!r}"
+            "jobs", f"jobs, the number of processes, must be at most {_MOST_JOBS:,}, not {jobs!r}"
         )
     store = InMemory(task) if out is None else Folder(Path(out), task)
     skipped: dict[str, int] = {}
@@ -201,7 +203,7 @@ def _named_job(path: Path, each: str, marks: bool) -> Job:
     if not os.path.lexists(path):
         fault = "no such file or folder"
     elif not path.exists():
-        fault = "a link that leads nowhere"
+        fault = "a broken link"
     siblings = next(walk(path.parent, Reading()), ("", [], ""))[1] if each == "beside" else []
     mark = _mark(before, [path.name, *siblings]) if marks else ""
     return Job(clean(str(path)), before, (path.name,), fault, mark)
@@ -332,7 +334,8 @@ class Crew:
 def _warn_of(error: Exception) -> None:
     """Warn of an error: a cluster that can do nothing must not look like one that is slow."""
     warnings.warn(
-        f"a chunk is done again in a process of this machine: {type(error).__name__}: {error}",
+        f"a part of the work is repeated in a process of this machine: {type(error).__name__}:"
+        f" {error}",
         RuntimeWarning,
         stacklevel=2,
     )

@@ -92,15 +92,17 @@ class Folder:
             known = json.loads((self._out / _ABOUT).read_bytes())
         except FileNotFoundError:
             if any(self._out.iterdir()):
-                raise ValueError(f"{self._out} holds something else; name a new folder") from None
+                raise ValueError(
+                    f"{self._out} is not empty and is not the folder of a batch; give a new folder"
+                ) from None
             return
         except ValueError:
             known = {}
         if known != about:
             parts = [key for key in about if known.get(key) != about[key]]
             raise ValueError(
-                f"{self._out} holds a batch with another {' and '.join(parts)};"
-                " name another folder, or delete this one"
+                f"{self._out} is the folder of a batch with another {' and '.join(parts)};"
+                " give another folder, or delete this one"
             )
 
     def _read_done(self) -> None:

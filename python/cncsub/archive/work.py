@@ -281,7 +281,7 @@ def new_pool(workers: int) -> Executor:
         if isinstance(error, KeyboardInterrupt):
             raise
         raise WorkersError(
-            "the worker processes cannot start; a script that runs a batch calls it below"
+            "the worker processes cannot start; a script that runs a batch must call it below"
             ' `if __name__ == "__main__":`'
         ) from None
     return pool
@@ -307,6 +307,6 @@ def done_apart(work: Work, task: Task, jobs: Sequence[Job]) -> list[list[Row]]:
     finally:
         end_pool(pool)
     if len(jobs) == 1:
-        return [[bad_row(task, jobs[0], "crashed", "its worker process died")]]
+        return [[bad_row(task, jobs[0], "crashed", "the worker process of this file crashed")]]
     half = len(jobs) // 2
     return done_apart(work, task, jobs[:half]) + done_apart(work, task, jobs[half:])

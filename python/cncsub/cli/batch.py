@@ -49,27 +49,33 @@ def batch(
     control: ControlName = None,
     param: Param = None,
     jobs: Annotated[
-        int | None, typer.Option("-j", "--jobs", help="How many processes work.", min=1)
+        int | None, typer.Option("-j", "--jobs", help="The number of processes.", min=1)
     ] = None,
     out: Annotated[
-        Path | None, typer.Option(help="A folder for Parquet files; the same call resumes.")
+        Path | None, typer.Option(help="A folder for Parquet files; the same command resumes.")
     ] = None,
-    each: Annotated[str, typer.Option(help="file, beside or folder: what one run loads.")] = "file",
+    each: Annotated[
+        str,
+        typer.Option(help="What one run loads: file, beside (all files of its folder) or folder."),
+    ] = "file",
     external: External = None,
     encoding: Encoding = None,
     setup: SetupFile = None,
     check: Annotated[
-        bool, typer.Option("--check", help="Check each, as `cncsub check` does, and run none.")
+        bool,
+        typer.Option(
+            "--check", help="Check the programs as `cncsub check` does, without running them."
+        ),
     ] = False,
-    max_blocks: Annotated[int, typer.Option(help="Of one run.", min=0)] = 1_000_000,
-    max_seconds: Annotated[float, typer.Option(help="Of one run.")] = 10.0,
+    max_blocks: Annotated[int, typer.Option(help="The limit of each run.", min=0)] = 1_000_000,
+    max_seconds: Annotated[float, typer.Option(help="The limit of each run.")] = 10.0,
     format: Annotated[
-        BatchFormat, typer.Option(help="json writes an object a line.")
+        BatchFormat, typer.Option(help="json writes one object per line.")
     ] = BatchFormat.TEXT,
 ) -> None:
-    """Run or check every program file of some folders, each alone, and tell how each stopped.
+    """Run or check every program file of some folders, each alone, and report how each stopped.
 
-    Exit status: 0 where all ran, or nothing was found but notes; 1 otherwise.
+    The exit status is 0 if all ran, or nothing was found but notes; otherwise 1.
     """
     options = locals()
     with wrong_use():
@@ -87,7 +93,7 @@ def batch(
     if not counts and check and format is BatchFormat.TEXT:
         typer.echo("nothing found")
     if not counts and not check:
-        typer.echo("no file was found there", err=True)
+        typer.echo("no file was found", err=True)
         raise typer.Exit(2)
     raise typer.Exit(0 if set(counts) <= set(FINE) else 1)
 
@@ -98,7 +104,7 @@ def _rows(options: Mapping[str, Any], project: Project) -> Any:
 
     paths = options["paths"] or list(project.folders)
     if not paths:
-        raise ValueError("which programs? Name files or folders")
+        raise ValueError("which programs? Give files or folders")
     shared: dict[str, Any] = {
         "control": control_for(options, project),
         "each": options["each"],
@@ -151,7 +157,7 @@ def _line(row: dict[str, Any]) -> str:
 
 def _print_counts(counts: dict[str, int], told: int, skipped: dict[str, int]) -> None:
     if told > _SHOWN:
-        typer.echo(f"... and {told - _SHOWN} more; --format json or --out tells all")
+        typer.echo(f"... and {told - _SHOWN} more; --format json or --out has all")
     for status, count in sorted(counts.items()):
         typer.echo(f"{count:8} {status}")
     for reason, count in sorted(skipped.items()):

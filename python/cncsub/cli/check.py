@@ -48,14 +48,18 @@ class FindingFormat(enum.StrEnum):
 
 Rules = Annotated[
     list[str] | None,
-    typer.Option("--rule", help="Ask this rule: CS201, its name, or a group such as CS2."),
+    typer.Option("--rule", help="Check only this rule: CS201, its name, or a group such as CS2."),
 ]
 Ignore = Annotated[list[str] | None, typer.Option("--ignore", help="Leave this rule out.")]
 Apart = Annotated[
     bool,
-    typer.Option("--apart", help="Check each file by itself, with those beside it that it calls."),
+    typer.Option(
+        "--apart", help="Check each file by itself, with the files of its folder that it calls."
+    ),
 ]
-Fix = Annotated[bool, typer.Option("--fix", help="Mend what is certain, in the files.")]
+Fix = Annotated[
+    bool, typer.Option("--fix", help="Correct the files where the correction is certain.")
+]
 Diff = Annotated[bool, typer.Option("--diff", help="Print what --fix would change.")]
 
 
@@ -76,9 +80,9 @@ def check(
     format: Annotated[FindingFormat, typer.Option()] = FindingFormat.TEXT,
     output: Output = None,
 ) -> None:
-    """Tell what the control would refuse and what will surprise, without running.
+    """Find what the control would refuse and what may surprise, without running.
 
-    Exit status 1 where there is an error or a warning. `cncsub explain CS201` explains a rule; a
+    The exit status is 1 for an error or a warning. `cncsub explain CS201` explains a rule; a
     comment (cncsub: ignore CS201) switches it off for its line.
     """
     options = {**locals(), "mdi": None}
@@ -132,7 +136,7 @@ def _mend(found: list[Finding], typed: bool, diff: bool) -> None:
     from cncsub.reports import findings
 
     if typed:
-        raise ValueError("what comes from standard input cannot be mended: name its file")
+        raise ValueError("a program from standard input cannot be corrected: give its file")
     mended = findings.Mended(found)
     if diff:
         write_code([mended.diff()])
@@ -140,7 +144,9 @@ def _mend(found: list[Finding], typed: bool, diff: bool) -> None:
     for file in mended.write():
         print(f"mended: {shown(file)}", file=sys.stderr)
     if mended.left:
-        print(f"{mended.left} edits fit no longer and were left out", file=sys.stderr)
+        print(
+            f"{mended.left} corrections no longer fit the file and were left out", file=sys.stderr
+        )
 
 
 def _write(

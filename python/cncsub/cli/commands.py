@@ -3,8 +3,8 @@
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
-where the run waits for an input nobody gave, 4 at a limit, 5 where the system has no room left (a
-full disk, a limit of files or memory), 130 for Ctrl-C.
+where the run waits for an input that is not given, 4 at a limit, 5 where the system has no room
+left (a full disk, a limit of files or memory), 130 for Ctrl-C.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ from cncsub.escapes import shown
 # Each command with its function and module, which is imported when the command is asked for, and
 # its line in the list of commands.
 COMMANDS = {
-    "run": ("cli.run.run", "Run a program: its calls, and how it stopped."),
-    "tree": ("cli.run.tree", "Draw its calls, with arguments and callers."),
-    "list": ("cli.list.list_programs", "List programs, what they call, who calls them."),
-    "check": ("cli.check.check", "What would alarm or surprise, without running."),
-    "compare": ("cli.compare.compare", "Two controls: where they part, and why."),
-    "diff": ("cli.compare.diff", "Two versions: what the new one does otherwise."),
+    "run": ("cli.run.run", "Run a program, and print its calls and how it stopped."),
+    "tree": ("cli.run.tree", "Draw the calls of a program, with arguments and callers."),
+    "list": ("cli.list.list_programs", "List programs, what they call and who calls them."),
+    "check": ("cli.check.check", "Find what would alarm or surprise, without running."),
+    "compare": ("cli.compare.compare", "Compare two controls: where they differ, and why."),
+    "diff": ("cli.compare.diff", "Compare two versions: what the new one does differently."),
     "flatten": ("cli.flatten.flatten", "Write one program without calls."),
-    "coverage": ("cli.coverage.coverage", "Which blocks and branches ran."),
+    "coverage": ("cli.coverage.coverage", "Show which blocks and branches ran."),
     "report": ("cli.report.report", "Write a run as one page of HTML."),
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
-    "controls": ("cli.controls.controls", "The controls, and what is known of one."),
-    "explain": ("cli.explain.explain", "What an alarm or a rule means, and the cure."),
+    "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
+    "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
@@ -69,7 +69,7 @@ class OneLineGroup(typer.core.TyperGroup):
         if args and not args[0].startswith("-") and args[0] not in COMMANDS:
             known = did_you_mean(args[0], COMMANDS, f"; there are {', '.join(COMMANDS)}")
             lead = f"; to run it: cncsub run {args[0]}" if Path(args[0]).exists() else known
-            raise WrongUseError(f"no command is called {args[0]!r}{lead}")
+            raise WrongUseError(f"there is no command {args[0]!r}{lead}")
         return super().resolve_command(ctx, args)
 
     def list_commands(self, ctx: Any) -> list[str]:
@@ -104,7 +104,7 @@ def _each_option_once(command: Any) -> Any:
             )
             for name, times in given.items():
                 if times > 1:
-                    raise WrongUseError(f"{name} is given {times} times and takes one value")
+                    raise WrongUseError(f"{name} is given {times} times; give it once")
             return told, rest, order
 
         parser.parse_args = parse_args
@@ -140,7 +140,7 @@ def _names_wrong_file(error: BaseException) -> bool:
 
 def _of_system(error: BaseException) -> str:
     if isinstance(error, MemoryError):
-        return "the memory of this computer is not enough"
+        return "this computer has too little memory"
     assert isinstance(error, OSError)
     return told_of(error) if error.filename is not None else f"standard output: {told_of(error)}"
 
@@ -176,11 +176,11 @@ def _print_version(asked: bool) -> None:
 FIRST_STEPS = """\
 First steps:
 
-  cncsub controls                      the controls there are
-  cncsub run part.nc -c fanuc-0i-f     its calls, its end, its alarm
+  cncsub controls                      all controls
+  cncsub run part.nc -c fanuc-0i-f     its calls and how it stopped
   cncsub check part.nc -c fanuc-0i-f   what would alarm or surprise
-  cncsub list folder/ -c fanuc-0i-f    the programs, and who calls whom
-  cncsub explain PS0076                what an alarm means, and its cure
+  cncsub list folder/ -c fanuc-0i-f    the programs and their calls
+  cncsub explain PS0076                an alarm and its cure
 
 CNCSUB_CONTROL=fanuc-0i-f, or a cncsub.toml beside the programs, names the
 control for them all."""

@@ -38,7 +38,7 @@ def compare(
         typer.Option(
             "-c",
             "--control",
-            help="The controls: give it twice.",
+            help="A control; give this option twice.",
             show_default=False,
             autocompletion=names_beginning,
         ),
@@ -52,7 +52,7 @@ def compare(
     output: Output = None,
     **shared: Any,
 ) -> None:
-    """Run a program on two controls: where they part, and the rules that make the difference.
+    """Run a program on two controls, and show where they differ and which rules cause it.
 
     With --translate, calls are rewritten so that the second control does what the first one does,
     which is proved by running both: the changes are printed, or the programs written to folder -o.
@@ -60,7 +60,7 @@ def compare(
     options = {**locals(), **shared, "mdi": None, "param": None}
     with wrong_use():
         if control is None or len(control) != 2:
-            raise ValueError("compare takes two controls: -c ONE -c ANOTHER")
+            raise ValueError("compare needs two controls: -c ONE -c ANOTHER")
         pair = [control_named(name) for name in control]
         library = memory_of({**options, "control": control[0]})
         asked = run_options(options, "moves")
@@ -86,7 +86,7 @@ def diff(
     output: Output = None,
     **shared: Any,
 ) -> None:
-    """Run two versions of a program: what the new one does otherwise."""
+    """Run two versions of a program, and show what the new one does differently."""
     options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         old, new = (memory_of({**options, "paths": [path]}) for path in (before, after))
@@ -103,7 +103,7 @@ def _tell(compared: cncsub.Comparison, format: Format, output: Path | None, more
     else:
         told = str(compared).split("\n")
         if compared.changes:
-            told += ["what blocks do otherwise:"]
+            told += ["what the blocks do differently:"]
             told += [f"  {line}" for line in changed_lines(compared.changes, MOST_CHANGES)]
         told += [more] if more else []
         lines = "\n".join(map(shown, told))

@@ -39,14 +39,14 @@ def controls(
     words: Annotated[
         list[str] | None,
         typer.Argument(
-            help="Only what holds all of these: 6005, repeat, PS0076.", show_default=False
+            help="Only the facts with all of these words: 6005, repeat, PS0076.", show_default=False
         ),
     ] = None,
     diff: Annotated[
         str | None,
         typer.Option(
             "--diff",
-            help="Another control: what differs.",
+            help="Show the differences from another control.",
             metavar="OTHER",
             autocompletion=names_beginning,
         ),
@@ -64,7 +64,7 @@ def controls(
     if name is None:
         with wrong_use():
             if diff is not None:
-                raise ValueError("--diff compares two controls: name the first one too")
+                raise ValueError("--diff compares two controls: give the first one too")
             own = project_for(None).own_control
         listed = {known.name: known.title for known in cncsub.controls.values()}
         if own is not None:
@@ -83,7 +83,7 @@ def controls(
     if diff is None:
         with wrong_use():
             if words and not any(facts[kind] for kind in _LISTS):
-                raise ValueError(f"nothing of {control.name} holds {' and '.join(words)}")
+                raise ValueError(f"{control.name} has no fact with {' and '.join(words)}")
         _tell(facts, format, output, lambda: _lines(facts))
         return
     other = control_named(diff)

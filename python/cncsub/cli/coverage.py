@@ -35,20 +35,20 @@ def coverage(
     paths: Paths = None,
     control: ControlName = None,
     main: Annotated[
-        list[str] | None, typer.Option(help="A program to run; given again, another one.")
+        list[str] | None, typer.Option(help="A program to run; can be given several times.")
     ] = None,
     html: _Report = None,
     lcov: _Report = None,
     cobertura: _Report = None,
     fail_under: Annotated[
-        float | None, typer.Option(help="Exit with 1 below so many percent.", min=0, max=100)
+        float | None, typer.Option(help="Exit with status 1 below this percentage.", min=0, max=100)
     ] = None,
     skip_covered: Annotated[
-        bool, typer.Option(help="List no programs that are covered in full.")
+        bool, typer.Option(help="Do not list programs that are fully covered.")
     ] = False,
     **shared: Any,
 ) -> None:
-    """Run programs and tell which blocks and branches they went through."""
+    """Run programs and report which blocks and branches ran."""
     options = {**locals(), **shared, "mdi": None, "output": None, "main": None}
     total = Coverage()
     with wrong_use():

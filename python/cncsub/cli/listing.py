@@ -18,13 +18,16 @@ from cncsub.writing import opened
 
 Listing = Annotated[
     bool,
-    typer.Option("--listing", help="Print each executed block and what it did; json: a line each."),
+    typer.Option(
+        "--listing",
+        help="Print each executed block and what it did; with json one object per line.",
+    ),
 ]
 Where = Annotated[
     list[str] | None,
     typer.Option(
         "--where",
-        help="Of the listing only program=O2, depth=1, n=30 or variable=100.",
+        help="Print only the blocks with program=O2, depth=1, n=30 or variable=100.",
         metavar="NAME=VALUE",
     ),
 ]
@@ -39,7 +42,7 @@ def filters(texts: Iterable[str]) -> dict[str, Any]:
         name, equals, value = text.partition("=")
         name = name.strip()
         if not equals or name not in (*_NUMBERS, "program"):
-            raise ValueError(f"--where takes program=, depth=, n= or variable=, not {text!r}")
+            raise ValueError(f"--where must be program=, depth=, n= or variable=, not {text!r}")
         if name in asked:
             raise ValueError(f"--where {name} is given twice")
         if name == "program":
@@ -47,7 +50,7 @@ def filters(texts: Iterable[str]) -> dict[str, Any]:
             continue
         digits = value.strip().lstrip("#Nn")
         if not digits.isdecimal():
-            raise ValueError(f"--where {name}= takes a whole number, not {value!r}")
+            raise ValueError(f"--where {name}= must be a whole number, not {value!r}")
         asked[name] = int(digits)
     return asked
 

@@ -73,7 +73,7 @@ ControlName = Annotated[
     ),
 ]
 Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.")]
-Mdi = Annotated[str | None, typer.Option(help="Run this text as if it was typed in MDI.")]
+Mdi = Annotated[str | None, typer.Option(help="Run this text as if it were typed in MDI.")]
 Set = Annotated[
     list[str] | None,
     typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
@@ -82,8 +82,8 @@ VariablesFile = Annotated[
     Path | None,
     typer.Option(
         "--variables",
-        help="A file of variables before the run: TOML, CSV, or what the control punched out;"
-        " --set counts before it.",
+        help="A file of variables before the run: TOML, CSV, or the output of the control;"
+        " --set overrides it.",
     ),
 ]
 Param = Annotated[
@@ -95,28 +95,31 @@ Skip = Annotated[
     typer.Option(help="A block-skip switch that is on, 1 to 9.", metavar="N"),
 ]
 External = Annotated[
-    Path | None, typer.Option(help="The folder of the external device, which M198 reads.")
+    Path | None, typer.Option(help="The folder of the external device, from which M198 calls.")
 ]
-Encoding = Annotated[str | None, typer.Option(help="Of comments and names; found out without it.")]
+Encoding = Annotated[
+    str | None,
+    typer.Option(help="The encoding of comments and names; it is detected if not given."),
+]
 Prefer = Annotated[
     list[Path] | None,
     typer.Option(
         "--prefer",
-        help="The file whose programs count before others of their number.",
+        help="The file to use when several files have a program of the same number.",
         metavar="FILE",
     ),
 ]
 SetupFile = Annotated[
-    Path | None, typer.Option("--setup", help="A TOML file with offsets, tools, limits.")
+    Path | None, typer.Option("--setup", help="A TOML file with offsets, tools and limits.")
 ]
 InputsFile = Annotated[
     Path | None,
-    typer.Option("--inputs", help="A TOML file with signals, answers, a workpiece to probe."),
+    typer.Option("--inputs", help="A TOML file with signals, answers and a workpiece to probe."),
 ]
 Watch = Annotated[
     list[str] | None,
     typer.Option(
-        "--watch", help="Variables whose changes are told: 500, 100-149,500.", metavar="N[-N]"
+        "--watch", help="Report the changes of these variables: 500, 100-149,500.", metavar="N[-N]"
     ),
 ]
 Output = Annotated[
@@ -229,7 +232,7 @@ def _by_option(error: Exception) -> str:
 
 def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     if options["mdi"] is not None and options["main"] is not None:
-        raise ValueError("--mdi runs what was typed and --main a program; give one of them")
+        raise ValueError("--mdi runs a typed text and --main a program; give only one of them")
     asked: dict[str, Any] = {
         "variables": _variables(options),
         "block_skip": options["skip"] or (),
@@ -264,12 +267,12 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
             low, high = int(first), int(last if dash else first)
         except ValueError:
             raise ValueError(
-                f"--watch takes numbers and ranges such as 500 or 100-149, not {text!r}"
+                f"--watch must be numbers and ranges such as 500 or 100-149, not {text!r}"
             ) from None
         if high < low:
             raise ValueError(f"--watch {text.strip()}: the last number comes before the first")
         if high - low >= MOST_WATCHED:
-            raise ValueError(f"--watch {text.strip()}: {MOST_WATCHED:,} variables at most")
+            raise ValueError(f"--watch {text.strip()}: at most {MOST_WATCHED:,} variables")
         numbers.update(dict.fromkeys(range(low, high + 1)))
     return list(numbers)
 
@@ -335,17 +338,19 @@ def _refuse_to_overwrite(
     """
     real = Path(os.path.realpath(path))
     if str(path) == "-":
-        raise ValueError("- is no file to write; without -o the standard output is written")
+        raise ValueError(
+            "- cannot be written as a file; without -o the output goes to the standard output"
+        )
     if any(real == Path(os.path.realpath(other)) for other in written):
-        raise ValueError(f"{path} cannot be written twice; name a file for each")
+        raise ValueError(f"{path} cannot be written twice; give a different file for each output")
     if not path.exists():
         return
     for other in read:
         if Path(other).exists() and path.samefile(other):
             what = "the program" if str(path) == str(other) else f"{other}, which was read"
-            raise ValueError(f"{path} is {what}; name another file to write to")
+            raise ValueError(f"{path} is {what}; give another file for the output")
     if external is not None and real.is_relative_to(os.path.realpath(external)):
-        raise ValueError(f"{path} is a file of the external device; name another file")
+        raise ValueError(f"{path} is a file of the external device; give another file")
 
 
 def _read(options: Mapping[str, Any]) -> cncsub.Library:
@@ -356,9 +361,11 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
     }
     paths = options["paths"] or project.folders
     if options.get("prefer") and (not paths or paths == ["-"]):
-        raise ValueError("--prefer chooses between files: name the files or folders to read")
+        raise ValueError("--prefer chooses between files: give the files or folders to read")
     if "-" in paths and len(paths) > 1:
-        raise ValueError("- is the standard input, and is read alone: leave it out, or the files")
+        raise ValueError(
+            "- is the standard input, which is read alone: leave out either - or the files"
+        )
     if paths == ["-"]:
         text = sys.stdin.buffer.read()
         return cncsub.loads(text, encoding=options["encoding"], **places)
@@ -372,7 +379,7 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
         _refuse_words_of_mdi(options["paths"] or (), options["mdi"])
         return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
     if options["mdi"] is None:
-        raise ValueError("which program? Name a file or a folder, or give --mdi")
+        raise ValueError("which program? Give a file, a folder or --mdi")
     return cncsub.loads("", **places)
 
 
@@ -381,7 +388,7 @@ def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
     word = next((p for p in paths if re.fullmatch(r"[A-Z][-+.\d]+", p, re.I)), None)
     if mdi is not None and word is not None and not Path(word).exists():
         whole = f'--mdi "{mdi} {word}"'
-        raise ValueError(f"{word}: no such file; quotes hold together what is typed: {whole}")
+        raise ValueError(f"{word}: no such file; put quotes around a text with blanks: {whole}")
 
 
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
@@ -416,7 +423,7 @@ def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
     project = project_for(options.get("paths"))
     known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
     siblings = [
-        Note("beside", "read too, because a call names its program", file)
+        Note("beside", "also read, because a call names its program", file)
         for file in files_beside(options, library)
     ]
     return [*defaulted(options), *outside(options, project), *siblings] + [
@@ -430,7 +437,7 @@ def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
     """Yield a note where the control is the project's, because no option named one."""
     project = project_for(options.get("paths"))
     if options["control"] is None and project.control is not None:
-        told = f"the control is {project.control}, which the project names"
+        told = f"the control is {project.control}, from the project file"
         yield Note("defaulted", told, str(project.file))
 
 
@@ -444,7 +451,7 @@ def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
     if not options.get("paths"):
         places += [("folders", place) for place in project.programs_outside]
     for name, place in places:
-        told = f"the project names it for {name}, outside of its own folder"
+        told = f"the project file gives it as {name}, and it is outside the folder of the project"
         yield Note("outside", told, str(place))
 
 
@@ -454,7 +461,9 @@ def idle_entries(
     """Yield a note for each entry of the project that is the name of none of its programs."""
     for pattern in () if options.get("paths") else project.entry:
         if not any(named_like(library.code, [pattern]) for library in libraries):
-            yield Note("no-effect", "no program is named so", f"entry {pattern} of {project.file}")
+            yield Note(
+                "no-effect", "no program has such a name", f"entry {pattern} of {project.file}"
+            )
 
 
 def told_idle(
@@ -498,7 +507,7 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
         if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
             places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
             cure = _cure_of_two(library, program, counts)
-            raise ValueError(f"{counts.name} stands twice, with other blocks: {places}; {cure}")
+            raise ValueError(f"{counts.name} exists twice with different blocks: {places}; {cure}")
     tell_all(notes_on(options, library))
     return library
 
@@ -509,7 +518,7 @@ def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsu
 
     if program.file != counts.file:
         return f"choose one with --prefer {counts.file}, or leave a file out"
-    return other_reading(library, program.file) or "take one of them away"
+    return other_reading(library, program.file) or "remove one of them"
 
 
 def tell_all(notes: Sequence[Note]) -> None:
@@ -526,7 +535,7 @@ def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
     """
     if dropped:
         words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
-        typer.echo(f"note: the control dropped {words}; cncsub run and check tell which", err=True)
+        typer.echo(f"note: the control dropped {words}; cncsub run and check show which", err=True)
     for warning in sorted({each for each in warnings if each is not None}):
         typer.echo(f"warning: an M code was dropped: {warning}", err=True)
 
@@ -547,7 +556,8 @@ def control_named(name: str | None, project: Project | None = None) -> cncsub.Co
     if name is None:
         raise WrongUseError(
             f"which control? Give -c and one of {', '.join(cncsub.controls)};"
-            " CNCSUB_CONTROL or a cncsub.toml beside the programs names it for all commands"
+            " CNCSUB_CONTROL or a cncsub.toml in the folder of the programs names it for all"
+            " commands"
         )
     try:
         return (project or project_for(None)).control_named(name)
@@ -562,7 +572,7 @@ def _named_value(option: str, text: str) -> tuple[str, float]:
             raise ValueError
         return name.strip(), float(value)
     except ValueError:
-        raise ValueError(f"{option} takes NAME=VALUE, such as 6050=70, not {text!r}") from None
+        raise ValueError(f"{option} must be NAME=VALUE, such as 6050=70, not {text!r}") from None
 
 
 def _vacant(value: str) -> float | None:
@@ -581,7 +591,7 @@ def _assignment(
         return int(number), read(value)
     except ValueError:
         raise ValueError(
-            f"{option} takes NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
+            f"{option} must be NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
         ) from None
 
 

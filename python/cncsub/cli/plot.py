@@ -35,30 +35,34 @@ from cncsub.writing import write_whole
 _OF = ("path", "calls", "programs", "watch")
 
 Of = Annotated[
-    str, typer.Option("--of", help="What is drawn: path, calls, programs, watch.", metavar="WHAT")
+    str, typer.Option("--of", help="What to draw: path, calls, programs or watch.", metavar="WHAT")
 ]
 Color = Annotated[
     str | None,
     typer.Option(
         "--color",
-        help="Of the path: kind, program, call, tool, depth, feed, time, z.",
+        help="Colour the path by kind, program, call, tool, depth, feed, time or z.",
         metavar="BY",
     ),
 ]
 MachineCoordinates = Annotated[
-    bool, typer.Option("--machine", help="The path of the tool in machine coordinates.")
+    bool, typer.Option("--machine", help="Draw the path of the tool in machine coordinates.")
 ]
 View = Annotated[
     str | None,
-    typer.Option("--view", help="Of the path: 2d, 3d, or what suits it.", metavar="VIEW"),
+    typer.Option(
+        "--view", help="Draw the path in 2d or 3d; without it, as suits the path.", metavar="VIEW"
+    ),
 ]
 Over = Annotated[
     str | None,
-    typer.Option("--over", help="Of calls and watch: time or steps.", metavar="AXIS"),
+    typer.Option("--over", help="Draw calls and watch over time or steps.", metavar="AXIS"),
 ]
 Points = Annotated[
     int | None,
-    typer.Option("--points", help="So many points of the path may be drawn: 60000.", metavar="N"),
+    typer.Option(
+        "--points", help="Draw at most this many points of the path, such as 60000.", metavar="N"
+    ),
 ]
 # Options of some drawings only.
 _ONLY = {
@@ -86,26 +90,34 @@ def plot(
     output: Output = None,
     **shared: Any,
 ) -> None:
-    """Run a program and write a picture of its path as one page of HTML, which needs no network;
-    or of its calls, of the programs that call each other, of variables that are watched. A file
-    whose name ends in .svg becomes a drawing.
+    """Run a program and draw its path as one page of HTML, which needs no network; or its calls,
+    the programs that call each other, or watched variables. A file whose name ends in .svg
+    becomes a drawing.
     """
     options = {**locals(), **shared, "mdi": None}
     with wrong_use():
         if output is None:
             raise ValueError("which file? Give -o path.html or -o path.svg")
         if of not in _OF:
-            raise ValueError(f"--of is one of {', '.join(_OF)}, not {of!r}")
+            raise ValueError(f"--of must be one of {', '.join(_OF)}, not {of!r}")
         for name, drawings in _ONLY.items():
             if options[name] not in (None, False) and of not in drawings:
-                raise ValueError(f"--{name} goes with --of {' or '.join(drawings)}, not {of}")
+                raise ValueError(f"--{name} is only for --of {' or '.join(drawings)}, not {of}")
         if of == "watch" and not watch:
             raise ValueError("which variables? Give --watch 100-149,500")
         library = memory_of(options)
         asked = run_options(options, "moves")
         told_idle(library, asked)
         if watch and of != "watch":
-            tell_all([Note("no-effect", "no effect: --of watch draws what is watched", "--watch")])
+            tell_all(
+                [
+                    Note(
+                        "no-effect",
+                        "no effect: only --of watch draws the watched variables",
+                        "--watch",
+                    )
+                ]
+            )
         run = whole_run(library.run(main, **asked))
         try:
             text = _drawn(library, run, output, options)
@@ -126,10 +138,12 @@ def _drawn(library: cncsub.Library, run: cncsub.Run, output: Path, options: dict
         return still_svg(_figure(library, run, options))
     for name in _ONLY_PAGE:
         if options[name] is not None:
-            raise ValueError(f"--{name} goes with -o path.html: an SVG has one colouring and view")
+            raise ValueError(
+                f"--{name} is only for -o path.html: an SVG has one colouring and view"
+            )
     drawing = run.svg(coordinates="machine" if options["machine"] else "work")
     if not drawing:
-        raise ValueError("nothing moved, so there is nothing to draw")
+        raise ValueError("the program moved nothing, so there is nothing to draw")
     return drawing
 
 

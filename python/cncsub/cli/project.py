@@ -43,8 +43,8 @@ class Project:
     own: bool = True
 
     def control_named(self, name: str) -> Control:
-        """Return the control of this name: a built-in one, or the project's own. `ValueError` names
-        what is near.
+        """Return the control of this name: a built-in one, or the project's own. `ValueError`
+        suggests similar names.
         """
         own = {} if self.own_control is None else {self.own_control.name: self.own_control}
         return control_named(name, {**own, **controls})
@@ -93,7 +93,8 @@ class Project:
             return path
         cure = "name the programs" if name == "folders" else f"give --{name} {path}"
         raise ValueError(
-            f"{self.file}: {name} leads out of its folder, to {os.path.realpath(path)}, and is read"
+            f"{self.file}: {name} is outside the folder of the project, at"
+            f" {os.path.realpath(path)}, and is read"
             f" only for a project of your own, in whose folder you stand: {cure}"
         )
 
@@ -119,7 +120,7 @@ def _found(folder: Path, *, own: bool) -> Project:
                 continue
             real = Path(os.path.realpath(file))
             if not own and not real.is_relative_to(os.path.realpath(place)):
-                raise ValueError(f"{file} is a link that leads out of its folder, and is not read")
+                raise ValueError(f"{file} is a link to a file outside its folder, and is not read")
             told = _toml(file)
             if name == "pyproject.toml":
                 tool = told.get("tool", {})
@@ -150,7 +151,7 @@ def _toml(file: Path) -> dict[str, Any]:
     except RecursionError:
         raise ValueError(f"{file}: nested too deep") from None
     except UnicodeDecodeError:
-        raise ValueError(f"{file}: it is no text in UTF-8") from None
+        raise ValueError(f"{file}: it is not a text in UTF-8") from None
     except tomllib.TOMLDecodeError as error:
         raise ValueError(f"{file}: {error}") from None
 
@@ -170,27 +171,28 @@ _KINDS: Mapping[str, type | tuple[type, ...]] = {
 
 def _read(file: Path, told: Any) -> Project:
     if not isinstance(told, dict):
-        raise ValueError(f"{file}: tool.cncsub is a table")
+        raise ValueError(f"{file}: tool.cncsub must be a table")
     for key, value in told.items():
         if key == "tool":
             raise ValueError(
-                f"{file}: its keys stand at the top; [tool.cncsub] is for pyproject.toml"
+                f"{file}: its keys belong at the top of the file; [tool.cncsub] is for"
+                " pyproject.toml"
             )
         if key not in _KINDS:
             raise ValueError(f"{file}: a project has no {key!r}{did_you_mean(key, _KINDS)}")
         if not isinstance(value, _KINDS[key]):
-            raise ValueError(f"{file}: {key} is a {_NAMES[_KINDS[key]]}, not {value!r}")
+            raise ValueError(f"{file}: {key} must be a {_NAMES[_KINDS[key]]}, not {value!r}")
         if isinstance(value, str) and "\0" in value:
-            raise ValueError(f"{file}: {key} holds a NUL, which no name does")
+            raise ValueError(f"{file}: {key} has a NUL character, which a name cannot have")
     check = told.get("check", {})
     for key in check:
         if key not in ("ignore", "severity"):
-            raise ValueError(f"{file}: check has no {key!r}; it takes ignore and severity")
+            raise ValueError(f"{file}: check has no {key!r}; its keys are ignore and severity")
 
     for key in ("folders", "entry"):
         for text in told.get(key, []):
             if not isinstance(text, str):
-                raise ValueError(f"{file}: {key} is a list of texts, not {text!r}")
+                raise ValueError(f"{file}: {key} must be a list of texts, not {text!r}")
 
     try:
         named = told.get("control")
@@ -221,7 +223,7 @@ _NAMES: Mapping[type | tuple[type, ...], str] = {
 def _numbers(parameters: Mapping[str, Any]) -> dict[str, float]:
     for name, value in parameters.items():
         if isinstance(value, bool) or not isinstance(value, int | float):
-            raise ValueError(f"the parameter {name} is a number, not {value!r}")
+            raise ValueError(f"the parameter {name} must be a number, not {value!r}")
     return {name: float(value) for name, value in parameters.items()}
 
 
@@ -237,8 +239,8 @@ def _severities(told: Any) -> dict[str, str]:
     from cncsub.checking import SEVERITIES, rule_named
 
     if not isinstance(told, dict):
-        raise TypeError("check.severity is a table of rules")
+        raise TypeError("check.severity must be a table of rules")
     for name, severity in told.items():
         if severity not in SEVERITIES:
-            raise ValueError(f"{name} is {severity!r}; a finding is {', '.join(SEVERITIES)}")
+            raise ValueError(f"{name} is {severity!r}; a severity must be {', '.join(SEVERITIES)}")
     return {rule_named(name).number: severity for name, severity in told.items()}

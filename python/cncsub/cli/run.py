@@ -75,7 +75,7 @@ def run(
     with wrong_use():
         asked = filters(where or ())
         if asked and not listing:
-            raise ValueError("--where chooses blocks of the listing: give --listing too")
+            raise ValueError("--where selects blocks of the listing: give --listing too")
     options = {**_watching({**locals(), **shared}, asked), "conditions": listing or bool(watch)}
     made, title, notes, hints = _run(options, trace="moves")
     if listing:
@@ -101,7 +101,7 @@ def tree(
     main: Main = None,
     mdi: Mdi = None,
     static: Annotated[
-        bool, typer.Option("--static", help="As it is written, without running.")
+        bool, typer.Option("--static", help="Draw the calls as they are written, without running.")
     ] = False,
     format: Annotated[Format, typer.Option()] = Format.TEXT,
     output: Output = None,

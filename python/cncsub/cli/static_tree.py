@@ -22,10 +22,12 @@ def draw_static_tree(
     """Draw the calls as the blocks are written, without running them."""
     with wrong_use():
         if options["mdi"] is not None:
-            raise ValueError("--static reads programs; --mdi takes a tree that ran")
+            raise ValueError(
+                "--static does not run programs, and --mdi must run: leave out one of them"
+            )
         given = [f"--{name.replace('_', '-')}" for name in _OF_RUNS if options[name]]
         if given:
-            raise ValueError(f"--static runs nothing: {', '.join(given)} would have no effect")
+            raise ValueError(f"--static does not run: {', '.join(given)} would have no effect")
         library = memory_of(options)
         calls, whole = static_tree(library, main)
         program = library.main if main is None else library[main]
@@ -51,7 +53,7 @@ def _print(console: Console, title: str, calls: list[StaticCall], whole: bool) -
     if not calls:
         console.print("it calls nothing")
     if not whole:
-        console.print(f"... drawn are the first {MOST:,} calls")
+        console.print(f"... only the first {MOST:,} calls are drawn")
 
 
 def _walk(calls: list[StaticCall]) -> Iterator[tuple[StaticCall, int, str]]:

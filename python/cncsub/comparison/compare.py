@@ -137,17 +137,17 @@ def compare(
     after: O1 N10, line 3: move 0 goes to x = 2
     """
     if options.get("trace", "moves") != "moves":
-        raise TypeError("compare looks at all that a run does and takes no trace")
+        raise TypeError("compare records all that a run does; leave out trace")
     if controls is not None:
         if second is not None:
-            raise TypeError("compare takes a second library or two controls, not both")
+            raise TypeError("compare needs either a second library or two controls, not both")
         two = _two_controls(controls)
         library = _library(first, control or two[0])
         return _OfControls(library, two, main, options).compared(every=all_differences)
     if all_differences:
         raise TypeError("all_differences is of two controls; `changes` holds those of two versions")
     if second is None:
-        raise TypeError("compare takes a second library, or controls=[one, another]")
+        raise TypeError("compare needs a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
     kind = Pair if a.control.dialect == b.control.dialect else _ControlPair
     pair = kind((a, b), ("before", "after"), main, options)
@@ -169,7 +169,7 @@ def _library(of: Library | str | os.PathLike[str], control: str | Control | None
 
 def _two_controls(controls: Sequence[str | Control]) -> tuple[Control, Control]:
     if isinstance(controls, str | Control) or len(controls) != 2:
-        raise TypeError("compare takes two controls: controls=[one, another]")
+        raise TypeError("compare needs two controls: controls=[one, another]")
     return control_of(controls[0]), control_of(controls[1])
 
 

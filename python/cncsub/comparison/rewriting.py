@@ -174,7 +174,7 @@ class Rewriting:
         spans = [_code(block, call), *_words(block, _CALL_WORDS)]
         letters = [token.text[0].upper() for token in spans[1:]]
         if len(set(letters)) < len(letters):
-            raise self.refused(block, "a word of the call stands twice in the block")
+            raise self.refused(block, "a word of the call is in the block twice")
         code = "M98" if call.kind == "M97" else spans[0].text
         if call.repeats == 0:
             self.replace(block, spans, "", behind)
@@ -184,7 +184,7 @@ class Rewriting:
         number = _number(call.program)
         start = call.start if isinstance(call.start, int) else None
         if number is None:
-            raise self.refused(block, f"{call.program} has no number that P could name")
+            raise self.refused(block, f"{call.program} has no number that P could give")
         words = self.written(number, start, call.repeats, external=call.external)
         if words is None and start is not None:
             number = self._tail(block, call.program, start)
@@ -198,7 +198,8 @@ class Rewriting:
             passes = f"{call.repeats} pass{'es' if call.repeats != 1 else ''}"
             raise self.refused(
                 block,
-                f"no words found by which it calls {call.program}, {passes}, as {call.kind} does",
+                f"the other control has no words to call {call.program}, {passes}, as"
+                f" {call.kind} does",
             )
         self.replace(block, spans, f"{code} {words}", behind)
 
@@ -281,7 +282,7 @@ class Rewriting:
             return
         words = self.jump_words(jump.n) if isinstance(jump.n, int) else None
         if jump.conditional or jump.in_caller or words is None:
-            raise self.refused(block, f"no words found by which it jumps as {jump.kind} does")
+            raise self.refused(block, f"the other control has no words to jump as {jump.kind} does")
         spans = [_code(block, jump), *_words(block, "P")]
         self.replace(block, spans, words)
 
@@ -323,7 +324,7 @@ class Rewriting:
         line = self._line(block)
         mine = self.edits.get(block.program.name, ())
         if any((edit.file, edit.line) == (block.program.file, block.line) for edit in mine):
-            raise self.refused(block, "two rewritings of one block")
+            raise self.refused(block, "one block would have to be rewritten twice")
         first = min((token.column - 1 for token in spans), default=len(line))
         rest = line[first:]
         for token in sorted(spans, key=lambda token: token.column, reverse=True):
@@ -331,7 +332,7 @@ class Rewriting:
         joined = f"{new} {rest.strip()}".strip() if new else rest.strip()
         words = block.words
         if behind and any(not word.address for word in words):  # IF[...] THEN before the words
-            raise self.refused(block, "what has to follow it is not under its condition")
+            raise self.refused(block, "what must follow it would not be under its condition")
         # A block that is skipped takes the lines after it along.
         own = words[0].text if words and words[0].address == "/" else ""
         written = "\n".join([joined, *(own + each for each in behind.split("\n") if each)])
@@ -397,7 +398,7 @@ def _code(block: Block, of: CallTo | JumpTo) -> Token:
     for token in block.tokens:
         if token.word is not None and token.word[:2] == (of.kind[0], int(of.kind[1:])):
             return token
-    reason = f"its {of.kind} is written in a way that is not known"
+    reason = f"its {of.kind} is not written in a form that can be rewritten"
     raise TranslateError(reason, block.program.name, block.n, block.line)
 
 
@@ -431,7 +432,9 @@ class _Returns:
             if alike and self._known(target):
                 continue
             if any(edge.kind not in _CODES for edge in edges):
-                reason = "M99 P of a program that a macro calls, and the other control has it not"
+                reason = (
+                    "M99 P of a program that a macro calls, and the other control does not have it"
+                )
                 raise self._rewriting.refused(back[0][0], reason)
             self._to[_number(program.name)] = self._only(program, back, bool(graph.computed))
 
@@ -450,7 +453,7 @@ class _Returns:
             raise refused(block, "M99 P and a call that is computed cannot be told apart")
         if len(returns) != len(back) or len({j.n for _, j in back}) != 1:
             raise refused(
-                block, "M99 P is one of several ways back, and the other control has it not"
+                block, "M99 P is one of several ways back, and the other control does not have it"
             )
         return jump.n
 
@@ -473,6 +476,8 @@ class _Returns:
                 continue
             words = self._rewriting.jump_words(n)
             if words is None:
-                raise self._rewriting.refused(block, f"no words found by which it goes on at N{n}")
+                raise self._rewriting.refused(
+                    block, f"the other control has no words to go on at N{n}"
+                )
             return words
         return ""

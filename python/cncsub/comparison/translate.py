@@ -72,7 +72,7 @@ class Translation:
             own = path.relative_to(top) if path.name != "<text>" else Path("program.nc")
             target = into / own
             if target.exists() and path.exists() and target.samefile(path):
-                raise ValueError(f"{path} is what was read: give another folder")
+                raise ValueError(f"{path} was read: give another folder")
             target.parent.mkdir(parents=True, exist_ok=True)
             write_whole(target, text.encode("utf-8", "surrogateescape"))
             written.append(str(target))
@@ -105,7 +105,7 @@ def translate(
     'N10 M98 P2 L3'
     """
     if options.get("trace", "moves") != "moves":
-        raise TypeError("translate looks at all that a run does and takes no trace")
+        raise TypeError("translate records all that a run does; leave out trace")
     target = control_of(to)
     if isinstance(of, Library):
         library = of
@@ -128,13 +128,15 @@ def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -
     first = pair.run(source)
     if first.stop not in (Stop.END, Stop.CYCLES):
         reached = first.alarm or first.steps[len(first.steps) - 1]
-        reason = f"{source.control.name} does not come to its end, so no run proves the whole: "
+        reason = (
+            f"{source.control.name} does not run to its end, so the translation cannot be proved: "
+        )
         reason += first.summary()
         raise TranslateError(reason, reached.program, reached.n, reached.line)
     try:
         second = pair.run(made)
     except KeyError as error:
-        reason = f"{rewriting.target.name} reads the programs otherwise: {error.args[0]}"
+        reason = f"{rewriting.target.name} reads the programs differently: {error.args[0]}"
         raise TranslateError(reason) from None
     parting = pair.parting(first, second)
     if parting is not None:

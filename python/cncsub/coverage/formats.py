@@ -197,7 +197,7 @@ def coverage_lines(
             yield _program_line(program, _file_of(program, root))
     if whole:
         are = "program is" if whole == 1 else "programs are"
-        yield f"{whole} {are} covered in full and not listed"
+        yield f"{whole} {are} fully covered and not listed"
 
 
 def below_limit(coverage: Coverage, limit: float | None) -> str | None:
@@ -207,7 +207,7 @@ def below_limit(coverage: Coverage, limit: float | None) -> str | None:
     if limit is None or (coverage.measured and coverage.percent >= limit):
         return None
     if not coverage.measured:
-        return f"coverage measured nothing (0 of 0 blocks), and has to reach {limit:g} %"
+        return f"coverage measured nothing (0 of 0 blocks), and must reach {limit:g} %"
     places = next(n for n in range(1, 20) if round(coverage.percent, n) < limit)
     return f"coverage is {coverage.percent:.{places}f} %, below {limit:g} %"
 

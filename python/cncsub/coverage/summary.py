@@ -376,7 +376,7 @@ def coverage_of(trace: _core.Trace, code: _core.Code) -> Coverage:
     """Count what a run recorded. Raises `ValueError` where it did not keep its blocks."""
     if not _core.keeps_blocks(trace):
         raise ValueError(
-            'a run with trace="none" or "calls" keeps no blocks to count: run it with'
+            'a run with trace="none" or "calls" records no blocks to count: run it with'
             ' trace="blocks" or "moves"'
         )
     return Coverage([raw_of(trace, code)])

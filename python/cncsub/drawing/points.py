@@ -162,10 +162,7 @@ def _uncovered(points: Points, size: float, most: int, told: list[str]) -> Point
     cell = size * _WIDEST
     points = points.at(slice(_looked_at(points.columns, cell)))
     new = _new_lines(points.columns, points.key, cell)
-    told.append(
-        f"Lines that run within {_length(cell * 2)} of one of their colour that was"
-        " drawn before are left out."
-    )
+    told.append(f"Lines within {_length(cell * 2)} of a line of the same colour are left out.")
     ends = np.append(new[1:], False) | new  # the points that lines need
     ends[-1] = True
     drawn = replace(points, key=np.where(new, points.key, -1).astype(np.int32))

@@ -92,7 +92,9 @@ class Picture:
 def svg_of(run: _Outcome, coordinates: str) -> str:
     """See `Run.svg`."""
     if coordinates not in ("work", "machine"):
-        raise wrong_value("coordinates", f"coordinates is work or machine, not {coordinates!r}")
+        raise wrong_value(
+            "coordinates", f"coordinates must be work or machine, not {coordinates!r}"
+        )
     if not len(run.moves):
         return ""
     core = run.core
@@ -289,7 +291,7 @@ class _Drawing:
             return ""
         ((x, y),) = self.frame.placed(np.array([at])).tolist()
         words = _alarm_words(alarm)
-        title = f"<title>{escape(words)}: the tool stood at {escape(self._point(at))}</title>"
+        title = f"<title>{escape(words)}: the tool was at {escape(self._point(at))}</title>"
         cross = f"M{x - 6:.1f} {y - 6:.1f}l12 12M{x - 6:.1f} {y + 6:.1f}l12 -12"
         ring = f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9"/>'
         text = self.labels.beside(x + 4, y, words, needed=True)

@@ -32,10 +32,10 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 def calls_figure(calls: Calls, *, over: str = "time", title: str | None = None) -> Any:
     """See `Calls.plot`."""
     if over not in OVER:
-        raise wrong_value("over", f"over is time or steps, not {over!r}")
+        raise wrong_value("over", f"over must be time or steps, not {over!r}")
     head = title if title is not None else count(len(calls), "call")
     if not len(calls):
-        return empty("It called nothing.", head)
+        return empty("The program called nothing.", head)
     return _Icicle(calls, over).figure(head)
 
 

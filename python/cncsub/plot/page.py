@@ -176,7 +176,7 @@ function pointed(at, beside, cursor) {
   });
 }
 if (typeof DecompressionStream === 'undefined') {
-  told('This page needs a browser that can unpack what it holds: one of 2023 or later.');
+  told('This page needs a browser of 2023 or later, which can unpack its data.');
 } else {
   Promise.all([unpacked('library'), unpacked('figure')]).then(function (texts) {
     var library = document.createElement('script');

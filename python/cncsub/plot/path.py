@@ -33,13 +33,15 @@ def path_figure(
     """See `Run.plot`."""
     core = run.recorded
     if color not in COLOURED_BY:
-        raise wrong_value("color", f"color is one of {', '.join(COLOURED_BY)}, not {color!r}")
+        raise wrong_value("color", f"color must be one of {', '.join(COLOURED_BY)}, not {color!r}")
     if coordinates not in ("work", "machine"):
-        raise wrong_value("coordinates", f"coordinates is work or machine, not {coordinates!r}")
+        raise wrong_value(
+            "coordinates", f"coordinates must be work or machine, not {coordinates!r}"
+        )
     if isinstance(most, bool) or most < 100:
-        raise wrong_value("most", f"most is a number of points from 100 on, not {most!r}")
+        raise wrong_value("most", f"most must be a number of points from 100, not {most!r}")
     if view not in VIEWS:
-        raise wrong_value("view", f"view is one of {', '.join(VIEWS)}, not {view!r}")
+        raise wrong_value("view", f"view must be one of {', '.join(VIEWS)}, not {view!r}")
     first, last = rows_of(moves, core.moves)
     head = title if title is not None else _title(run, first, last)
     if first == last:
@@ -52,8 +54,12 @@ def _why_empty(run: Recorded) -> str:
     alarm = getattr(run, "alarm", None)
     if alarm is not None and not run.recorded.moves:
         words = str(alarm).partition("\n")[0]
-        return f"It moved nothing before the alarm at {alarm_place(alarm)}: {words}"
-    return "It moved nothing." if len(run.steps) else 'No moves: trace="moves" keeps them.'
+        return f"The program moved nothing before the alarm at {alarm_place(alarm)}: {words}"
+    return (
+        "The program moved nothing."
+        if len(run.steps)
+        else 'No moves were recorded: trace="moves" records them.'
+    )
 
 
 def _is_plane(run: Recorded, view: str, first: int, last: int) -> bool:

@@ -201,14 +201,14 @@ class Picture:
                 words += " Dotted: the tool with its radius offset."
             if drawn.breaks:
                 words += (
-                    " Other coordinates came into force in between, and parts of several may lie"
-                    ' over each other; coordinates="machine" draws them apart.'
+                    " Other coordinates came into force during the run, and parts may overlap;"
+                    ' coordinates="machine" separates them.'
                 )
         if self.core.diameters & 1:
             words += self.radius_words
         if (self.families == RAPID).any():
             words += (
-                " Rapid moves are drawn straight; a control may lead each axis at its own rate."
+                " Rapid moves are drawn straight; on the machine each axis may go at its own rate."
             )
         return words
 

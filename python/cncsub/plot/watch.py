@@ -23,7 +23,7 @@ Numbers = np.ndarray[Any, np.dtype[Any]]
 def watch_figure(watch: Watch, *, over: str = "steps", title: str | None = None) -> Any:
     """See `Watch.plot`."""
     if over not in OVER:
-        raise wrong_value("over", f"over is steps or time, not {over!r}")
+        raise wrong_value("over", f"over must be steps or time, not {over!r}")
     numbers = list(watch.beginning)
     changes = count(len(watch), "change")
     head = title if title is not None else f"{_hashes(numbers) or 'nothing watched'}: {changes}"
@@ -100,7 +100,7 @@ class _Timeline:
         kept = self._few(self.at[rows], values)
         if len(kept) < len(rows):
             self.told.append(
-                f"#{number}: {count(len(rows), 'change')}; where many lie in one column of the"
+                f"#{number}: {count(len(rows), 'change')}; where many fall into one column of the"
                 " picture, its first, lowest, highest and last are drawn."
             )
         rows, values = rows[kept], values[kept]

@@ -32,9 +32,9 @@ def print_summary(console: Console, control: Control) -> None:
     lead = f"cncsub controls {shlex.quote(control.name)}"
     _print_paragraph(
         console,
-        f"{len(different)} of {len(control.rules)} rules differ from the family: its answer stands"
-        f" in ( ), the source in [ ], with a ? where it is inferred. `{lead} WORD` prints what"
-        f" holds a word, with the page of the source, `{lead} --all` everything.",
+        f"{len(different)} of {len(control.rules)} rules differ from the family, whose value is"
+        f" in ( ), the source in [ ], with a ? where it is inferred. `{lead} WORD` prints the"
+        f" facts with a word and the page of the source, `{lead} --all` everything.",
     )
     for title, facts in _sections(control, different):
         console.print(Text(f"\n{title}", style="bold"))
@@ -47,7 +47,7 @@ def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, li
     printed: dict[str, str] = {}
     if control.base != control.name:
         base = controls[control.base]
-        yield f"Its own, beside {base.title} ({base.name})", list(_own(control, base))
+        yield f"Changed from {base.title} ({base.name})", list(_own(control, base))
     for group, rules in groupby(different, key=lambda rule: rule.group):
         yield group.capitalize(), [_rule(rule, printed) for rule in rules]
     absent = [(group, f": no rules of it {_mark(*of)}") for group, of in control.absent.items()]
@@ -63,7 +63,7 @@ def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, li
 
 
 def _own(control: Control, base: Control) -> Iterator[Fact]:
-    """Yield what a control of one's own says otherwise than its base, each with its note."""
+    """Yield what a control of your own says otherwise than its base, each with its note."""
     before = {rule.name: rule for rule in base.rules}
     for rule in control.rules:
         of = before[rule.name]
@@ -106,12 +106,12 @@ def _print_keys(console: Console, control: Control, different: list[Rule]) -> No
     told += [option.source for option in control.variable_options.values()]
     told += [alarm.source for alarm in control.alarms.values()]
     keys = {key for source in told for key in cited(source)}
-    console.print(Text("\nSources, and what each is on this control", style="bold"))
+    console.print(Text("\nSources, and their evidence for this control", style="bold"))
     for source in sources_of(control):
         if source.key in keys:
             key = _short(source.key)
             _print_paragraph(console, f"{key} = {source.title}; {source.on(control.base)}", key)
-    _print_paragraph(console, "? = inferred: general knowledge, or nobody says", "?")
+    _print_paragraph(console, "? = inferred: general knowledge, or no source says", "?")
 
 
 def _print_paragraph(console: Console, text: str, head: str = "") -> None:
@@ -221,7 +221,7 @@ def _parameters(parameters: list[Parameter]) -> Iterator[Fact]:
     zero = [p for p in parameters if p.value == 0]
     lists = {
         "0 as delivered": [p.name for p in zero if p.used],
-        "0, and nothing is computed from": [p.name for p in zero if not p.used],
+        "0, and cncsub computes nothing from": [p.name for p in zero if not p.used],
     }
     yield from ((lead, f": {_parameter_names(names)}") for lead, names in lists.items() if names)
 
@@ -314,7 +314,7 @@ def _numbers(alarm: Any) -> str:
 
 
 def _print_sources(console: Console, control: Control) -> None:
-    console.print(Text("\nSources, and what each is on this control", style="bold"))
+    console.print(Text("\nSources, and their evidence for this control", style="bold"))
     for source in sources_of(control):
         _print_fact(console, source.key, source.title)
         address = f"; {source.address}" if source.address else ""

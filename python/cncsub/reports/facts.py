@@ -27,7 +27,7 @@ def effect_of(parameter: Parameter, name: Callable[[str], str] = str) -> str:
     """
     if parameter.rules:
         return f"sets {', '.join(map(name, parameter.rules))}"
-    return "" if parameter.used else "nothing is computed from it"
+    return "" if parameter.used else "cncsub computes nothing from it"
 
 
 def run_facts(run: Run, title: str) -> dict[str, Any]:
@@ -261,7 +261,7 @@ def _user_alarm(raising: list[tuple[Control, str]]) -> dict[str, Any]:
         "text": "the message that the program gives",
         "printed": None,
         "directed": {},
-        "source": f"#3000={int(number[-3:])} of a program, as it runs here",
+        "source": f"a program raises it with #3000={int(number[-3:])}",
         "evidence": "see the rules of the control",
     }
     told = _explanation("user-alarm", [control for control, _ in raising], None)

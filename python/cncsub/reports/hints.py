@@ -127,7 +127,10 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
     name = (alarm.detail or "").split(" ")[0]
     outside = alarm.cause == "external-program-not-found"
     if outside and not library.external:
-        yield "--external FOLDER names what M198 reads; without it the external device is empty"
+        yield (
+            "give --external FOLDER, the folder from which M198 calls; without it the"
+            " external device is empty"
+        )
     if outside and name in library:
         yield f"{name} is in the memory, where M98 calls it"
     if not outside and name in library.external:
@@ -141,7 +144,7 @@ def _missing_program(library: Library, alarm: Alarm) -> Iterator[str]:
         found for folder in folders for found in files_named(folder, name, library)
     ):
         if os.path.realpath(file) not in device:
-            cure = "name it, or its folder, too" if fault is None else f"{fault}; name it too"
+            cure = "give it, or its folder, too" if fault is None else f"{fault}; give it too"
             yield f"{file} was not read: {cure}"
 
 
@@ -175,7 +178,7 @@ def _language(
 
 def _seems(name: str, control: str | None) -> str:
     if control is None:
-        return f"it seems to be written in the language of {name}, which no control here reads"
+        return f"it seems to be written in the language of {name}, which no control of cncsub reads"
     return f"it seems to be written for {name}: -c {control}"
 
 
@@ -213,7 +216,8 @@ def _each_seems(language: str, files: list[str]) -> str:
     named = ", ".join(files[:MOST_TOLD]) + (f" and {more} more" if more > 0 else "")
     seem = "seems" if len(files) == 1 else "seem"
     return (
-        f"{named} {seem} to be written in the language of {language}, which no control here reads"
+        f"{named} {seem} to be written in the language of {language}, which no control of"
+        " cncsub reads"
     )
 
 
@@ -294,7 +298,7 @@ def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
         permits = bool(rules) and all(map(_PERMITS.fullmatch, rules))
         if permits and "#" in parameter.name and parameter.value in (0, 1):
             value = 1 - int(parameter.value)
-            words = f"--param {parameter.name}={value} lets it pass: {parameter.meaning}"
+            words = f"--param {parameter.name}={value} allows it: {parameter.meaning}"
             yield words, control.with_parameters({parameter.name: value})
     for option in control.variable_options.values():
         if not option.fitted:
@@ -302,7 +306,7 @@ def changed_controls(control: Control) -> Iterator[tuple[str, Control]]:
                 changed = control.replace(**{option.rule: option.name})
             except (TypeError, ValueError):
                 continue
-            yield f"the control's option {option.name} lets it pass: {option.numbers}", changed
+            yield f"the control's option {option.name} adds it: {option.numbers}", changed
 
 
 def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
@@ -311,7 +315,8 @@ def _lathe(control: Control, alarm: Alarm) -> Iterator[str]:
         return
     if _g_code(control, alarm) in _OF_LATHES:
         yield (
-            f"{control.name} is a mill alone ({control.title}), and {alarm.word} is of lathes:"
+            f"{control.name} exists only as a mill ({control.title}), and {alarm.word} is of"
+            " lathes:"
             f" no lathe with this control is known here"
         )
 
@@ -333,7 +338,7 @@ def _joined(library: Library, alarm: Alarm, mdi: str | None) -> Iterator[str]:
     for parameter in library.control.parameters.values():
         if "conditions:joined" in parameter.rules:
             given = "" if parameter.value else f", with --param {parameter.name}=1"
-            yield f"conditions are joined as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
+            yield f"write joined conditions as IF[[#1EQ#2]AND[#3EQ#4]]{given}: {parameter.meaning}"
 
 
 def _joins(word: Word) -> bool:
@@ -427,7 +432,7 @@ def _answers(run: Run, asked: Mapping[str, Any], again: Callable[..., Run]) -> I
             except ValueError:  # it is no signal, or nobody may write it
                 continue
             if tried.waiting_for != run.waiting_for:
-                yield f"--inputs FILE answers, such as one with the line {words}"
+                yield f"give the answer with --inputs FILE, a file with a line such as {words}"
                 return
 
 
@@ -453,7 +458,7 @@ def _unanswered_skips(
     if len(tried.missed_skips) < len(run.missed_skips):
         plane = f"{{ {axis.upper()} = {length_text(at)} }}"
         yield (
-            "--inputs FILE says what the probe meets, such as a face halfway:\n"
+            "describe what the probe touches with --inputs FILE, such as a face halfway:\n"
             "[workpiece]\n"
             "stylus = 3 # the radius of its ball\n"
             f'solids = [{{ plane = {plane}, faces = "{solid["faces"]}" }}]'
@@ -481,8 +486,8 @@ def _macro_as_main(
     if letters and tried.alarm is None:
         call = f"G65 P{number[1]} {' '.join(f'{letter}...' for letter in letters)}"
         yield (
-            f"{program.name} reads the arguments {', '.join(letters)}, and as the main program it"
-            f' has none: --mdi "{call}" calls it'
+            f"{program.name} reads the arguments {', '.join(letters)}, and has none as the main"
+            f' program: call it with --mdi "{call}"'
         )
 
 
@@ -541,12 +546,12 @@ def without_effect(
         read = _read_variables(programs)
         for number in inputs.signals if read is not None else ():
             if number not in (read or ()):
-                yield _note("--inputs", f"the signal #{number} is told, which no block reads")
+                yield _note("--inputs", f"no block reads the signal #{number}")
         if (inputs.skips or inputs.workpiece) and not _any_word(programs, "G", *_PROBING):
-            yield _note("--inputs", "what is touched is told, but no block probes")
+            yield _note("--inputs", "there is a workpiece or a skip, but no block probes")
         for code in inputs.answers:
             if not _any_word(programs, code[0], int(code[1:])):
-                yield _note("--inputs", f"an answer to {code} is told, which no block names")
+                yield _note("--inputs", f"there is an answer to {code}, but no block has {code}")
 
 
 _PROBING = (31, 36, 37, 38, 4)  # G31, those of measuring, and the dwell that a signal ends
@@ -574,7 +579,7 @@ def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:
     for field in ("length_offsets", "radius_offsets") if lathe else ("tools",):
         if getattr(setup, field):
             other, kind = ("a mill", "a lathe") if lathe else ("a lathe", "a mill")
-            told = f"`{field}` are offsets of {other}, and the machine is {kind} ({machine})"
+            told = f"`{field}` are offsets of {other}, but the machine is {kind} ({machine})"
             yield _note("--setup", told)
 
 

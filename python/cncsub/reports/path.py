@@ -47,11 +47,15 @@ class Drawn:
         picture = self._picture
         if picture is None:
             stopped = self._run.alarm is not None
-            why = "It moved nothing before the alarm" if stopped else "It moved nothing"
-            yield f"<p>{why}, or the run kept no moves.</p>"
+            why = (
+                "The program moved nothing before the alarm"
+                if stopped
+                else "The program moved nothing"
+            )
+            yield f"<p>{why}, or the run recorded no moves.</p>"
             return
         if not any(extent > 0 for extent in picture.path.extents):
-            yield "<p>No move leaves its point.</p>"
+            yield "<p>No move goes anywhere.</p>"
             return
         yield _figure(picture.words(), picture.svg(place=self._place))
         yield f'<p class="pale">{_words(picture.path)}. {escape(" ".join(picture.path.told))}</p>'
@@ -103,11 +107,11 @@ def _words(path: Path) -> str:
     if path.diameters:
         told.append("X is drawn as a radius, its numbers are diameters")
     if path.breaks:
-        told.append("other coordinates came into force in between: parts may lie over each other")
+        told.append("other coordinates came into force during the run: parts may overlap")
     if len(path.family) > MOST_LINKED:
-        told.append(f"moves are links up to {MOST_LINKED:,} of them")
+        told.append(f"the first {MOST_LINKED:,} moves are links to their blocks")
     else:
-        told.append("a move leads to its block")
+        told.append("each move is a link to its block")
     told.append("point at a block to see where it moves")
     return "; ".join(told)
 

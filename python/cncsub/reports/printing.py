@@ -107,7 +107,7 @@ def print_run(console: Console, run: Run, title: str) -> None:
     for block, times in itertools.islice(missed.items(), MOST_MISSED):
         console.print(f"skip: {shown(block)}{f', {times:,} times' if times > 1 else ''}")
     if len(missed) > MOST_MISSED:
-        console.print(f"... skips of {len(missed) - MOST_MISSED:,} more blocks met nothing")
+        console.print(f"... {len(missed) - MOST_MISSED:,} more blocks got no skip signal")
     words = Counter((w.program, w.n, w.line, w.file, w.text, w.warning) for w in run.dropped)
     for (program, n, line, file, text, warning), times in itertools.islice(
         words.items(), MOST_MISSED
@@ -141,7 +141,7 @@ def print_watch(console: Console, run: Run) -> None:
         values = f"{number_text(was)} -> {number_text(row.value)}"
         console.print(f"watch: #{row.variable} {values} at {step}")
     if left := sum(1 for _ in rows):
-        console.print(f"... {left:,} more; --format json and run.watch have them all")
+        console.print(f"... {left:,} more; --format json and run.watch have all")
 
 
 def _beginnings(values: Mapping[int, float | None]) -> Iterator[tuple[int, int, float | None]]:
@@ -172,7 +172,7 @@ def print_tree(console: Console, run: Run, title: str, *, callers: bool = False)
     if left:
         console.print(f"... {left:,} more lines")
     if len(run.calls) > MOST_CALLS:
-        console.print(f"... drawn are the first {MOST_CALLS:,} of {len(run.calls):,} calls")
+        console.print(f"... only the first {MOST_CALLS:,} of {len(run.calls):,} calls")
 
 
 def call_words(run: Run, call: CallTree) -> str:
@@ -217,12 +217,14 @@ def stop_text(run: Run | Stream) -> str:
     """Return how a run ended, in words."""
     blocks = f"{run.blocks:,} block{'s' if run.blocks != 1 else ''}"
     if run.stop is Stop.WAITING:
-        return f"waiting for {run.waiting_for or 'an input nobody gave'}, after {blocks}"
+        return f"waiting for {run.waiting_for or 'an input that is not given'}, after {blocks}"
     assert run.stop is not None, "a stream is written to its end"
     reasons = {
         Stop.END: "the program ended",
         Stop.ALARM: "alarm",
-        Stop.CYCLES: "M99 starts the program over, all cycles asked for ran (--max-cycles)",
+        Stop.CYCLES: (
+            "M99 starts the program over, and all passes asked for have run (--max-cycles)"
+        ),
         Stop.LIMIT: "the limit of blocks or memory is reached (--max-blocks)",
         Stop.INTERRUPTED: "interrupted",
     }
@@ -260,7 +262,7 @@ def print_explanations(console: Console, facts: list[dict[str, Any]]) -> None:
         for one in fact["beside"]:
             kin.setdefault((one["cause"], one["meaning"]), []).append(one["number"])
         for (cause, meaning), numbers in kin.items():
-            console.print(f"  beside it: {', '.join(numbers)} {cause}, {meaning}")
+            console.print(f"  similar: {', '.join(numbers)} {cause}, {meaning}")
         console.print(f"  cure: {fact['cure']}")
         for alarm in fact["alarms"]:
             directed = ", ".join(f"{number} {way}" for way, number in alarm["directed"].items())

@@ -56,7 +56,7 @@ def report(
     True
     """
     if run.core.code is not library.code:
-        raise ValueError("the run is of another library: report(library, library.run())")
+        raise ValueError("the run belongs to another library: use report(library, library.run())")
     main = run.steps[0].program if len(run.steps) else None
     found = library.check(main) if findings is None else list(findings)
     text = _page(library, run, title or main or "a run", found)
@@ -140,7 +140,7 @@ def _facts(run: Run) -> Iterator[tuple[str, str]]:
 
 def _calls(run: Run, anchors: Anchors) -> Iterator[str]:
     if not len(run.calls):
-        yield "<p>It called nothing.</p>"
+        yield "<p>The program called nothing.</p>"
         return
     yield f'<ul class="tree">{"".join(_branches(run.calls.tree(most=MOST_CALLS), anchors))}</ul>'
     if (left := len(run.calls) - MOST_CALLS) > 0:

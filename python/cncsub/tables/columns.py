@@ -56,7 +56,9 @@ _MOVES = {
     "h": ColumnFacts("number of the length offset"),
     "d": ColumnFacts("number of the radius offset"),
     "length": ColumnFacts("length of the path", "mm"),
-    "time": ColumnFacts("duration; a spindle without a speed counts as one turn a minute", "s"),
+    "time": ColumnFacts(
+        "duration; a spindle without a speed counts as one revolution per minute", "s"
+    ),
     "skip": ColumnFacts("touched or missed for a move of G31, else no"),
     **_BLOCK,
     **_axes("s", "xyz", "start of the programmed path, in the work coordinates of its end"),
@@ -90,7 +92,7 @@ _TABLES: Mapping[str, _Facts] = {
     },
     "moves": _MOVES,
     "changes": {
-        "step": ColumnFacts("number of the step; none for a change from outside of the program"),
+        "step": ColumnFacts("number of the step; none for a change from outside the program"),
         "variable": ColumnFacts("number of the variable"),
         "value": ColumnFacts("value after the step; none where the variable is vacant"),
         **_BLOCK,

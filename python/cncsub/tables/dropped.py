@@ -39,9 +39,9 @@ def _starts(control: Control) -> dict[float | None, str]:
 
 def _allows(control: Control, most: object) -> str:
     """Return how a block may have more M codes."""
-    apart = "give it a block of its own"
+    apart = "write it in a block of its own"
     for name, parameter in control.parameters.items():
         if "m_codes_per_block" in parameter.rules and not parameter.value:
-            return f"--param {name}=1 lets more M codes of a block count, or {apart}"
+            return f"--param {name}=1 lets the control execute more M codes of a block, or {apart}"
     count = "one M code" if most == 1 else f"{most} M codes"
-    return f"the control takes {count} of a block, {apart}"
+    return f"the control executes {count} of a block, {apart}"

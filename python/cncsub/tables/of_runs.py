@@ -386,7 +386,7 @@ class Calls(Table[Call]):
         lines: list[str] = []
         write_lines(self.tree(), lines.append, most=40)
         if len(self) > _DRAWN:
-            lines.append(f"... drawn are the first {_DRAWN:,} calls")
+            lines.append(f"... only the first {_DRAWN:,} calls are drawn")
         return "\n".join([*lines, self.size_words()])
 
     def _repr_html_(self) -> str:
@@ -411,7 +411,7 @@ class Bounds(dict[str, tuple[float, float]]):
     def __missing__(self, axis: object) -> tuple[float, float]:
         if isinstance(axis, str) and axis.islower() and axis.upper() in self:
             return self[axis.upper()]
-        raise KeyError(f"no move named the axis {axis!r}; there are {', '.join(self) or 'none'}")
+        raise KeyError(f"no move has the axis {axis!r}; there are {', '.join(self) or 'none'}")
 
     def __contains__(self, axis: object) -> bool:
         return super().__contains__(axis.upper() if isinstance(axis, str) else axis)
@@ -509,7 +509,7 @@ class Moves(Table[Move]):
         words = _duration(self.total_time)
         looked_at = range(min(len(self), _LOOKED_AT))
         if any(_waits_for_spindle(self[row]) for row in looked_at):
-            words += " (where no S was told, at one revolution a minute)"
+            words += " (at one revolution per minute where the program gives no S)"
         return words
 
     @property

@@ -70,7 +70,7 @@ def polyline_of(
     if isinstance(found, int):
         raise ValueError(
             f"tolerance={tolerance!r} makes more than {most:,} points of {last - first:,} moves;"
-            " take a wider one, or fewer moves: moves=slice(0, 1000)"
+            " use a wider one, or fewer moves: moves=slice(0, 1000)"
         )
     return found
 
@@ -84,7 +84,7 @@ def sampled(
     if coordinates not in COORDINATES:
         raise carrying(
             "coordinates",
-            ValueError(f"coordinates is one of {', '.join(COORDINATES)}, not {coordinates!r}"),
+            ValueError(f"coordinates must be one of {', '.join(COORDINATES)}, not {coordinates!r}"),
         )
     found = core.polyline(coordinates, tolerance, first, last, most)
     if isinstance(found, int):
@@ -164,13 +164,13 @@ def size_of(line: Polyline) -> float:
 
 def checked_tolerance(tolerance: Any) -> float:
     if isinstance(tolerance, bool) or not hasattr(tolerance, "__float__"):
-        raise TypeError(f"tolerance is a length in mm such as 0.01, not {tolerance!r}")
+        raise TypeError(f"tolerance must be a length in mm such as 0.01, not {tolerance!r}")
     try:
         value = float(tolerance)
     except OverflowError:
         value = math.inf
     if not 0 < value < math.inf:
-        raise ValueError(f"tolerance is a length in mm above 0, not {tolerance!r}")
+        raise ValueError(f"tolerance must be a length in mm above 0, not {tolerance!r}")
     return value
 
 
@@ -181,8 +181,8 @@ def rows_of(moves: Any, count: int) -> tuple[int, int]:
     if isinstance(moves, range):
         moves = slice(moves.start, moves.stop, moves.step)
     if not isinstance(moves, slice):
-        raise TypeError(f"moves is a slice or a range such as range(0, 1000), not {moves!r}")
+        raise TypeError(f"moves must be a slice or a range such as range(0, 1000), not {moves!r}")
     first, last, step = moves.indices(count)
     if step != 1:
-        raise ValueError(f"moves follow one another without a step: not {moves!r}")
+        raise ValueError(f"moves must be a range without a step, not {moves!r}")
     return first, max(first, last)

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Dropped:
-    """A word that the control read and did not obey, as it is written; a G code by its name.
-    `warning`: what does not start because of that, and what to do; `None` where nothing depends on
+    """A word that the control read and ignored, as it is written; a G code by its name.
+    `warning`: what does not start because of that, and what to do; `None` if nothing depends on
     the word.
     """
 
@@ -230,7 +230,7 @@ class Compared:
 
 @dataclass(frozen=True, slots=True)
 class MissedSkip:
-    """A block of G31 that met nothing, and went to its end. `step` is its row in `run.steps`."""
+    """A block of G31 that got no skip signal. `step` is its row in `run.steps`."""
 
     step: int
     program: str
@@ -239,7 +239,7 @@ class MissedSkip:
 
     def __str__(self) -> str:
         where = f"line {self.line}" if self.n is None else f"N{self.n}"
-        return f"{self.program} {where} met nothing"
+        return f"{self.program} {where} got no skip signal"
 
 
 @dataclass(frozen=True, slots=True)

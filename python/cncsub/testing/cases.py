@@ -257,12 +257,12 @@ def _fault(row: Case) -> str | None:
         return f"cannot stop with {row.stop!r}: a run stops with {', '.join(STOPS)}"
     if (row.stop == "alarm") != (row.alarm is not None):
         return (
-            'stops with "alarm" and names no alarm'
+            'stops with "alarm" but has no alarm'
             if row.alarm is None
-            else f"names an alarm, and stops with {row.stop!r}"
+            else f"has an alarm, but stops with {row.stop!r}"
         )
     if row.alarm is None and not row.says_what_happened:
-        return "says how it stops, and nothing of what happened before: add runs or vars"
+        return "says how it stops, but not what happened before: add runs or vars"
     if row.alarm is None and (row.number or row.at or row.word or row.frames is not None):
         return "says where or how it alarms (number, at, word, frames), but not which alarm"
     if not isinstance(row.source, str) and set(row.source) != set(row.controls):
@@ -325,13 +325,13 @@ def case(claim: str, **said: Any) -> Case:
     name to text, and `external` those of the external device, in `encoding`; or `mdi`, what is
     typed. `params`, `replace`: parameters and rules of the control. `main`, `start`, `skip`,
     `optional_stop`, `variables`, `inputs`, `setup`, `max_cycles`, `max_blocks`: as `Library.run`
-    takes them. `source`: who says that it is so.
+    takes them. `source`: where the claim comes from.
 
-    What has to come out: `runs`, the N numbers of all executed blocks in order, `O1:N10` where an N
+    The expected results: `runs`, the N numbers of all executed blocks in order, `O1:N10` where an N
     repeats between programs, `N10*5` and `(N60 N70)*5` for repeats; blocks without an N are left
     out. `stop`: `end` without it, `alarm` where `alarm`, a cause, is given; `number`, `at`
-    (`"O2 N30"`), `word` and `frames` (`O2 N50 G65 < O1 N10 M98`) tell the alarm. `vars`: variables
-    at the stop, `None` is vacant. `m`, `t`, `messages`, `dropped`: what was sent. `calls`
+    (`"O2 N30"`), `word` and `frames` (`O2 N50 G65 < O1 N10 M98`) describe the alarm. `vars`:
+    variables at the stop, `None` is vacant. `m`, `t`, `messages`, `dropped`: what was sent. `calls`
     (`"M98:O2 G65:O3"`), `tree` (`M98:O2(G65:O3)`), `arguments` of the first macro. `moves`: one
     line a move, `R X1 Y2` rapid, `F X1` feed, `CW X4 Y0 C X2 Y0` an arc and its centre, `W 1.5` a
     dwell; `moves_x`, `centre`, `final_machine`, `final_work`, `time` in seconds.

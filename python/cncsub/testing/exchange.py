@@ -161,15 +161,15 @@ def _plain(what: str, value: Any) -> Any:
     if isinstance(value, datetime):
         return value.isoformat()
     if isinstance(value, float) and not math.isfinite(value):
-        raise ValueError(f"{what} holds {value}, which JSON cannot")
+        raise ValueError(f"{what} has {value}, which JSON cannot have")
     if isinstance(value, str):
         try:
             value.encode()
         except UnicodeEncodeError:
-            raise ValueError(f"{what} holds a text that is no Unicode") from None
+            raise ValueError(f"{what} has a text that is not Unicode") from None
     if value is None or isinstance(value, bool | int | float | str):
         return value
-    raise ValueError(f"{what} holds a {type(value).__name__}, which JSON cannot")
+    raise ValueError(f"{what} has a {type(value).__name__}, which JSON cannot have")
 
 
 # ---- back ----
@@ -184,7 +184,7 @@ def cases_of_json(file: Path) -> tuple[Case, ...]:
     except (json.JSONDecodeError, UnicodeDecodeError) as error:
         raise ValueError(f"{file}: {error}") from None
     if not isinstance(told, dict) or told.get("format") != FORMAT:
-        raise ValueError(f'{file}: no conformance suite: it has no "format": "{FORMAT}"')
+        raise ValueError(f'{file}: not a conformance suite: it has no "format": "{FORMAT}"')
     if told.get("version") != VERSION:
         raise ValueError(f"{file}: version {told.get('version')!r}; this cncsub reads {VERSION}")
     found = []
@@ -240,7 +240,7 @@ def _text_of(text: Any) -> Text:
     if isinstance(text, Mapping):
         return base64.b64decode(text["base64"], validate=True)
     if not isinstance(text, str):
-        raise TypeError(f"a program is a text or base64, not {type(text).__name__}")
+        raise TypeError(f"a program must be a text or base64, not {type(text).__name__}")
     return text
 
 

@@ -250,7 +250,7 @@ def _order(what: str, expected: list[str], got: list[str]) -> str:
     return (
         f"{what}: expected {_around(expected, same)}\n"
         f"{' ' * len(what)}  got      {_around(got, same)}\n"
-        f"{' ' * len(what)}  they part at place {same + 1} of {len(expected)}"
+        f"{' ' * len(what)}  they differ from place {same + 1} of {len(expected)}"
     )
 
 
@@ -374,7 +374,7 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
         steps = [row.step for row in rows if row.variable == number and row.step is not None]
         if steps and steps[-1] < len(run.steps):
             lines = "\n    ".join(step_lines(run, steps[-1]))
-            yield f"#{number} was written last by {lines}"
+            yield f"#{number} was last written by {lines}"
 
 
 def report(row: Row, found: list[str], control: cncsub.Control | None = None) -> str:

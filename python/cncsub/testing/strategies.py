@@ -27,7 +27,9 @@ def arguments(
     """
     for letter in (*required, *ranges):
         if len(letter) != 1 or not "A" <= letter <= "Z" or letter in _NOT_ARGUMENTS:
-            raise ValueError(f"{letter!r} is no argument of G65: A to Z without G, L, N, O and P")
+            raise ValueError(
+                f"{letter!r} is not an argument of G65: use A to Z without G, L, N, O and P"
+            )
     whole = dict.fromkeys(required, (-9999.0, 9999.0)) | ranges
     values = {
         letter: st.decimals(

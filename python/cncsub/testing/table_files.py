@@ -27,7 +27,7 @@ def load_table(path: str | Path) -> tuple[Case, ...]:
         return cases_of_json(file)
     spec = importlib.util.spec_from_file_location(f"cncsub_table_{file.stem}", file)
     if spec is None or spec.loader is None:
-        raise ValueError(f"{file} is no table: it is Python, TOML or JSON")
+        raise ValueError(f"{file} is not a table of cases: write it in Python, TOML or JSON")
     with collected() as found:
         spec.loader.exec_module(importlib.util.module_from_spec(spec))
     return tuple(found)

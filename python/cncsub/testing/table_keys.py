@@ -96,14 +96,15 @@ GROUPS: dict[str, tuple[Key, ...]] = {
             "control",
             (TEXT, TEXTS),
             '"fanuc-0i-f"',
-            "The control; the case runs on each of a list. `--control` counts before it; without"
-            " both, the setting `cncsub_control` and the control of the project count.",
+            "The control; the case runs on each of a list. `--control` overrides it; without"
+            " both, the setting `cncsub_control` and the control of the project are used.",
         ),
         Key(
             "source",
             (TEXT, TEXT_TABLE),
             '"manual, 3.2"',
-            "Who says that it is so, for the report of a failure; a table has one by control.",
+            "The source of the claim, for the report of a failure; a table gives one for each"
+            " control.",
         ),
     ),
     "The memory of the control": (
@@ -119,7 +120,7 @@ GROUPS: dict[str, tuple[Key, ...]] = {
             "external",
             (TEXT_TABLE,),
             '{"O2.nc" = "O2\\nM99"}',
-            "What the external device holds, which M198 reads, by names of files.",
+            "The programs on the external device, from which M198 calls, by names of files.",
         ),
         Key(
             "encoding",
@@ -130,8 +131,8 @@ GROUPS: dict[str, tuple[Key, ...]] = {
     ),
     "The run": (
         Key("main", (TEXT, WHOLE), '"O1"', "The program to run; without it, the main program."),
-        Key("mdi", (TEXT,), '"G65 P2 A3."', "What is typed in MDI, in place of the main program."),
-        Key("start", (WHOLE,), "20", "The sequence number to begin at."),
+        Key("mdi", (TEXT,), '"G65 P2 A3."', "What is typed in MDI, instead of the main program."),
+        Key("start", (WHOLE,), "20", "The sequence number to start at."),
         Key(
             "variables",
             (VARIABLES, FILE),
@@ -142,27 +143,29 @@ GROUPS: dict[str, tuple[Key, ...]] = {
             "inputs",
             (TABLE, FILE),
             '"part.toml"',
-            "What answers while the program runs: a table of inputs, or a TOML file of them.",
+            "What the program reads from outside while it runs: a table of inputs, or a TOML"
+            " file of them.",
         ),
         Key(
             "setup",
             (TABLE, FILE),
             '"setup.toml"',
-            "What was set at the machine: a table of a setup, or a TOML file of it.",
+            "The settings of the machine: a table of a setup, or a TOML file of it.",
         ),
         Key("params", (NUMBER_TABLE,), '{"3401#0" = 1}', "Parameters of the control."),
         Key("replace", (TABLE,), "{max_nesting = 3}", "Rules of the control."),
         Key("skip", (WHOLES,), "[1]", "The block-skip switches that are on."),
         Key("optional_stop", (SWITCH,), "true", "Whether M01 stops."),
-        Key("max_cycles", (WHOLE,), "3", "How often the main program runs where M99 ends it."),
-        Key("max_blocks", (WHOLE,), "1000", "The run stops with `limit` after so many blocks."),
+        Key("max_cycles", (WHOLE,), "3", "How often a main program that ends in M99 runs."),
+        Key("max_blocks", (WHOLE,), "1000", "The run stops with `limit` after this many blocks."),
     ),
-    "What has to come out": (
+    "The expected results": (
         Key(
             "runs",
             (TEXT,),
             '"N10 (N30 N40)*2 O2:N20"',
-            "The N of all executed blocks in order, with the program where an N occurs in several."
+            "The N of all executed blocks in order, with the program if an N is in several"
+            " programs."
             " Blocks without an N are not compared.",
         ),
         Key(
@@ -181,7 +184,7 @@ GROUPS: dict[str, tuple[Key, ...]] = {
             "number",
             (TEXT, TEXT_TABLE),
             '"PS0076"',
-            "The number of the alarm beside its cause; a table has one by control.",
+            "The number of the alarm in addition to its cause; a table gives one for each control.",
         ),
         Key("at", (TEXT,), '"O2 N30"', "The program and the block that alarms."),
         Key("word", (TEXT, TEXT_TABLE), '"P9"', "The word of the block at which it alarms."),
@@ -192,10 +195,10 @@ GROUPS: dict[str, tuple[Key, ...]] = {
             "The open calls at the alarm, the innermost first.",
         ),
         Key("vars", (VARIABLES,), '{100 = 9, 101 = "vacant"}', "Variables at the stop."),
-        Key("m", (WHOLES,), "[3, 8]", "The M codes that the machine was sent."),
-        Key("t", (WHOLES,), "[1]", "The T codes that the machine was sent."),
+        Key("m", (WHOLES,), "[3, 8]", "The M codes that were sent to the machine."),
+        Key("t", (WHOLES,), "[1]", "The T codes that were sent to the machine."),
         Key("messages", (TEXTS,), '["CHECK TOOL"]', "The messages to the operator."),
-        Key("dropped", (TEXTS,), '["M8"]', "The words that the control read and did nothing with."),
+        Key("dropped", (TEXTS,), '["M8"]', "The words that the control read and ignored."),
         Key("calls", (TEXT,), '"M98:O2 G65:O3"', "The calls in order."),
         Key("tree", (TEXT,), '"M98:O2(G65:O3)"', "The calls in order, each with those inside it."),
         Key("arguments", (VARIABLES,), "{1 = 3}", "The locals at the start of the first macro."),
@@ -240,7 +243,7 @@ def check_keys(said: Mapping[str, Any]) -> None:
         if not any(kind.fits(value) for kind in key.takes):
             shown = repr(value)
             short = shown if len(shown) <= 60 else shown[:60] + " ..."
-            raise ValueError(f"{name} is {key.words}, such as {key.example}, not {short}")
+            raise ValueError(f"{name} must be {key.words}, such as {key.example}, not {short}")
 
 
 def schema() -> dict[str, Any]:

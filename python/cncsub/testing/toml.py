@@ -37,9 +37,9 @@ def table_in(file: Path, *, needs_control: bool = True) -> tuple[Case, ...]:
         raise ValueError(f"{file}: {error}") from None
     listed = told.pop("case", None)
     if not isinstance(listed, list) or not all(isinstance(row, dict) for row in listed):
-        raise ValueError(f"{file}: a table has cases: [[case]]")
+        raise ValueError(f"{file}: a table must have cases: [[case]]")
     if "claim" in told:
-        raise ValueError(f"{file}: claim stands in a case, below [[case]]")
+        raise ValueError(f"{file}: claim belongs in a case, below [[case]]")
     try:
         check_keys(told)
     except ValueError as error:
@@ -66,7 +66,7 @@ def _case(
         if isinstance(words.get(name), dict):
             words[name] = _by_number(name, words[name])
     if "control" not in words and needs_control:
-        raise ValueError('it names no control: control = "fanuc-0i-f"')
+        raise ValueError('it has no control: write control = "fanuc-0i-f"')
     if "alarm" in words:
         _check_alarm(words["alarm"])
         words.setdefault("number", UNKNOWN)  # not compared
@@ -81,7 +81,9 @@ def _case(
     paths = tuple(places.path("load", name) for name in said.get("load", ()))
     if "load" in said:
         if "files" in words:
-            raise ValueError("it has both load and files: load files, or write their texts")
+            raise ValueError(
+                "it has both load and files: give load, or write the texts under files"
+            )
         words["files"] = places.texts(paths)
     words.setdefault("control", _LATER)
     case = read_case(claim, topic=file.name, line=number, **words)
@@ -98,10 +100,10 @@ def _by_number(name: str, values: Mapping[str, Any]) -> dict[int, float | None]:
     for key, value in values.items():
         digits = key.removeprefix("#")
         if not (digits.isascii() and digits.isdigit() and len(digits) < 10):
-            raise ValueError(f"{name} has {key!r}, which is no number of a variable")
+            raise ValueError(f"{name} has {key!r}, which is not the number of a variable")
         vacant = isinstance(value, str) and value == "vacant"
         if not vacant and (isinstance(value, bool) or not isinstance(value, int | float)):
-            raise ValueError(f'{name}: #{digits} is a number or "vacant", not {value!r}')
+            raise ValueError(f'{name}: #{digits} must be a number or "vacant", not {value!r}')
         if int(digits) in found:
             raise ValueError(f"{name} has #{digits} twice")
         found[int(digits)] = None if vacant else value
@@ -130,7 +132,7 @@ def _check_alarm(alarm: str) -> None:
     if alarm in causes or any(map(str.isdigit, alarm)):
         return
     near = did_you_mean(alarm, causes)
-    raise ValueError(f"alarm is a number or a cause; there is no cause {alarm!r}{near}")
+    raise ValueError(f"alarm must be a number or a cause; there is no cause {alarm!r}{near}")
 
 
 class _Places:
@@ -140,7 +142,7 @@ class _Places:
         self._folder = folder
         self._root, mark = _project_root(folder)
         self._place = (
-            f"project, {self._root}, which holds {mark}"
+            f"project, {self._root}, which has {mark}"
             if mark
             else "table; a cncsub.toml in a folder above both makes them a project"
         )
@@ -150,12 +152,12 @@ class _Places:
         project, or where there is nothing.
         """
         if "\0" in name:
-            raise ValueError(f"{key} holds a NUL, which no name does")
+            raise ValueError(f"{key} has a NUL character, which a name cannot have")
         path = Path(os.path.normpath(self._folder / name))
         if not self._holds(path):
-            raise ValueError(f"{key}: {name} lies outside the folder of the {self._place}")
+            raise ValueError(f"{key}: {name} is outside the folder of the {self._place}")
         if not path.exists():
-            raise ValueError(f"{key}: there is no {name} beside the table{_near(path)}")
+            raise ValueError(f"{key}: there is no {name} in the folder of the table{_near(path)}")
         return path
 
     def file(self, key: str, name: str) -> Path:
@@ -186,7 +188,7 @@ class _Places:
 def _near(path: Path) -> str:
     beside = sorted(each.name for each in path.parent.iterdir()) if path.parent.is_dir() else []
     near = near_names(path.name, beside)
-    return f"; near are {', '.join(near)}" if near else ""
+    return f"; did you mean {', '.join(near)}?" if near else ""
 
 
 def _project_root(folder: Path) -> tuple[Path, str]:

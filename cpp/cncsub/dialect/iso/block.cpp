@@ -63,7 +63,7 @@ void BlockReader::conditional_return(Scanner& s, Block& block) {
   if (!back) return;
   if (back->op != Op::Return)
     return to_.refuse(block, {Cause::StatementFormat, statement.at, statement.width,
-                              "a condition at the head of a block stands before M99"});
+                              "a condition at the start of a block must have M99 after it"});
   conditional(to_, statement, *back, block);
 }
 

@@ -50,8 +50,8 @@ void BlockWriter::call() {
   words();
   if (macro_ && (block_.mask != 0 || block_.has_codes()) &&
       control_.macros.words_before_macro_call.value == WordsBeforeMacroCall::Alarm)
-    return refuse(
-        fault_of(tokens_.front(), Cause::MacroCallNotFirst, "a word stands before the macro call"));
+    return refuse(fault_of(tokens_.front(), Cause::MacroCallNotFirst,
+                           "there is a word before the macro call"));
   to_.become(block_, op_of(meaning_.code_kind), std::move(call));
 }
 
@@ -123,7 +123,7 @@ std::optional<Fault> BlockWriter::given(Operand& place, const Token& token) cons
   if (macro_ && place.present() &&
       control_.macros.repeated_argument.value == RepeatedAddress::Alarm)
     return fault_of(token, Cause::AddressGivenTwice,
-                    std::string(1, token.letter) + " stands twice in the call");
+                    std::string(1, token.letter) + " is in the call twice");
   place = token.operand;
   return std::nullopt;
 }
@@ -161,11 +161,11 @@ void BlockWriter::back() {
     if (token.letter == 'L') back.l = token.operand;
     if (token.letter == 'Q' && control_.calls.return_to_line.value)
       return refuse({Cause::CodeNotComputed, token.operand.at, token.operand.width,
-                     "a return to a line of the file is not computed here"});
+                     "cncsub does not compute a return to a line of the file"});
   }
   if (back.p.present() && control_.calls.return_with_p.value == ReturnWithP::Refused)
-    return refuse(
-        {Cause::IllegalWordWithReturn, back.p.at, back.p.width, "M99 takes no P on this control"});
+    return refuse({Cause::IllegalWordWithReturn, back.p.at, back.p.width,
+                   "M99 cannot have P on this control"});
   drop_unheard();
   words();
   to_.become(block_, Op::Return, std::move(back));
@@ -177,10 +177,10 @@ std::optional<Fault> BlockWriter::input_of_jump(JumpRecord& jump) {
   for (const Token& token : tokens_)
     if (token.letter == 'Q' && !token.comma) q = token.operand;
   if (!q.present())
-    return Fault{Cause::StatementFormat, jump.at, jump.width, "Q does not say which input"};
+    return Fault{Cause::StatementFormat, jump.at, jump.width, "Q must name the input, as in Q8"};
   if (q.kind == Operand::Kind::Expression)
     return Fault{Cause::CodeNotComputed, q.at, q.width,
-                 "an input of a computed number is not read here"};
+                 "cncsub does not read an input whose number is computed"};
   const VariableRange* inputs = nullptr;
   for (const PlacedRange& placed : rules_.code.variables)
     if (placed.range.kind == VariableKind::Input && inputs == nullptr) inputs = &placed.range;
@@ -199,8 +199,8 @@ void BlockWriter::jump() {
   for (const Token& token : tokens_)
     if (token.letter == 'P' && !token.comma) jump.p = token.operand;
   if (!jump.p.present())
-    return refuse(
-        {Cause::ProgramNumberMissing, jump.at, jump.width, "the jump does not say where to"});
+    return refuse({Cause::ProgramNumberMissing, jump.at, jump.width,
+                   "the jump has no P to say where it goes"});
   if (meaning_.jump_reads_input)
     if (auto fault = input_of_jump(jump)) return refuse(std::move(*fault));
   drop_unheard();

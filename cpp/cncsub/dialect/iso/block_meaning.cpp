@@ -69,7 +69,7 @@ std::optional<Fault> MeaningReader::sort(const Token& token) {
   if (token.letter == 'G') return sort_g(token);
   if (token.letter == 'O')
     return fault_of(token, Cause::AddressNotUsable,
-                    "a program number stands at the head of a program only");
+                    "a program number is allowed only at the head of a program");
   if (meaning_.calls_macro()) return std::nullopt;
   if (token.letter == 'M') return sort_m(token);
   sort_letter(token);
@@ -96,8 +96,7 @@ std::optional<Fault> MeaningReader::sort_g(const Token& token) {
     return std::nullopt;
   }
   if (code < 0 || code >= 1000 || !rules_.code.g_codes.test(code10))
-    return fault_of(token, Cause::GCodeNotAvailable,
-                    "G" + spell(code) + " is no code of this control");
+    return fault_of(token, Cause::GCodeNotAvailable, "this control has no G" + spell(code));
   if (meaning_.calls_macro()) return std::nullopt;  // reported as an argument
   return executed();
 }
@@ -112,7 +111,7 @@ std::optional<Fault> MeaningReader::sort_m(const Token& token) {
   if (found != nullptr) {
     if (found->refused)
       return fault_of(token, Cause::CodeMayNotCall,
-                      "M" + spell(token.operand.value) + " may not call a program");
+                      "M" + spell(token.operand.value) + " cannot call a program");
     meaning_.alone_word = &token;
     call(token, CallKind::MCode, found->kind, found);
     return std::nullopt;
@@ -268,10 +267,11 @@ std::optional<Fault> MeaningReader::check_calls() const {
     const bool macros = meaning_.calls_macro() && meaning_.second_call->letter == 'G';
     return fault_of(*meaning_.second_call,
                     macros ? Cause::MacroCallGivenTwice : Cause::CallGivenTwice,
-                    "a block calls once");
+                    "a block can have only one call");
   }
   if (meaning_.calls() && meaning_.back != nullptr)
-    return fault_of(*meaning_.back, Cause::CallGivenTwice, "a block calls or returns");
+    return fault_of(*meaning_.back, Cause::CallGivenTwice,
+                    "a block can have a call or a return, not both");
   return std::nullopt;
 }
 
@@ -280,11 +280,11 @@ std::optional<Fault> MeaningReader::check_m_codes() const {
   const int most = control_.reading.m_codes_per_block.value;
   if (extra == ExtraMCodes::EndsAlone && meaning_.alone_word != nullptr && meaning_.m_words > 1)
     return fault_of(*meaning_.alone_word, Cause::IllegalMCombination,
-                    "this M code shares no block with another M code");
+                    "this M code cannot share a block with another M code");
   if (extra == ExtraMCodes::Alarm && most >= 0 &&
       meaning_.m.size() > static_cast<std::size_t>(most))
     return fault_of(meaning_.m[static_cast<std::size_t>(most)], Cause::IllegalMCombination,
-                    "the control takes " + std::to_string(most) + " M codes in one block");
+                    "too many M codes in one block: the control allows " + std::to_string(most));
   return std::nullopt;
 }
 
@@ -297,9 +297,11 @@ std::optional<Fault> MeaningReader::check_g_codes() const {
     if (token->operand.kind != Operand::Kind::Constant) continue;
     const auto code10 = static_cast<int>(code_index(token->operand));
     if (call && rules.codes_not_with_call.value.has(code10))
-      return fault_of(*token, Cause::IllegalWordWithCall, "this code may not stand with M98");
+      return fault_of(*token, Cause::IllegalWordWithCall,
+                      "this code cannot share a block with M98");
     if (back && rules.codes_not_with_return.value.has(code10))
-      return fault_of(*token, Cause::IllegalWordWithReturn, "this code may not stand with M99");
+      return fault_of(*token, Cause::IllegalWordWithReturn,
+                      "this code cannot share a block with M99");
   }
   return std::nullopt;
 }
@@ -317,7 +319,7 @@ std::optional<Fault> MeaningReader::check_corner() const {
   for (const Token& token : tokens_) {
     if ((moves || token.letter != 'L') && refused.has({token.comma, token.letter}))
       return fault_of(token, Cause::CornerWithCall,
-                      "a chamfer or corner round may not stand with M98");
+                      "a chamfer or corner round cannot share a block with M98");
   }
   return std::nullopt;
 }
@@ -330,7 +332,7 @@ std::optional<Fault> MeaningReader::check_repeated() const {
     if (token.letter == 'G' || token.letter == 'M' || token.letter == '<') continue;
     const std::uint64_t mark = 1ULL << (token.letter - 'A' + (token.comma ? 32 : 0));
     if ((seen & mark) != 0)
-      return fault_of(token, Cause::AddressGivenTwice, "the address stands twice in the block");
+      return fault_of(token, Cause::AddressGivenTwice, "the address is in the block twice");
     seen |= mark;
   }
   return std::nullopt;

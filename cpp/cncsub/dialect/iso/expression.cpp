@@ -92,7 +92,7 @@ std::optional<std::uint32_t> ExpressionReader::read_condition() {
   const bool opened = peek() == '[';
   const std::uint32_t at = offset();
   if (!rules_.bare && !opened)
-    return out_.refuse(Cause::ExpressionFormat, at, "a condition stands in brackets");
+    return out_.refuse(Cause::ExpressionFormat, at, "a condition must be in brackets");
   Value value = rules_.bare ? values() : bracket();
   if (!value) return std::nullopt;
   const int most = rules_.control.macros.max_condition_length.value;
@@ -105,7 +105,7 @@ std::optional<std::uint32_t> ExpressionReader::read_condition() {
     value = Value::condition();
   }
   if (!value.is_condition())
-    return out_.refuse(Cause::ExpressionFormat, at, "a condition compares two values");
+    return out_.refuse(Cause::ExpressionFormat, at, "a condition must compare two values");
   return out_.finish(at, offset() - at);
 }
 

@@ -27,7 +27,7 @@ std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
   if (letter == 'P' || letter == 'L' || letter == '<') return std::nullopt;
   if (token.trailing_n)
     return Fault{Cause::SequenceNumberNotFirst, token.operand.at, 1,
-                 "N stands at the head of a macro call"};
+                 "N must be at the start of the block of a macro call"};
   if (auto fault = refused_code(token)) return fault;
   if (letter == 'G' || letter == 'O' || letter == 'N' || token.comma)
     return fault_of(token, Cause::IllegalArgument,
@@ -39,13 +39,13 @@ std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
   if (letter >= 'I' && letter <= 'K') {
     const int set = set_of(letter);
     if (set > kMostSets)
-      return fault_of(token, Cause::TooManyArgumentSets, "there are ten sets of I, J, K");
+      return fault_of(token, Cause::TooManyArgumentSets, "more than ten sets of I, J, K");
     variable = 3 * set + 1 + (letter - 'I');
     return std::nullopt;
   }
   const std::uint32_t mark = bit(letter);
   if ((seen_ & mark) != 0 && control_.macros.repeated_argument.value == RepeatedAddress::Alarm)
-    return fault_of(token, Cause::AddressGivenTwice, "the argument stands twice in the call");
+    return fault_of(token, Cause::AddressGivenTwice, "the argument is in the call twice");
   seen_ |= mark;
   variable = argument_variable(letter);
   return std::nullopt;
@@ -58,7 +58,7 @@ std::optional<Fault> MacroArguments::refused_code(const Token& token) const {
   const MacroRules& rules = rules_.control.macros;
   const bool g = token.letter == 'G', once = meaning_.kind == CallKind::Macro;
   const auto refused = [&](Cause cause) {
-    return fault_of(token, cause, "this code may not stand with a macro call");
+    return fault_of(token, cause, "this code cannot share a block with a macro call");
   };
   if (g && once && rules.codes_not_with_macro_call.value.has(code))
     return refused(Cause::CodeWithMacroCall);

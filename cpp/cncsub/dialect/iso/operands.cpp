@@ -17,7 +17,7 @@ struct ConstantName {
 constexpr ConstantName kConstants[] = {
     {Function::Pi, 3.14159265358979323846}, {Function::True, 1}, {Function::False, 0}};
 
-constexpr const char* kNoVariable = "a number, or an expression in brackets, follows #";
+constexpr const char* kNoVariable = "a number, or an expression in brackets, must follow #";
 
 bool starts_name(char c) { return is_letter(c) || c == '_'; }
 
@@ -46,7 +46,8 @@ Value ValueReader::other_constant() {
   const Number number = scan_number(s_);
   if (number.points > 1)
     return out_.refuse(Cause::IllegalDecimalPoint, at, "two points in one number");
-  if (!number.any) return out_.refuse(Cause::ExpressionFormat, at, "a point is no number");
+  if (!number.any)
+    return out_.refuse(Cause::ExpressionFormat, at, "a decimal point alone is not a number");
   const int most = rules_.control.macros.max_constant_digits.value;
   if (number.digits > static_cast<std::uint32_t>(most))
     return out_.refuse(Cause::TooManyDigits, at,
@@ -74,7 +75,7 @@ Value ValueReader::negation(std::uint32_t at) {
   if (!value) return {};
   --nots_;
   if (!value.is_condition())
-    return out_.refuse(Cause::ExpressionFormat, at, "NOT takes a condition");
+    return out_.refuse(Cause::ExpressionFormat, at, "NOT must have a condition after it");
   out_.emit(Ins::Not, at);
   return value;
 }
@@ -121,7 +122,7 @@ std::optional<std::int64_t> ValueReader::written_number() {
   const bool point = number.points == 1 && number.decimals == 0 && number.any;
   const bool whole = number.points == 0 || (point && rules_.points);
   if (!whole || number.digits > ExpressionRules::kMostVariableDigits)
-    return out_.refuse(Cause::IllegalVariable, at, "a variable number is a whole number");
+    return out_.refuse(Cause::IllegalVariable, at, "a variable number must be a whole number");
   return to_whole<std::int64_t>(number.value);
 }
 
@@ -143,7 +144,7 @@ Value ValueReader::other_word() {
   if (found == nullptr)
     return out_.refuse(
         Cause::ExpressionFormat, at,
-        word + " is no function of this control" +
+        word + " is not a function of this control" +
             letter_for_zero({s_.file, static_cast<std::size_t>(s_.end - s_.file)}, at));
   return found->one == Ins::Programmed ? programmed(at) : arguments(*found, at);
 }
@@ -166,13 +167,13 @@ Value ValueReader::arc_tangent(std::uint32_t at, bool two) {
 /// value.
 Value ValueReader::programmed(std::uint32_t at) {
   if (!opens() || peek() != '#')
-    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+    return out_.refuse(Cause::ExpressionFormat, at, "AR must have a variable");
   const std::uint32_t hash = offset();
   ++s_.at;
   const bool inside = peek() == '[';
   const std::optional<std::int64_t> number = inside ? kComputed : variable_number(hash);
   if (!number || *number == kComputed)
-    return out_.refuse(Cause::ExpressionFormat, at, "AR takes a variable");
+    return out_.refuse(Cause::ExpressionFormat, at, "AR must have a variable");
   if (!closes()) return {};
   out_.emit(Ins::Programmed, at, static_cast<double>(*number));
   return Value::number();

@@ -86,7 +86,7 @@ Value compare(ValueWriter& out, Ins op, std::uint32_t at, Value left, Value righ
   const bool tells_vacant =
       out.rules().distinguishes_vacant && (op == Ins::Equal || op == Ins::NotEqual);
   if (!out.is_number(left) || !out.is_number(right))
-    return out.refuse(Cause::ExpressionFormat, at, "a comparison compares two values");
+    return out.refuse(Cause::ExpressionFormat, at, "a comparison must have two values");
   if (!tells_vacant && (!out.arithmetic(left, end) || !out.arithmetic(right, end))) return {};
   out.emit(op, at);
   return Value::condition();

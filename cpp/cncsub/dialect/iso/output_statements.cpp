@@ -8,10 +8,11 @@ void StatementReader::print(const Keyword& keyword, Statement& /*statement*/) {
   print.binary = keyword.kind == StatementKind::Bprnt;
   print.at = s_.offset();
   if (!s_.take('['))
-    return refuse(Cause::OutputFormat, s_.offset(), 1, "the output stands in brackets");
+    return refuse(Cause::OutputFormat, s_.offset(), 1,
+                  "what is written must be in brackets, as in DPRNT[...]");
   while (s_.peek() != ']') {
     if (s_.peek() == '\0')
-      return refuse(Cause::OutputFormat, s_.offset(), 1, "the output's bracket is not closed");
+      return refuse(Cause::OutputFormat, s_.offset(), 1, "the bracket of the output is not closed");
     if (s_.peek() == '#') {
       if (!print_field(print)) return;
       continue;
@@ -44,7 +45,8 @@ bool StatementReader::print_field(Print& print) {
   const bool good =
       format.written == (print.binary ? 1 : 2) && !format.negative && format.points == 0;
   if (!good || !s_.take(']')) {
-    refuse(Cause::OutputFormat, at, 1, "the number of digits is two digits in brackets, as [53]");
+    refuse(Cause::OutputFormat, at, 1,
+           "the number of digits must be two digits in brackets, as [53]");
     return false;
   }
   const int digits = to_whole<int>(format.value);
@@ -72,7 +74,7 @@ void StatementReader::name_variables(const Keyword& /*keyword*/, Statement& stat
     const bool ends = behind == ']' || behind == ',' || behind == '\0';
     if (!ends || name.empty() || is_digit(name[0]))
       return refuse(Cause::IllegalVariableName, ends ? at : s_.offset(), 1,
-                    "a variable name is a letter, then letters, digits and _");
+                    "a variable name must be a letter, then letters, digits and _");
     to_.names().text(name);
     if (s_.take(']')) break;
     if (!s_.take(','))

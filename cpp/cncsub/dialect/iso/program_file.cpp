@@ -284,7 +284,7 @@ class ProgramFileReader {
     block.length = static_cast<std::uint16_t>(std::min<std::ptrdiff_t>(end - start, 65535));
     to_.refuse(block, {zero ? Cause::ProgramNumberZero : Cause::IllegalProgramNumber, block.text,
                        block.length,
-                       zero ? "O0 is no program number"
+                       zero ? "O0 is not a program number"
                             : "the largest program number is " + std::to_string(largest)});
     to_.append(block);
   }

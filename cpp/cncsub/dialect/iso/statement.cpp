@@ -111,7 +111,7 @@ bool StatementReader::ends(Cause otherwise) {
   if (c == ']')
     refuse(Cause::BracketNotOpened, s_.offset(), 1, "this bracket was never opened");
   else if (is_letter(c) || starts_assignment(s_))
-    refuse(otherwise, s_.offset(), 1, "another word follows the statement");
+    refuse(otherwise, s_.offset(), 1, "nothing else can follow the statement in its block");
   else
     refuse(block_.op == Op::Assign ? Cause::ExpressionFormat : Cause::StatementFormat, s_.offset(),
            1, "the statement ends before this");
@@ -155,10 +155,10 @@ void StatementReader::assignment(bool bracketed) {
   const auto variable = expressions_.variable(s_, at);
   if (!variable) return refuse(expressions_.fault());
   if (bracketed && !s_.take(']'))
-    return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the name's bracket is not closed");
+    return refuse(Cause::BracketNotClosed, s_.offset(), 1, "the bracket of the name is not closed");
   const std::uint32_t width = std::max<std::uint32_t>(1, s_.offset() - at);
   if (!s_.take('='))
-    return refuse(Cause::MissingEquals, s_.offset(), 1, "no = follows the variable");
+    return refuse(Cause::MissingEquals, s_.offset(), 1, "there is no = after the variable");
   const auto value = expressions_.number(s_);
   if (!value) return refuse(expressions_.fault());
   const std::uint32_t end = s_.offset();
@@ -231,7 +231,7 @@ void StatementReader::then_statement(Statement& statement) {
     before_words_ = statement;
     return;
   }
-  if (!read) return refuse(Cause::IfFormat, at, 1, "THEN takes one macro statement");
+  if (!read) return refuse(Cause::IfFormat, at, 1, "only one macro statement can follow THEN");
   if (then.op == Op::Fault) {
     block_.op = Op::Fault;
     block_.aux = then.aux;
@@ -244,7 +244,8 @@ void StatementReader::then_statement(Statement& statement) {
                       then.op == Op::Print || then.op == Op::OpenOutput ||
                       then.op == Op::CloseOutput;
   if (!simple)
-    return refuse(Cause::IfFormat, at, 1, "THEN takes an assignment, a jump or an output");
+    return refuse(Cause::IfFormat, at, 1,
+                  "only an assignment, a jump or an output can follow THEN");
   statement.then = to_.keep(then);
   to_.become(block_, Op::IfThen, statement);
 }
@@ -272,7 +273,7 @@ void StatementReader::loop(const Keyword& keyword, Statement& statement) {
   const int most = code_.control->macros.max_loop_number.value;
   if (number.points != 0 || number.value < 1 || number.value > most)
     return refuse(Cause::IllegalLoopNumber, at, std::max(1u, s_.offset() - at),
-                  "a loop number is 1 to " + std::to_string(most));
+                  "a DO number must be 1 to " + std::to_string(most));
   statement.number = to_whole<std::int32_t>(number.value);
   if (at_end(Cause::NcAndMacroInBlock)) to_.become(block_, op, statement);
 }
@@ -299,7 +300,7 @@ void StatementReader::jump(const Keyword& keyword, Statement& statement) {
     if (!number.any) return refuse(format, at, 1, "GOTO without a sequence number");
     if (number.value < 1 || number.value > most)
       return refuse(Cause::IllegalJumpNumber, at, std::max(1u, s_.offset() - at),
-                    "GOTO takes 1 to " + std::to_string(most));
+                    "the number of GOTO must be 1 to " + std::to_string(most));
     statement.number = to_whole<std::int32_t>(number.value);
   } else {
     return refuse(format, at, 1, "GOTO without a sequence number");

@@ -55,7 +55,7 @@ class Structure {
   void open_if(Address a) {
     ifs_.push_back({a, 0});
     if (ifs_.size() > static_cast<std::size_t>(to_.control().macros.max_ifs.value))
-      fault_at(a, Cause::IfTooDeep, "more IF blocks inside each other than the control takes");
+      fault_at(a, Cause::IfTooDeep, "more IF blocks inside each other than the control allows");
   }
 
   void resolve_jump(Address address, const Block& block) {
@@ -80,10 +80,10 @@ class Structure {
     if (numbered())
       for (const Open& open : loops_)
         if (open.number == number)
-          return fault_at(a, Cause::MissingEnd, "this DO number is open already");
+          return fault_at(a, Cause::MissingEnd, "a loop with this DO number is already open");
     if (loops_.size() >= static_cast<std::size_t>(to_.control().macros.max_loops.value))
       return fault_at(a, Cause::LoopsTooDeep,
-                      "more loops inside each other than the control takes");
+                      "more loops inside each other than the control allows");
     loops_.push_back({a, number});
   }
 
@@ -91,7 +91,7 @@ class Structure {
     const std::int32_t number = statement_at(a).number;
     std::size_t at = loops_.size();
     while (at > 0 && numbered() && loops_[at - 1].number != number) --at;
-    if (at == 0) return fault_at(a, Cause::MissingDo, "this end has no loop");
+    if (at == 0) return fault_at(a, Cause::MissingDo, "no loop is open that this could end");
     for (std::size_t i = at; i < loops_.size(); ++i)
       fault_at(loops_[i].address, Cause::MissingEnd, "this loop crosses another");
     const Address start = loops_[at - 1].address;

@@ -69,7 +69,7 @@ Value ValueReader::arguments(const FunctionName& of, std::uint32_t at) {
   const bool second = (slash || of.two != Ins::End) && take(',');
   if (second && !argument()) return {};
   if (of.one == Ins::End && !second)
-    return out_.refuse(Cause::MissingComma, offset(), "the function takes two arguments");
+    return out_.refuse(Cause::MissingComma, offset(), "the function must have two arguments");
   if (!closes()) return {};
   if (slash) return arc_tangent(at, second);
   const Ins op = second ? of.two : of.one;

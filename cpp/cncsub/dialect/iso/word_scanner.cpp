@@ -71,7 +71,7 @@ bool WordScanner::sequence_number(const Lexeme& read) {
                  "the largest sequence number is " +
                      std::to_string(control_.reading.max_sequence_number.value));
   if (number.value == 0 && control_.common.refuses.value.has(Cause::ProgramNumberZero))
-    return wrong(Cause::ProgramNumberZero, "N0 is no sequence number");
+    return wrong(Cause::ProgramNumberZero, "N0 is not a sequence number");
   block_.n = to_whole<std::int32_t>(number.value);
   return true;
 }
@@ -150,7 +150,7 @@ bool WordScanner::other(const Lexeme& read, Tokens& tokens) {
 bool WordScanner::skip(const Lexeme& read, Tokens& tokens) {
   if (control_.reading.block_skip.value == BlockSkip::HeadOnly)
     return refuse({Cause::IllegalCharacter, offset(read), 1,
-                   "a block-skip slash stands only at the head of a block"});
+                   "a block-skip slash is allowed only at the start of a block"});
   const std::uint16_t mask = mask_of(read);
   if ((mask & slashes_) == 0) add(read, tokens).skip = mask;
   slashes_ = static_cast<std::uint16_t>(slashes_ | mask);
@@ -163,9 +163,10 @@ bool WordScanner::stray(const char* from) {
   const char c = s_.peek();
   const std::uint32_t at = s_.offset();
   if (c == '#')
-    return refuse({Cause::NcAndMacroInBlock, at, 1, "a macro statement follows NC words"});
+    return refuse(
+        {Cause::NcAndMacroInBlock, at, 1, "a macro statement cannot follow NC words in a block"});
   if (begins_number(c) || c == '[')
-    return refuse({Cause::ValueWithoutAddress, at, 1, "a value stands without an address"});
+    return refuse({Cause::ValueWithoutAddress, at, 1, "there is no address before this value"});
   if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
   std::uint32_t width = 1;
   while (s_.at + width < s_.end && (static_cast<unsigned char>(s_.at[width]) & 0xC0u) == 0x80u)
@@ -173,9 +174,9 @@ bool WordScanner::stray(const char* from) {
   const std::string_view character(s_.at, width);
   const bool wide = character == "\uFF08" || character == "\uFF09";  // full-width
   if ((wide || c == ')') && control_.reading.open_comment.value == OpenComment::Alarm)
-    return refuse(
-        {Cause::CommentNotClosed, at, width,
-         wide ? "a full-width parenthesis begins no comment" : "this parenthesis ends no comment"});
+    return refuse({Cause::CommentNotClosed, at, width,
+                   wide ? "a full-width parenthesis does not begin a comment"
+                        : "this parenthesis does not end a comment"});
   return refuse({Cause::IllegalCharacter, at, width,
                  "the control does not know this character" + full_width_of(character)});
 }
@@ -231,8 +232,8 @@ bool WordScanner::check(Token& token, const Number& number) {
 
 Fault bad_word(const Control& control, const Token& token) {
   const std::string letter(1, token.letter);
-  std::string detail = letter + " takes no minus sign";
-  if (token.wrong == Cause::IllegalDecimalPoint) detail = letter + " takes no decimal point";
+  std::string detail = letter + " cannot have a minus sign";
+  if (token.wrong == Cause::IllegalDecimalPoint) detail = letter + " cannot have a decimal point";
   if (token.wrong == Cause::TooManyDigits)
     detail = "a number has at most " + std::to_string(most_digits(control)) + " digits";
   return fault_of(token, token.wrong, std::move(detail));
@@ -308,7 +309,7 @@ std::optional<Fault> WordScanner::statement_at(const char* letter) const {
     Scanner probe = ahead;
     if (probe.take_word(word) && (word != "WH" || !is_letter(probe.peek())))
       return Fault{Cause::NcAndMacroInBlock, 0, static_cast<std::uint32_t>(word.size()),
-                   "a macro statement follows NC words"};
+                   "a macro statement cannot follow NC words in a block"};
   }
   return std::nullopt;
 }
@@ -367,7 +368,7 @@ bool WordScanner::name(Token& token, char close) {
 /// Return what is wrong with the name of a program; empty if nothing is.
 std::string WordScanner::wrong_name(std::string_view name) const {
   if (name.empty()) return "the name is empty";
-  if (name[0] == '.') return "a name does not begin with a point";
+  if (name[0] == '.') return "a name must not begin with a point";
   std::size_t letters = 0;
   for (const char c : name) {
     const auto byte = static_cast<unsigned char>(c);
@@ -375,8 +376,8 @@ std::string WordScanner::wrong_name(std::string_view name) const {
     if ((byte & 0xC0u) != 0x80u) ++letters;
     const bool mark = control_.calls.name_marks.value.has(c);
     if (!is_letter(c) && !is_digit(c) && !mark && !wide)
-      return "a program name has letters, digits and " +
-             std::string(control_.calls.name_marks.value.text()) + " only";
+      return "a program name can have only letters, digits and " +
+             std::string(control_.calls.name_marks.value.text());
   }
   if (letters > static_cast<std::size_t>(control_.calls.max_name_length.value))
     return "a program name has at most " + std::to_string(control_.calls.max_name_length.value) +

@@ -154,7 +154,8 @@ bool BlockReader::item(Block& block, Words& words) {
   if (c == '$') {  // the number of a spindle
     Value value;
     if (!expression_.value(value)) return refuse(block);
-    return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed here", at);
+    return refuse(block, Cause::CodeNotComputed, std::string(1, c) + " is not computed by cncsub",
+                  at);
   }
   line_.take(character.substr(1));
   return refuse(block, Cause::IllegalCharacter, "Bad character '" + shown(c) + "' used", at);

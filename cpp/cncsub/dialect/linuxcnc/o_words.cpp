@@ -168,7 +168,8 @@ void BlockReader::back_99(Block& block, int m, Label& label) {
     line_.take_up_to(')', text);
   }
   if (!line_.at_end() && line_.peek() != ';') {
-    Fault fault{Cause::StatementFormat, line_.offset(), 1, "M99 has no words in a subprogram"};
+    Fault fault{Cause::StatementFormat, line_.offset(), 1,
+                "M99 in a subprogram must be alone in its block"};
     fault.text = "Unexpected character after O-word";
     own.refused = to_.keep(std::move(fault));
   }
@@ -226,8 +227,8 @@ bool BlockReader::o_word(Block& block, Label& label) {
   own.width = line_.width_from(own.at);
   label.label = own.label;
   if (own.label == OWord::kNone && own.kind != OWordKind::Call)
-    return refuse(block, Cause::CodeNotComputed,
-                  "a label from an expression is read in calls alone", own.at);
+    return refuse(block, Cause::CodeNotComputed, "only the label of a call can be an expression",
+                  own.at);
   return statement(block, own, name);
 }
 

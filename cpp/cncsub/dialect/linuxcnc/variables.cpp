@@ -94,7 +94,8 @@ bool ExpressionReader::read_named() {
   constant_.reset();
   if (push_built_in(to_, line_, name)) return true;
   if (tells_of_machine(name))
-    return wrong(Cause::CodeNotComputed, "#<" + name + "> tells of a machine", place);
+    return wrong(Cause::CodeNotComputed,
+                 "#<" + name + "> depends on the machine, which cncsub does not have", place);
   const std::uint32_t at = named(to_, name);
   const NamedVariable& variable = to_.code().named_variables[at];
   const auto index = static_cast<std::uint32_t>(variable.index);

@@ -27,7 +27,7 @@ bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
 void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::uint32_t width) {
   block.skip = 0;
   to.refuse(block, {Cause::StructureMarked, at, width,
-                    o_word ? "a block of a control structure takes no label"
+                    o_word ? "a block of a control structure cannot have a label"
                            : "a block of a control structure cannot be skipped"});
 }
 
@@ -49,7 +49,7 @@ bool BlockReader::refuse(Block& block) {
 }
 
 bool BlockReader::not_computed(Block& block, std::string_view what, std::uint32_t at) {
-  return refuse(block, Cause::CodeNotComputed, capitals(what) + " is not computed here", at);
+  return refuse(block, Cause::CodeNotComputed, "cncsub does not compute " + std::string(what), at);
 }
 
 bool BlockReader::read(std::string_view text, Block& block, std::string& label, Link& link) {
@@ -145,7 +145,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
   const bool known = code || kAddresses.find(letter) != std::string_view::npos;
   if (!known && kDropped.find(letter) == std::string_view::npos)
     return refuse(block, Cause::AddressNotUsable,
-                  std::string(1, letter) + " is no address of a block of its own", at);
+                  std::string(1, letter) + " cannot be an address of a block", at);
   const bool equals = line_.take('=');
   Value value;
   if (equals ? !expression_.value(value) : !expression_.number(value)) return refuse(block);
@@ -153,7 +153,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
   value.width = line_.width_from(at);
   words.any = true;
   if (letter == 'G')
-    return equals ? refuse(block, Cause::StatementFormat, "G takes no =", at)
+    return equals ? refuse(block, Cause::StatementFormat, "G cannot have =", at)
                   : g_code(block, words, value);
   if (letter == 'M') return m_code(block, words, value);
   if (!known) {
@@ -161,7 +161,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     return true;
   }
   if ((words.list.mask & bit(letter)) != 0)
-    return refuse(block, Cause::AddressGivenTwice, "the address stands twice in the block", at);
+    return refuse(block, Cause::AddressGivenTwice, "the address is in the block twice", at);
   words.list.set(letter - 'A', word_of(value), false);
   return true;
 }
@@ -181,7 +181,8 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   if (!words.take_group(group_of(code / 10)))
     return refuse(block, Cause::AddressGivenTwice, "a second code of its G group", value.at);
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
-    return refuse(block, Cause::TooManyWords, "more G codes than are read here", value.at);
+    return refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
+                  value.at);
   words.list.add_g({false, 0, static_cast<double>(code)});
   return true;
 }

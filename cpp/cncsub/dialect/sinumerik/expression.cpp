@@ -66,7 +66,7 @@ bool ExpressionReader::wrong(Cause cause, std::string detail, std::uint32_t at) 
 }
 
 bool ExpressionReader::not_computed(std::string_view what, std::uint32_t at) {
-  return wrong(Cause::CodeNotComputed, capitals(what) + " is not computed here", at);
+  return wrong(Cause::CodeNotComputed, "cncsub does not compute " + std::string(what), at);
 }
 
 void ExpressionReader::emit(Ins op, double value) {
@@ -170,7 +170,7 @@ bool ExpressionReader::read_signed(char sign, std::string_view name, int depth) 
 bool ExpressionReader::read_operand(int depth) {
   const std::uint32_t at = line_.offset();
   if (depth > kDeepest)
-    return wrong(Cause::BracketsTooDeep, "more brackets than are read here", at);
+    return wrong(Cause::BracketsTooDeep, "more brackets inside each other than cncsub reads", at);
   const char c = line_.peek();
   const std::string name = capitals(line_.name());
   if (c == '-' || c == '+' || name == "NOT") return read_signed(c, name, depth);
@@ -186,7 +186,7 @@ bool ExpressionReader::read_operand(int depth) {
     line_.pass_quoted();
     return not_computed("a text", at);
   }
-  if (name.empty()) return wrong(Cause::ExpressionFormat, "no value begins like this", at);
+  if (name.empty()) return wrong(Cause::ExpressionFormat, "a value cannot begin like this", at);
   if (name[0] == 'R' && (name.size() == 1 ? line_.ahead(1) == '[' : is_digit(name[1])))
     return read_parameter(depth);
   return read_function(name, depth);
@@ -223,7 +223,7 @@ bool ExpressionReader::read_number() {
   double number = 0;
   const auto read = system::parse(text, number);
   if (!read.number || read.length != text.size() || number > kLargest)
-    return wrong(Cause::ValueOutOfRange, "no number is read here", at);
+    return wrong(Cause::ValueOutOfRange, "this is not a number", at);
   constant_ = number;
   emit(Ins::Constant, number);
   return true;
@@ -234,8 +234,7 @@ bool ExpressionReader::parameter_number(std::string_view digits, std::uint32_t a
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (read.ec == std::errc() && number <= kLastNumber) place = to_.code().place(number);
   if (place.is_common()) return true;
-  return wrong(Cause::IllegalVariable,
-               "R" + std::string(digits) + " is no parameter of this control", at);
+  return wrong(Cause::IllegalVariable, "this control has no parameter R" + std::string(digits), at);
 }
 
 bool ExpressionReader::read_parameter(int depth) {
@@ -244,7 +243,7 @@ bool ExpressionReader::read_parameter(int depth) {
   constant_.reset();
   const auto late = [&] {
     return wrong(Cause::CodeNotComputed,
-                 "a parameter that its own block assigns is not computed here", at);
+                 "cncsub does not compute a parameter that is assigned in the same block", at);
   };
   if (line_.ahead(0) == '[') {
     if (!read_bracket('[', ']', depth + 1)) return false;
@@ -308,7 +307,7 @@ bool ExpressionReader::assignment(Statement& statement) {
   }
   statement.variable_width = line_.width_from(at);
   if (!line_.take('='))
-    return wrong(Cause::MissingEquals, "R1 stands alone: write R1=5, or X=R1", at);
+    return wrong(Cause::MissingEquals, "R1 alone has no effect: write R1=5, or X=R1", at);
   Value assigned;
   if (!value(assigned)) return false;
   statement.expression = to_.expressions().expression_of(assigned);

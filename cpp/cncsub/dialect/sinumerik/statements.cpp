@@ -90,7 +90,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
 bool BlockReader::write_call(Block& block, const Words& words, CallRecord call) {
   const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
   if (!alone)
-    return refuse(block, Cause::IllegalWordWithCall, "a call has a block of its own", call.at);
+    return refuse(block, Cause::IllegalWordWithCall, "a call must be alone in its block", call.at);
   to_.become(block, Op::Call, std::move(call));
   return true;
 }
@@ -160,7 +160,8 @@ bool BlockReader::jump(Block& block, Link& link, std::string_view word, Statemen
     line_.pass(name.size());
   } else {
     line_.pass(name.size());
-    return refuse(block, Cause::StatementFormat, "a jump to no label and no block number", link.at);
+    return refuse(block, Cause::StatementFormat, "the jump has neither a label nor a block number",
+                  link.at);
   }
   link.width = line_.width_from(link.at);
   if (link.conditional && capitals(line_.name()) == "IF")
@@ -177,7 +178,7 @@ bool BlockReader::end_of_statement(Block& block) {
   if (line_.at_end()) return true;
   const std::uint32_t at = line_.offset();
   line_.pass(first_character(line_.rest()).size());
-  return refuse(block, Cause::StatementFormat, "nothing may follow the statement", at);
+  return refuse(block, Cause::StatementFormat, "nothing can follow the statement in its block", at);
 }
 
 }  // namespace cncsub::sinumerik

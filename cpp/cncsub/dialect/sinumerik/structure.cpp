@@ -148,7 +148,7 @@ void Structure::resolve(const Met& met) {
   if (met.link.direction != 'C')
     to_.refuse(instead,
                {Cause::JumpTargetNotFound, met.link.at, met.link.width,
-                inside ? "the block stands inside a control structure that the jump is not in"
+                inside ? "the block is inside a control structure, and the jump is outside it"
                        : "no such block in the direction of the search"});
   if (!met.link.conditional) {
     block = instead;

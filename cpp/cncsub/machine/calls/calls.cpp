@@ -60,7 +60,7 @@ std::optional<Fault> refused_again(const Run& run, const CallRecord& record, con
   for (std::size_t i = 0; i + 1 < frames.size() && i < asked; ++i)
     if (frames[i].program == target.program)
       return fault(record, Cause::ProgramCallsCaller,
-                   run.code->name_of(target.program) + " is open already");
+                   run.code->name_of(target.program) + " is already open");
   return std::nullopt;
 }
 
@@ -232,7 +232,7 @@ bool call(Run& run, const Block& block) {
   if (passes && !evaluate_arguments(run, record)) return false;
   if (has_words(block) && in_cycle(run.motion.state()) && run.refuses(Cause::CallWithWordsInCycle))
     return alarm(run, fault(record, Cause::CallWithWordsInCycle,
-                            "M98 shares its block with words in a canned cycle"));
+                            "M98 has other words in its block while a canned cycle is active"));
   if (!execute_words(run, block)) return false;
   return target.skipped ? after_words(run) : call_or_wait(run, block.aux, target, passes);
 }

@@ -66,7 +66,7 @@ bool modal_call(Run& run, const Block& block) {
   const int most = run.control().macros.max_modal_calls.value;
   if ((stacks ? s.modals.size() : 0) >= static_cast<std::size_t>(most))
     return alarm(run, {Cause::ModalCallsTooMany, record.at, record.width,
-                       "the control takes " + std::to_string(most) + " modal calls"});
+                       "the control allows " + std::to_string(most) + " modal calls"});
   if (!execute_words(run, block)) return false;
   if (!stacks) s.modals.clear();
   modal.record = block.aux;

@@ -71,8 +71,8 @@ Fault misfit(const Run& run, const OWord& own, Cause cause, const Labels::Met& m
   const char* kind = name_of(met.kind);
   Fault fault =
       labelled_fault(own, cause,
-                     cause == Cause::LabelGivenTwice ? "line " + line + " has the label already"
-                                                     : std::string("the label is one of ") + kind);
+                     cause == Cause::LabelGivenTwice ? "line " + line + " already has the label"
+                                                     : std::string("the label belongs to ") + kind);
   fault.text = own.of_another_kind;
   fault.name = full_name(run, own.label);
   put(fault.text, "{kind}", kind);
@@ -113,9 +113,9 @@ bool meet(Run& run, const OWord& own, Labels::Met*& met) {
 Fault head_again(const Run& run, const OWord& own, Address met) {
   const bool same = met == run.state.pc;
   Fault fault = labelled_fault(own, Cause::SubprogramGivenTwice,
-                               same ? "the program has run into a sub that was called before"
+                               same ? "the program has reached a sub that was called before"
                                     : "line " + std::to_string(run.code->blocks[met].line) +
-                                          " is the head of this sub already");
+                                          " already is the head of this sub");
   fault.name = run.code->labels[own.label];
   if (same && own.refused != OWord::kNone) fault.text = run.code->faults[own.refused].text;
   return fault;
@@ -127,8 +127,8 @@ bool head(Run& run, const OWord& own) {
   const bool sub = own.kind == OWordKind::Sub;
   const OpenFrame& open = run.frame();
   if (run.state.frames.size() > 1 && sub != (open.kind == CallKind::OWord))
-    return alarm(run, of_another_kind(own, sub ? "M98 has led to a sub, which O call is for"
-                                               : "O call has led to a program, which M98 is for"));
+    return alarm(run, of_another_kind(own, sub ? "M98 has called a sub: call it by O call"
+                                               : "O call has called a program: call it by M98"));
   const bool searched = std::exchange(run.state.labels.searching, false);
   if (run.state.labels.defining)
     return alarm(run,
@@ -194,7 +194,7 @@ bool find_label(Run& run, const OWord& own, std::uint32_t label, const std::stri
       return false;
   }
   if (target.start == kNowhere) {
-    Fault fault = labelled_fault(own, Cause::ProgramNotFound, "the label of the call is not there");
+    Fault fault = labelled_fault(own, Cause::ProgramNotFound, "the program has no such label");
     fault.name = name;
     return alarm(run, fault);
   }

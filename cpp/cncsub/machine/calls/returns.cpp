@@ -58,8 +58,8 @@ bool return_from_main(Run& run, const CallRecord& back, double p) {
   if (run.observer != nullptr) run.observer->returned = true;
   switch (run.control().calls.main_return.value) {
     case MainReturn::Alarm:
-      return alarm(
-          run, {Cause::ReturnInMainProgram, back.at, back.width, "M99 stands in the main program"});
+      return alarm(run,
+                   {Cause::ReturnInMainProgram, back.at, back.width, "M99 is in the main program"});
     case MainReturn::Ends:
       record_block(run);
       return end_run(run, Stop::End);

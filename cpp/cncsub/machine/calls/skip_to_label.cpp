@@ -21,7 +21,7 @@ bool stopped_at(Run& run, Address at, Fault fault, const std::string& sought) {
 
 /// Return the fault of a % that nothing follows.
 Fault nothing_behind(const OWord& met) {
-  Fault fault{Cause::ProgramNotFound, met.at, met.width, "nothing follows the %"};
+  Fault fault{Cause::ProgramNotFound, met.at, met.width, "there is nothing after the %"};
   fault.text = met.of_another_kind;
   return fault;
 }
@@ -90,7 +90,7 @@ bool may_be_read(Run& run, const OWord& own, std::int32_t file, const std::strin
   };
   const std::int32_t main = run.state.frames.front().program;
   if (file == main || opening(main) == 0 || opening(file) == 0) return true;
-  Fault fault{Cause::ProgramNotFound, opening(file) - 1, 1, "nothing follows the %"};
+  Fault fault{Cause::ProgramNotFound, opening(file) - 1, 1, "there is nothing after the %"};
   fault.text = own.of_another_kind;
   fault.name = name;
   fault.block = run.code->programs[static_cast<std::size_t>(file)].first;

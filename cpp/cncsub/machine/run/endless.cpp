@@ -234,7 +234,7 @@ std::vector<std::string> changing_in(Probe& probe, std::int64_t blocks,
     external_reads.time = probe.run().state.external_reads.time;
     external_reads.asked = probe.run().state.external_reads.asked;
     if (probe.run().state.external_reads != external_reads)
-      changing.emplace_back("what it asks of outside");
+      changing.emplace_back("what it reads from outside");
     break;
   }
   if (changing.size() > kMostChanging) changing.resize(kMostChanging);

@@ -182,7 +182,7 @@ bool jump(Run& run, const HCode& h, double q, double r, bool& holds) {
   const int code = h.number;
   if (!h.p.present()) return wrong(run, h, Cause::HCodeFormat, h.p, "the jump has no P");
   if (code > 80 && (!h.q.present() || !h.r.present()))
-    return wrong(run, h, Cause::HCodeOperand, h.q, "the comparison takes Q and R");
+    return wrong(run, h, Cause::HCodeOperand, h.q, "the comparison must have Q and R");
   const bool compared[] = {true, q == r, q != r, q > r, q < r, q >= r, q <= r};
   holds = compared[code - 80];
   if (code > 80 && run.options.conditions)
@@ -230,7 +230,7 @@ bool h_code(Run& run, const HCode& h, bool& holds) {
                  {Cause::IllegalHCode, h.variable_at, h.variable_width, "there is no such H code"});
   std::int64_t target = 0;
   if (!h.p.present() || !variable_of(run, h.p, target))
-    return wrong(run, h, Cause::HCodeFormat, h.p, "P names the variable that takes the result");
+    return wrong(run, h, Cause::HCodeFormat, h.p, "P must name the variable for the result");
   if (!h.q.present() || (operands == 2 && !h.r.present()))
     return wrong(run, h, Cause::HCodeOperand, h.q, "an operand is missing");
   double result = 0;

@@ -128,7 +128,7 @@ bool jump_by_goto(Run& run, const Statement& statement) {
     const int most = run.control().calls.max_jump_number.value;
     if (rounded < 1 || rounded > most)
       return alarm(run, {Cause::IllegalJumpNumber, statement.variable_at, statement.variable_width,
-                         "GOTO takes 1 to " + std::to_string(most)});
+                         "the number of GOTO must be 1 to " + std::to_string(most)});
     n = to_whole<std::int64_t>(rounded);
     to = run.code->jump_target(run.program(), n, run.state.pc);
   }
@@ -143,7 +143,7 @@ bool open_loop(Run& run, const Statement& statement) {
   if (rules.loops_count_across_calls.value &&
       run.state.loops.size() >= static_cast<std::size_t>(rules.max_loops.value))
     return alarm(run, {Cause::LoopsTooDeep, statement.at, statement.width,
-                       "more loops inside each other than the control takes"});
+                       "more loops inside each other than the control allows"});
   run.state.loops.push_back(run.state.pc);
   return true;
 }
@@ -165,7 +165,7 @@ bool end_loop(Run& run, const Statement& statement) {
   while (loops.size() > run.frame().loops && loops.back() != statement.to) loops.pop_back();
   if (loops.size() == run.frame().loops)
     return alarm(run,
-                 {Cause::MissingDo, statement.at, statement.width, "a jump led into this loop"});
+                 {Cause::MissingDo, statement.at, statement.width, "a jump leads into this loop"});
   if (waits_here(run)) return false;
   run.block.next = statement.to;
   return true;

@@ -115,7 +115,7 @@ inline Fallible programmed(E e, I at) {
   const auto place = static_cast<std::size_t>(state.level * e.run.code->locals) +
                      to_whole<std::size_t>(at.value());
   if (at.value() >= e.run.code->locals || state.programmed.empty())
-    return fails(e, at, Cause::IllegalVariable, "AR takes a local variable");
+    return fails(e, at, Cause::IllegalVariable, "AR must have a local variable");
   return state.programmed[place];
 }
 
@@ -145,11 +145,11 @@ inline bool as_bits(double value, std::int64_t& bits) {
 /// Convert both values to the bits that AND, OR and XOR take.
 inline bool both_bits(E e, I at, double a, double b, std::int64_t& left, std::int64_t& right) {
   if (!as_bits(a, left) || !as_bits(b, right))
-    fails(e, at, Cause::Overflow, "AND, OR and XOR take 32 bits");
+    fails(e, at, Cause::Overflow, "a value of AND, OR and XOR must fit in 32 bits");
   else if (e.run.refuses(Cause::LogicOfNegative) && (left < 0 || right < 0))
     fails(e, at, Cause::LogicOfNegative, "the value is negative");
   else if (e.run.refuses(Cause::LogicOfBits) && ((left | right) & ~std::int64_t{1}) != 0)
-    fails(e, at, Cause::LogicOfBits, "the values of AND, OR and XOR are 0 and 1");
+    fails(e, at, Cause::LogicOfBits, "a value of AND, OR and XOR must be 0 or 1");
   else
     return true;
   return false;
@@ -248,12 +248,12 @@ inline Fallible power(E e, I at, double a, double b) {
 inline Fallible from_bcd(E e, I at, double a) {
   double value = 0;
   if (read_digits(a, 16, 10, value)) return value;
-  return fails(e, at, Cause::ArgumentOutOfRange, "the value is no BCD number");
+  return fails(e, at, Cause::ArgumentOutOfRange, "the value is not a BCD number");
 }
 inline Fallible to_bcd(E e, I at, double a) {
   double value = 0;
   if (read_digits(a, 10, 16, value)) return value;
-  return fails(e, at, Cause::ArgumentOutOfRange, "the value has no BCD number");
+  return fails(e, at, Cause::ArgumentOutOfRange, "the value cannot be written as a BCD number");
 }
 
 /// Return the value of PRM[1320], PRM[1320,5]: a parameter, or the bit of one.

@@ -67,7 +67,7 @@ Result read_codes(MotionContext& m, const BlockWords& block) {
 Result check_block(MotionView m, const BlockWords& block) {
   const Control& c = *m.facts.control;
   if ((block.words.whole >> kPointedH & 1) != 0 && m.facts.machine != MachineType::LatheA)
-    return fault_at('H', Cause::IllegalDecimalPoint, block, "H takes no decimal point");
+    return fault_at('H', Cause::IllegalDecimalPoint, block, "H cannot have a decimal point");
   if (block.has(Group::Units) && c.motion.unit_change.value != UnitChange::Anywhere) {
     const bool shares =
         c.motion.unit_change.value == UnitChange::Alone && block.words.codes->g_count > 1;

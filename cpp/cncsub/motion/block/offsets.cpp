@@ -42,8 +42,9 @@ Result change_by_own_normal(MotionContext& m, const BlockWords& block) {
 Result check_orientation(MotionView m, const BlockWords& block) {
   if (!block.words.has('L')) return std::nullopt;
   if (m.state.plane != Plane::ZX) return fault_at('L', Cause::AddressNotUsable, block, "L");
-  return block.words['L'] == 0 ? Result{}
-                               : fault_at('L', Cause::CodeNotComputed, block, "L of a tool");
+  return block.words['L'] == 0
+             ? Result{}
+             : fault_at('L', Cause::CodeNotComputed, block, "cncsub does not compute L of a tool");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ Result skip_feed(MotionView m, const BlockWords& block, double& feed) {
   if (const int most = c.motion.max_skip_signals.value; most > 0 && block.words.has('P'))
     if (const double p = block.words['P']; p < 1 || p > most)
       return fault_at('P', Cause::ValueOutOfRange, block,
-                      "P of G31 is 1 to " + std::to_string(most));
+                      "P of G31 must be 1 to " + std::to_string(most));
   if (!c.motion.skip_own_feed.value) return need_feed(m, block, Meaning::Line);
   // Parameters of G31, G31.1, G31.2 and G31.3. [M7 p.547, p.552]
   const int form = block.code(Group::OneShot).variant;

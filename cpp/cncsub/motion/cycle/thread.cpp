@@ -183,7 +183,7 @@ Result cut_thread(MotionContext& m, BlockWords& block, const Axes& end, std::uin
     const double square = lead * lead + 2 * growth * bit;
     if (square <= 0)
       return fault_at(block.words.has('R') ? 'R' : 'K', Cause::ThreadLead, block,
-                      "the lead would come to 0");
+                      "the lead would fall to 0");
     Piece piece = make_piece(m, block, MoveKind::Thread, to, axes);
     const double last = std::sqrt(square);
     piece.state.feed = (lead + last) / 2;  // the mean: the length by the revolutions

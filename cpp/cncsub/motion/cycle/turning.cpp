@@ -193,7 +193,8 @@ Result turning_cycle(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (starts && block.words.has('L')) {
     m.state.turn.starts = whole(block.words['L']);
     if (m.state.turn.starts < 1 || m.state.turn.starts > 999)
-      return fault_at('L', Cause::ValueOutOfRange, block, "L of a thread");
+      return fault_at('L', Cause::ValueOutOfRange, block,
+                      "L, the number of starts of the thread, must be 1 to 999");
   }
   const int count = starts ? m.state.turn.starts : 1;
   for (int i = 0; i < count; ++i)

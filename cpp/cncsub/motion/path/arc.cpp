@@ -171,7 +171,8 @@ Result check_parallel(MotionView m, const BlockWords& block, const Piece& piece)
   if (piece.state.parallel == 0) return std::nullopt;
   if (is_transformed(m.state) || polar(m.state) || piece.side != 0 || piece.corner != 0)
     return fault(Cause::CodeNotComputed, block,
-                 "an arc of U, V or W in turned coordinates, with a radius offset or a corner");
+                 "cncsub does not compute an arc of U, V or W in turned coordinates, with a radius "
+                 "offset or a corner");
   return std::nullopt;
 }
 
@@ -227,7 +228,7 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
   if (centre) {
     if (centre_is_absolute(m.state) && lacks_centre(m, block))
       return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block,
-                      "the centre has two words");
+                      "an absolute centre needs both of its words");
     if (polar(m.state) && m.facts.refuses(Cause::PolarCentre))
       return fault_at({.addresses = kCentreWords}, Cause::PolarCentre, block);
     if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
@@ -300,7 +301,8 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (named == 0) return std::nullopt;
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (!has_centre(block, plane))
-    return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block, "neither I nor K");
+    return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block,
+                    "the arc has neither I nor K");
   Piece piece = make_piece(m, block, MoveKind::Cw, end, named);
   const PlaneView view{plane, m.facts.share(0)};
   const Axes start = m.state.work + piece.offset;

@@ -179,7 +179,8 @@ Result record_move(MoveSink& sink, const Piece& piece, const std::array<double, 
   for (std::size_t i = 0; i < 3; ++i) machine[i] += vector[i];
   if (!in_range(machine) || !in_range(piece.centre)) return out_of_range(piece.at);
   if (sink.state.frame_angle != 0 && (!sink.facts.limits.empty() || checks_area(sink.state)))
-    return Fault{Cause::CodeNotComputed, piece.at, 1, "limits of travel in a turned work system"};
+    return Fault{Cause::CodeNotComputed, piece.at, 1,
+                 "cncsub does not check the limits of travel in a turned work system"};
   if (!sink.facts.limits.empty())
     if (auto wrong = check_travel(sink, piece, machine)) return wrong;
   if (checks_area(sink.state))

@@ -32,13 +32,13 @@ struct Cubic {
 Result check_spline(MotionView m, const BlockWords& block, bool by_one_point) {
   const NcWords& w = block.words;
   if (compensating(m.state)) return fault(Cause::SplineInCompensation, block);
-  if (m.state.plane != Plane::XY) return fault(Cause::SplineWord, block, "splines lie in G17");
+  if (m.state.plane != Plane::XY) return fault(Cause::SplineWord, block, "a spline must be in G17");
   for (const char name : std::string_view("ZABC"))
     if (w.has(name)) return fault_at(name, Cause::SplineWord, block);
   if (w.has('I') != w.has('J') || (by_one_point && !w.has('I')))
-    return fault(Cause::SplineWord, block, "I and J stand together");
+    return fault(Cause::SplineWord, block, "I and J must be given together");
   if (!by_one_point && (!w.has('P') || !w.has('Q')))
-    return fault(Cause::SplineWord, block, "P and Q stand together");
+    return fault(Cause::SplineWord, block, "P and Q must be given together");
   return std::nullopt;
 }
 

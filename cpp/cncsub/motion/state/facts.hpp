@@ -72,7 +72,7 @@ constexpr std::uint32_t kMostMoves = 2'000;
 constexpr std::uint32_t kMostMoves = 1'000'000;
 #endif
 /// Return the fault that ends a block that is broken off; nobody reads it.
-inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 1, "broken off"}; }
+inline Fault broken_off(std::uint32_t at) { return {Cause::ValueOutOfRange, at, 1, "interrupted"}; }
 /// No block looks for more crossings of its levels with the pieces of a profile than this.
 constexpr double kMostCrossings = 1e8;
 inline bool is_rotary(int axis) { return axis >= 3 && axis <= 5; }
