@@ -326,7 +326,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
     ("arguments", "words"),
     [
         (["run", "{job}/good.nc"], "which control? Give -c and one of fanuc-0i-d"),
-        (["run", "{job}/good.nc", "-c", "fanuc-0ig"], "near are fanuc-"),
+        (["run", "{job}/good.nc", "-c", "fanuc-0ig"], "did you mean fanuc-"),
         (["run", "{job}/god.nc", "-c", CONTROL], "good.nc"),
         (["run", "-c", CONTROL], "which program?"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--main", "O20"], "did you mean O2"),

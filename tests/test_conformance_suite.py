@@ -265,7 +265,7 @@ def test_linuxcnc_agrees_with_its_rows(
     parted = [line for line in told.splitlines() if line.startswith("linuxcnc/")]
     known = {
         # cncsub has no machine: it refuses what rs274 prints of one.
-        "linuxcnc/variables: what tells of a machine is not computed by cncsub",
+        "linuxcnc/variables: what tells of a machine is not computed here",
         # The machine of the packaged rs274 counts in inches, and has no tool table.
         "linuxcnc/frame: #5161 is the reference point, and may be written",
         "linuxcnc/frame: a bare G30 goes to the second reference point",

@@ -62,7 +62,7 @@ def test_a_code_is_explained_with_its_words_rules_alarms_and_source() -> None:
     assert [source["rule"] for source in told["sources"]] == ["roles"]
     text = explain("G65", "-c", CONTROL)
     assert text.startswith(f"G65 on {CONTROL}\n")
-    assert "PS0122  macro-nesting-too-deep: more macro calls open" in text
+    assert "PS0122  macro-nesting-too-deep: more levels of macro calls" in text
 
 
 @pytest.mark.parametrize("written", ["G065", "g65", "G65.0", " G65 "])
@@ -356,10 +356,10 @@ def test_the_name_and_the_title_of_a_control_mean_it(name: str) -> None:
     [
         ("0i", "'0i' may be fanuc-0i-d or fanuc-0i-f: write one of them"),
         ("lathe", "may be gsk-928te, gsk-980tdi, gsk-988t or gsk-988ta"),
-        ("fanuc-0i-g", "no control is called 'fanuc-0i-g'; near are fanuc-0i-"),
-        ("f", "no control is called 'f'; near are"),
-        ("", "no control is called ''; there are fanuc-0i-d"),
-        ("--", "no control is called '--'"),
+        ("fanuc-0i-g", "there is no control 'fanuc-0i-g'; did you mean fanuc-0i-"),
+        ("f", "there is no control 'f'; did you mean"),
+        ("", "there is no control ''; there are fanuc-0i-d"),
+        ("--", "there is no control '--'"),
     ],
 )
 def test_a_name_of_several_controls_or_of_none_is_refused(name: str, told: str) -> None:

@@ -90,7 +90,7 @@ def test_what_cannot_be_listed_is_told(run: cncsub.Run) -> None:
     with pytest.raises(ValueError, match=r"#500 was not watched: run\(watch=\[500\]\)"):
         run.listing(variable=500)
     short = cncsub.loads(TEXT, control=CONTROL).run(trace="calls")
-    with pytest.raises(ValueError, match="kept no blocks"):
+    with pytest.raises(ValueError, match="recorded no blocks"):
         short.listing()
 
 
@@ -143,8 +143,8 @@ def test_a_listing_is_written_to_a_file(file: Path, tmp_path: Path) -> None:
     ("arguments", "message"),
     [
         (["--where", "n=1"], "give --listing too"),
-        (["--listing", "--where", "block=1"], "--where takes program=, depth=, n= or variable="),
-        (["--listing", "--where", "n=-1"], "takes a whole number"),
+        (["--listing", "--where", "block=1"], "--where must be program=, depth=, n= or variable="),
+        (["--listing", "--where", "n=-1"], "must be a whole number"),
         (["--listing", "--where", "n=1", "--where", "n=2"], "given twice"),
         (["--listing", "--where", "program=O9"], "no program O9"),
         (["--listing", "--format", "csv"], "--listing takes text or json"),

@@ -81,7 +81,7 @@ def test_a_control_is_a_file_that_names_it() -> None:
 def test_an_unknown_control_is_told_with_what_is_near() -> None:
     with pytest.raises(KeyError, match="fanuc-0i-f"):
         cncsub.controls["fanuc-0if"]
-    with pytest.raises(ValueError, match="near are.*fanuc-0i-f"):
+    with pytest.raises(ValueError, match="did you mean.*fanuc-0i-f"):
         cncsub.loads("O1", control="Fanuc-0IG")
     with pytest.raises(ValueError, match="there are fanuc-0i-d"):
         cncsub.loads("O1", control="???")

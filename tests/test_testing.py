@@ -346,7 +346,9 @@ def test_a_control_that_a_table_mistypes_is_told_once(project: pytest.Pytester) 
     (project.path / "square.nctest.toml").write_text(NCTEST.replace("fanuc-0i-f", "fanuc-0ig"))
     done = project.runpytest_inprocess("-q")
     done.assert_outcomes(errors=1)
-    done.stdout.fnmatch_lines(["*square.nctest.toml: no control is called 'fanuc-0ig'; near are *"])
+    done.stdout.fnmatch_lines(
+        ["*square.nctest.toml: there is no control 'fanuc-0ig'; did you mean *"]
+    )
 
 
 def test_a_start_of_pytest_does_not_import_cncsub(project: pytest.Pytester) -> None:
@@ -380,7 +382,7 @@ def test_plain():
 def test_a_control_that_there_is_not_is_told_in_a_line(project: pytest.Pytester) -> None:
     project.makepyfile('def test_it(cnc):\n    cnc.run("O1\\nM30\\n")\n')
     done = project.runpytest("--control", "fanuc-0ig")
-    done.stdout.fnmatch_lines(["no control is called 'fanuc-0ig'; near are *fanuc-0i-f*"])
+    done.stdout.fnmatch_lines(["there is no control 'fanuc-0ig'; did you mean *fanuc-0i-f*"])
     done.stdout.no_fnmatch_line("*Traceback*")
     done.stdout.no_fnmatch_line("*def test_it*")
 

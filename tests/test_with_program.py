@@ -59,12 +59,12 @@ def test_no_texts_are_an_empty_memory() -> None:
     [
         (["O1\n", 5], {}, "a text or bytes, not int"),
         ({"a": None}, {}, "a text or bytes, not NoneType"),
-        ({5: "O1\n"}, {}, "what the file would be called, not int"),
-        ({None: "O1\n"}, {}, "None is no name"),
+        ({5: "O1\n"}, {}, "name must be a file name, not int"),
+        ({None: "O1\n"}, {}, "must be names of files, not None"),
         (Path("a.nc"), {}, "load takes paths"),
         (5, {}, "not int; load takes paths"),
-        (["O1\n"], {"name": "a"}, "name is of one text"),
-        ("O1\n", {"name": 5}, "name is what the file would be called"),
+        (["O1\n"], {"name": "a"}, "name is for one text"),
+        ("O1\n", {"name": 5}, "name must be a file name"),
     ],
 )
 def test_what_is_no_text_is_a_type_error(
@@ -164,7 +164,7 @@ def test_the_control_the_device_and_the_main_program_stay(tmp_path: Path) -> Non
     [
         ("", "begin it with O1000"),
         ("M30\n", "begin it with O1000"),
-        ("O2\nM99\nO5\nM99\n", "this text holds O2, O5"),
+        ("O2\nM99\nO5\nM99\n", "this text has O2, O5"),
     ],
 )
 def test_a_text_that_is_not_one_program_is_a_value_error(text: str, told: str) -> None:

@@ -157,7 +157,7 @@ def control_named(name: str, among: Mapping[str, Control] = controls) -> Control
     if meant:
         raise ValueError(f"{name!r} may be {_either(meant)}: write one of them")
     known = did_you_mean(name, among, f"; there are {', '.join(among)}")
-    raise ValueError(f"no control is called {name!r}{known}")
+    raise ValueError(f"there is no control {name!r}{known}")
 
 
 def _meant(name: str, among: Mapping[str, Control]) -> list[str]:

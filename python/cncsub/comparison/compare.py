@@ -79,22 +79,27 @@ class Comparison:
 
     @property
     def where(self) -> tuple[Step | None, Step | None] | None:
+        """The steps of the first difference, one of each run; `None` where there is none."""
         return self.differences[0].where if self.differences else None
 
     @property
     def what(self) -> str:
+        """The first difference in words, or `"the same"`."""
         return self.differences[0].what if self.differences else "the same"
 
     @property
     def rules(self) -> tuple[str, ...]:
+        """The rules that cause the first difference."""
         return self.differences[0].rules if self.differences else ()
 
     @property
     def parameters(self) -> tuple[str, ...]:
+        """The parameters that cause the first difference."""
         return self.differences[0].parameters if self.differences else ()
 
     @property
     def untried(self) -> tuple[str, ...]:
+        """The rules that could not be tried for the first difference."""
         return self.differences[0].untried if self.differences else ()
 
     def _repr_html_(self) -> str:

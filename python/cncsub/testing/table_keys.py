@@ -233,7 +233,7 @@ def check_keys(said: Mapping[str, Any]) -> None:
     >>> from cncsub.testing.table_keys import check_keys
     >>> check_keys({"runs": ["N10"]})
     Traceback (most recent call last):
-    ValueError: runs is a text, such as "N10 (N30 N40)*2 O2:N20", not ['N10']
+    ValueError: runs must be a text, such as "N10 (N30 N40)*2 O2:N20", not ['N10']
     """
     for name, value in said.items():
         key = KEYS.get(name)
