@@ -324,8 +324,8 @@ def test_wrong_use_is_told() -> None:
         translate(library, "haas-ngc", trace="blocks")
     with pytest.raises(TypeError, match="give control="):
         translate("part.nc", "haas-ngc")
-    with pytest.raises(ValueError, match="there is no control 'hass'"):
-        translate(library, "hass")
+    with pytest.raises(ValueError, match="there is no control 'nosuch'"):
+        translate(library, "nosuch")
 
 
 # ---- all pairs ----

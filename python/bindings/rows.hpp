@@ -50,7 +50,8 @@ pybind11::object array_of(const Rows& rows, Value&& value) {
 pybind11::object step_object(const Trace& trace, const std::shared_ptr<const Code>& code,
                              std::size_t index, const pybind11::type& row);
 
-/// Add the tables of steps, of watched variables, of conditions and of sent codes, and the path as points.
+/// Add the tables of steps, of watched variables, of conditions and of sent codes, and the path as
+/// points.
 void add_steps(pybind11::class_<Record>& trace);
 void add_watch(pybind11::class_<Record>& trace);
 void add_conditions(pybind11::class_<Record>& trace);
