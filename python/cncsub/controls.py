@@ -212,7 +212,7 @@ def control(name: str | Control) -> Control:
         return name
     if not isinstance(name, str):
         raise TypeError(
-            f"control is a name such as 'fanuc-0i-f' or a cncsub.Control, not {type(name).__name__}"
+            f"control must be a name such as 'fanuc-0i-f' or a cncsub.Control, not {type(name).__name__}"
         )
     return control_named(name)
 
