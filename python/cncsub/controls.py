@@ -212,7 +212,8 @@ def control(name: str | Control) -> Control:
         return name
     if not isinstance(name, str):
         raise TypeError(
-            f"control must be a name such as 'fanuc-0i-f' or a cncsub.Control, not {type(name).__name__}"
+            "control must be a name such as 'fanuc-0i-f' or a cncsub.Control,"
+            f" not {type(name).__name__}"
         )
     return control_named(name)
 

@@ -60,7 +60,7 @@ void take_back_together(Run& run) {
 void rollback(Run& run) {
   take_back_together(run);
   auto& compared = run.trace.compared;
-  while (compared.size() != 0 && compared[compared.size() - 1].step == run.state.executed)
+  while (!compared.empty() && compared[compared.size() - 1].step == run.state.executed)
     compared.keep(compared.size() - 1);
   if (run.block.took != run.state.executed) return;
   run.state.external_reads = run.block.before;

@@ -118,7 +118,7 @@ inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address 
 }
 
 /// Evaluate a condition, and keep what it compares where the run is asked to.
-bool evaluate_condition(Run& run, Expression condition, const Places& places, double& value);
+bool evaluate_condition(Run& run, Expression e, const Places& places, double& value);
 inline bool evaluate_condition(Run& run, std::uint32_t condition, double& value) {
   return evaluate_condition(run, run.code->expression(condition), places(run), value);
 }
