@@ -29,7 +29,7 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
   return {state.modal,   feed_of(facts, state), speed_of(state),
-          state.shifted, is_extended(state),    state.turns};
+          state.shifted, is_extended(state),    state.turns, false};
 }
 
 ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
@@ -57,6 +57,12 @@ ReturnToModes modes_to(const MotionFacts& facts, const MotionState& state,
     add(saved.extended ? Meaning::LengthPlus : Meaning::LengthOff);
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
+  if (saved.codes_alone) {
+    const GCode motion = saved.codes[at(Group::Motion)];
+    if (motion.code >= 0 && motion.code != state.modal[at(Group::Motion)].code)
+      block.codes.add_g(motion.code);
+    return block;
+  }
   // F is written with one decimal, S with none.
   block.has_feed = saved.feed != feed_of(facts, state);
   block.has_speed = saved.speed != speed_of(state);
