@@ -29,7 +29,8 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 SavedModes modes_of(const MotionFacts& facts, const MotionState& state) {
   return {state.modal,   feed_of(facts, state), speed_of(state),
-          state.shifted, is_extended(state),    state.turns, false};
+          state.shifted, is_extended(state),    state.turns,
+          false};
 }
 
 ReturnToModes units_to(const MotionFacts& /*facts*/, const MotionState& state,
