@@ -181,22 +181,14 @@ bool name_variables(Run& run, const Statement& statement) {
   return true;
 }
 
-/// Evaluate a condition, and keep what it compares.
-bool kept_condition(Run& run, Expression of, const Places& places, bool& holds) {
-  double value = 0;
-  if (!evaluate_condition(run, of, places, value)) return false;
-  holds = value != 0;
-  return true;
-}
-
 /// Evaluate the condition of IF or WHILE.
 inline bool condition(Run& run, std::uint32_t expression, const Places& places, bool& holds) {
   double value = 0;
   run.state.last_condition = expression;
   const Expression of = run.code->expression(expression);
-  if (run.options.conditions) [[unlikely]]
-    return kept_condition(run, of, places, holds);
-  if (!evaluate(run, of, places, value)) return false;
+  const bool known = run.options.conditions ? evaluate_condition(run, of, places, value)
+                                            : evaluate(run, of, places, value);
+  if (!known) return false;
   holds = value != 0;
   return true;
 }
