@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t kLengths = bit('X') | bit('Y') | bit('Z') | bit('U') | bit('V') | bit('W');
 constexpr std::uint32_t kCentre = bit('I') | bit('J') | bit('K') | bit('R');
-constexpr double kFewIncrements = 1000;
 
 /// Return the words of a block that are lengths: in an arc also its centre and radius, in a
 /// drilling cycle its R. Another word shows where these letters are something else, such as a

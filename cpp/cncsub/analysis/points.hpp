@@ -11,6 +11,9 @@
 
 namespace cncsub {
 
+/// A whole length below this looks like millimetres, and may be meant so.
+inline constexpr double kFewIncrements = 1000;
+
 /// The lengths of a block that are written with a point, and the small ones that are not.
 struct Points {
   std::uint32_t with = 0, without = 0;

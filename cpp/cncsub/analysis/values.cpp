@@ -13,8 +13,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr double kFewIncrements = 1000;
-
 /// Report a length without a point. One finding of a program has them all, and names the first.
 void tell_no_point(Checker& c, Address at, TextPlace place) {
   const std::int32_t program = c.code.program_at(at);
