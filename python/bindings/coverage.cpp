@@ -36,7 +36,8 @@ py::tuple coverage(const Record& record) {
     calls.append(
         py::make_tuple(call.address, std::string(to_string(call.kind)), call.program, call.count));
   for (const Coverage::Given& given : found.arguments)
-    arguments.append(py::make_tuple(given.program, given.variable, given.count));
+    if (record.code().named(false, given.variable) == nullptr)  // a parameter always has a value
+      arguments.append(py::make_tuple(given.program, given.variable, given.count));
   return py::make_tuple(held.object, failed.object, skipped.object, loops, calls, arguments);
 }
 

@@ -98,7 +98,10 @@ py::dict call_arguments(const Record& record, std::size_t index) {
   py::dict values;
   for (std::uint32_t i = 0; i < call.arguments; ++i) {
     const Trace::Argument& argument = record.trace().arguments[call.first_argument + i];
-    values[py::int_(argument.variable)] = value_or_none(argument.value);
+    const NamedVariable* const named = record.code().named(false, argument.variable);
+    const py::object key = named != nullptr ? py::object(py::str(named->name))
+                                            : py::object(py::int_(argument.variable));
+    values[key] = value_or_none(argument.value);
   }
   return values;
 }

@@ -134,6 +134,16 @@ class Builder {
   /// Return the place of the next argument; those of one call follow each other.
   std::uint32_t next_argument() const { return static_cast<std::uint32_t>(code_.arguments.size()); }
 
+  /// Return the place of the next parameter that a program declares; those of one follow each other.
+  std::uint32_t next_parameter() const {
+    return static_cast<std::uint32_t>(code_.formal_parameters.size());
+  }
+  /// Add a parameter to those of the program that was begun last.
+  void parameter(const FormalParameter& formal) {
+    code_.formal_parameters.push_back(formal);
+    ++program().parameters;
+  }
+
   // ---- words ----
 
   /// Give the block its words. One with nothing but a plain move becomes Op::Linear or Op::Arc.

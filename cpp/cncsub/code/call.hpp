@@ -6,10 +6,12 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "cncsub/code/expression.hpp"
 #include "cncsub/code/fault.hpp"
 #include "cncsub/code/program.hpp"
+#include "cncsub/code/statement.hpp"
 #include "cncsub/control/control.hpp"
 
 namespace cncsub {
@@ -78,12 +80,27 @@ struct JumpRecord {
   std::uint32_t at = 0, width = 1;
 };
 
+/// A value in the brackets of a call, in the order of the called program's parameters.
+struct ActualParameter {
+  Operand operand;       // absent: left out, or a text
+  bool is_text = false;  // a text, which is not computed
+  Statement variable;    // its target is the variable that stands there and nothing else, if any
+};
+
+/// What a return gives to a variable of the caller: the value of a local of the called program.
+struct HandedBack {
+  std::int32_t from = 0;
+  Statement to;
+};
+
 /// The parts that few calls have.
 struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
   char count = 'L';  // the address of `l` as it is written
+  std::vector<ActualParameter> given;  // until the called program is known
+  std::vector<HandedBack> back;
 };
 
 /// Extras of a call that take no room where there are none.
@@ -135,6 +152,7 @@ struct CallRecord {
   const Operand& start() const { return extras.get().start; }
   const Operand& device() const { return extras.get().device; }
   const std::string& name() const { return extras.get().name; }
+  const std::vector<HandedBack>& back() const { return extras.get().back; }
 };
 
 }  // namespace cncsub

@@ -114,6 +114,7 @@ struct Code {
   LargeVector<CallRecord> calls;
   std::vector<JumpRecord> jumps;
   LargeVector<Argument> arguments;
+  std::vector<FormalParameter> formal_parameters;  // one program's after the other's
   LargeVector<Statement> statements;
   std::vector<HCode> h_codes;
   std::vector<OWord> o_words;

@@ -131,8 +131,10 @@ class Joining {
     for (std::size_t i = calls_; i < code_.calls.size(); ++i) {
       CallRecord& call = code_.calls[i];
       for (Operand* operand : {&call.p, &call.l}) move(*operand);
-      if (CallExtras* extras = call.extras.find())
+      if (CallExtras* extras = call.extras.find()) {
         for (Operand* operand : {&extras->start, &extras->device}) move(*operand);
+        for (ActualParameter& given : extras->given) move(given.operand);
+      }
       call.first_argument += arguments_;
     }
     for (std::size_t i = arguments_; i < code_.arguments.size(); ++i)

@@ -32,6 +32,14 @@ struct SequenceEntry {
   Address address;
 };
 
+/// A parameter that the head of a program declares.
+struct FormalParameter {
+  std::int32_t variable = 0;  // the local that takes the value of a call
+  double otherwise = 0;       // its value where a call leaves it out
+  bool by_reference = false;  // at the return the caller's variable takes its value
+  bool is_text = false;       // takes a text, which is not computed
+};
+
 /// A program of the memory. Its name and its comment stand in the text: Code::name_of, comment_of.
 struct Program {
   static constexpr std::uint32_t kOfFile = 0xffffffff;
@@ -51,6 +59,7 @@ struct Program {
   std::int32_t duplicate_of = kNoProgram;
   std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
   bool keeps_modes = false;          // its return restores the modes of its caller
+  std::uint32_t first_parameter = 0, parameters = 0;  // in Code::formal_parameters
   std::uint32_t opening = 0;         // of a file that begins with a %: its place plus 1
 };
 

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "cncsub/code/parameters.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/dialect.hpp"
@@ -146,6 +147,7 @@ class Reading {
   }
 
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
+    if (auto fault = pass_parameters(code_, call)) return to_.refuse(block, std::move(*fault));
     if (!has_constant_operands(call)) return;
     const CallOperands operands{call.p.value, call.l.value, call.start().value,
                                 call.device().value};

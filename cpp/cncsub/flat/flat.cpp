@@ -262,6 +262,9 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
     return refuse(
         "M70 to M73 save and restore the modes of each call, and a flat program has no "
         "calls");
+  const auto program = static_cast<std::size_t>(program_at(coming_.at));
+  if (coming_.call >= 0 && machine_.code().programs[program].keeps_modes)
+    return refuse("its program restores the codes of the caller, and a flat program has no calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);

@@ -32,6 +32,19 @@ std::string_view to_string(Stop stop) {
   return "";
 }
 
+namespace {
+
+/// Give the parameters of the main program, which nobody calls, their own values.
+void set_own_parameters(Run& run) {
+  const Program& main = run.code->programs[static_cast<std::size_t>(run.state.frames[0].program)];
+  for (std::uint32_t i = 0; i < main.parameters; ++i) {
+    const FormalParameter& of = run.code->formal_parameters[main.first_parameter + i];
+    if (!of.is_text) run.state.locals[run.local_at(0, of.variable)] = of.otherwise;
+  }
+}
+
+}  // namespace
+
 Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options options)
     : run_(std::move(code), std::move(options)) {
   State& s = run_.state;
@@ -42,6 +55,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
   frame.restart = program.first;
   frame.modal_limit = 1 << 20;
   s.frames.push_back(frame);
+  set_own_parameters(run_);
   for (const auto& [number, value] : given.variables) write_variable(run_, number, value);
   s.pc = program.first;
   if (given.start >= 0) {
@@ -83,6 +97,7 @@ void Machine::reset() {
   s.subprograms = s.macros = 0;
   s.cycles = 0;
   clear_variables(run_);
+  set_own_parameters(run_);
   s.stop = Stop::Running;
   s.alarm.reset();
   s.waiting_for.clear();

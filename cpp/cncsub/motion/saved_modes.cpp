@@ -30,7 +30,8 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 SavedModes modes_of(MotionView m) {
   return {m.state.modal,   feed_of(m),           speed_of(m.state),
-          m.state.shifted, is_extended(m.state), m.state.turns};
+          m.state.shifted, is_extended(m.state), m.state.turns,
+          false};
 }
 
 ReturnToModes units_to(MotionView m, const SavedModes& saved) {
@@ -57,6 +58,12 @@ ReturnToModes modes_to(MotionView m, const SavedModes& saved) {
     add(saved.extended ? Meaning::LengthPlus : Meaning::LengthOff);
   if (saved.shifted != state.shifted)
     add(saved.shifted ? Meaning::RestoreShift : Meaning::SuspendShift);
+  if (saved.codes_alone) {
+    const GCode motion = saved.codes[at(Group::Motion)];
+    if (motion.code >= 0 && motion.code != state.modal[at(Group::Motion)].code)
+      block.codes.add_g(motion.code);
+    return block;
+  }
   // F is written with one decimal, S with none.
   block.has_feed = saved.feed != feed_of(m);
   block.has_speed = saved.speed != speed_of(state);

@@ -15,6 +15,7 @@ struct SavedModes {
   double speed = 0;
   bool shifted = false, extended = false;  // the shift of G92, and a tool length, are in force
   bool turns = false;
+  bool codes_alone = false;  // the code of motion comes back as well, but neither F nor S
 };
 
 SavedModes modes_of(MotionView m);

@@ -37,6 +37,10 @@ void alarms(Control& c) {
                               Secondary};
   c.alarms[NamedProgramNotFound] = {"14011", "program does not exist",
                                     "general knowledge of the SINUMERIK alarms", Inferred};
+  c.alarms[VariableGivenTwice] = {"12170", "name defined several times",
+                                  "general knowledge of the SINUMERIK alarms", Inferred};
+  c.alarms[TooManyArguments] = {"14020", "wrong value or wrong number of parameters",
+                                "general knowledge of the SINUMERIK alarms", Inferred};
   c.alarms[RadiusTolerance] = {"14040", "error in end point of circle", "HSA 14040", Secondary};
 }
 

@@ -17,12 +17,16 @@ _GIVE_NOTHING = ("M97", "M98", "M198", "M99")
 LETTERS = dict(zip((*range(1, 10), 11, 13, *range(17, 27)), "ABCIJKDEFHMQRSTUVWXYZ", strict=True))
 
 
-def letters(arguments: Mapping[int, float | None]) -> str:
-    """Return arguments in words: `{1: 30.0, 150: 2.0}` as `A=30 #150=2`."""
+def letters(arguments: Mapping[int | str, float | None]) -> str:
+    """Return arguments in words: `{1: 30.0, 150: 2.0}` as `A=30 #150=2`, names as they are."""
     return " ".join(
-        f"{LETTERS.get(number, f'#{number}')}={'vacant' if value is None else f'{value:.10g}'}"
-        for number, value in arguments.items()
+        f"{_word(of)}={'vacant' if value is None else f'{value:.10g}'}"
+        for of, value in arguments.items()
     )
+
+
+def _word(of: int | str) -> str:
+    return of if isinstance(of, str) else LETTERS.get(of, f"#{of}")
 
 
 @dataclass

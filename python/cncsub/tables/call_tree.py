@@ -25,7 +25,7 @@ class CallTree:
     count: int = 1
     calls: list[CallTree] = field(default_factory=list)
     caller_step: int | None = None
-    arguments: dict[int, float | None] = field(default_factory=dict)
+    arguments: dict[int | str, float | None] = field(default_factory=dict)
     varied: bool = False
 
     __hash__ = None  # type: ignore[assignment]

@@ -302,7 +302,8 @@ class Calls(Table[Call]):
     """One row per entered call, in the order of entry; printed as a tree.
 
     Columns: `call, parent, kind, program, start_n, repeats, level, first_step, last_step,
-    caller_step`. A row also has `arguments`: the local variables that the call was given.
+    caller_step`. A row also has `arguments`: the local variables that the call was given, by
+    number or name.
 
     >>> import cncsub
     >>> text = "O1\\nN10 G65 P2 A1. B2.5\\nN20 M30\\nO2\\nN30 M98 P3 L4\\nN40 M99\\nO3\\nN50 M99\\n"
@@ -313,6 +314,9 @@ class Calls(Table[Call]):
     2 calls
     >>> run.calls[0].arguments
     {1: 1.0, 2: 2.5}
+    >>> text = "%_N_MAIN_MPF\\nPART(4)\\nM30\\n%_N_PART_SPF\\nPROC PART(REAL DEPTH)\\nM17\\n"
+    >>> cncsub.loads(text, control="siemens-one").run().calls[0].arguments
+    {'DEPTH': 4.0}
     """
 
     _title = "calls"

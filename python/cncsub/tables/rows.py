@@ -93,7 +93,8 @@ class Call:
     """One entered subprogram or macro; steps are rows of `run.steps`.
 
     `parent` is the call it was made in, `None` for the main program; `last_step` is `None` where
-    the call did not come to its end. `arguments` are the local variables it was given, by number.
+    the call did not come to its end. `arguments` are the local variables it was given, by number
+    or name.
     """
 
     call: int
@@ -106,7 +107,7 @@ class Call:
     first_step: int
     last_step: int | None
     caller_step: int
-    arguments: dict[int, float | None] = field(default_factory=dict, compare=False)
+    arguments: dict[int | str, float | None] = field(default_factory=dict, compare=False)
 
 
 @dataclass(frozen=True, slots=True, repr=False)

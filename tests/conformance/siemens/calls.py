@@ -108,11 +108,6 @@ case(
     program="%_N_MAIN_MPF\nN10 R1=5\nN20 PART\nN30 M30\n%_N_PART_SPF\nN40 R1=R1+1\nN50 RET", vars={1: 6},
 )
 case(
-    "a call with values is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program="%_N_MAIN_MPF\nN10 CUT(2,5)\nN20 M30\n%_N_CUT_SPF\nN40 M17",
-    runs="", alarm="code-not-computed", at="MAIN N10",
-)
-case(
     "M30 ends the run from a subprogram too", pins="end_in_subprogram", **KNOWN,
     program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 M30", runs="N10 N30 N40",
 )

@@ -4,6 +4,7 @@ from conformance import case
 
 ONE = "siemens-one"
 MANUAL = {"control": ONE, "source": "840Dsl p.107, control structures", "evidence": "secondary"}
+SEARCHED = {"control": ONE, "source": "840Dsl p.107: an end is searched for where it is needed", "evidence": "secondary"}
 TESTS = {"control": ONE, "source": "NCI, test_jumps.py: manual 4.1.7", "evidence": "secondary"}
 KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
 
@@ -38,7 +39,24 @@ case(
     program="N10 R1=1\nN20 IF R1==1\nN30 GOTOF DONE\nN40 ENDIF\nN50 R2=9\nN60 DONE: M30", runs="N10 N20 N30 N60",
 )
 case(
-    "an IF without ENDIF", **KNOWN, program="N10 IF R1==1\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+    "an ENDIF that is not searched for is not missed", **SEARCHED,
+    program="N10 IF R1==0\nN20 G0 X1\nN30 M30", runs="N10 N20 N30",
+)
+case(
+    "an ENDIF that is searched for is", **SEARCHED,
+    program="N10 IF R1==1\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+)
+case(
+    "an IF without ENDIF whose condition does not hold goes on after its ELSE", **SEARCHED,
+    program="N10 IF R1==1\nN20 R2=1\nN30 ELSE\nN40 R2=2\nN50 M30", runs="N10 N40 N50",
+)
+case(
+    "and alarms at the ELSE where it holds", **SEARCHED,
+    program="N10 IF R1==0\nN20 R2=1\nN30 ELSE\nN40 R2=2\nN50 M30", runs="N10 N20", alarm="if-without-end", at="MAIN N30",
+)
+case(
+    "an inner IF without ENDIF takes the one of the outer", **SEARCHED,
+    program="N10 IF R1==0\nN20 IF R1==0\nN30 R2=1\nN40 ENDIF\nN50 M30", runs="N10 N20 N30 N40 N50",
 )
 case(
     "an ENDIF without IF", **KNOWN, program="N10 ENDIF\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
@@ -47,14 +65,24 @@ case(
     "an ELSE without IF", **KNOWN, program="N10 ELSE\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
 )
 case(
-    "a loop without its end", **KNOWN, program="N10 WHILE R1==1\nN20 M30", runs="", alarm="missing-end", at="MAIN N10",
+    "a WHILE without its end alarms where its condition does not hold", **SEARCHED,
+    program="N10 WHILE R1==1\nN20 M30", runs="", alarm="missing-end", at="MAIN N10",
 )
+case(
+    "and not before", **SEARCHED,
+    program="N10 R1=1\nN20 WHILE R1==1\nN30 R1=2\nN40 IF R1==1 GOTOB N20\nN50 M30", runs="N10 N20 N30 N40 N50",
+)
+for word in ("LOOP", "REPEAT"):
+    case(
+        f"a {word} whose end is not reached needs none", **SEARCHED,
+        program=f"N10 {word}\nN20 G0 X1\nN30 M30", runs="N10 N20 N30",
+    )
 case(
     "an end without its loop", **KNOWN, program="N10 ENDLOOP\nN20 M30", runs="", alarm="missing-do", at="MAIN N10",
 )
 case(
     "a loop does not cross a branch", **KNOWN,
-    program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="", alarm="missing-end", at="MAIN N10",
+    program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="N10 N20", alarm="missing-do", at="MAIN N30",
 )
 case(
     "nothing stands after a statement", **KNOWN,

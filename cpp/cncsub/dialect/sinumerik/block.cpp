@@ -59,6 +59,7 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   skip_level(block);
   if (!number(block)) return true;
   take_label(label);
+  if (declarations_.read(block)) return true;
   bool read_it = true;
   if (statement(block, link, read_it)) {
     if (const bool o_word = !label.empty(); is_marked_structure(block, link, o_word))
@@ -147,6 +148,14 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     return refuse(block, Cause::AddressNotUsable,
                   std::string(1, letter) + " cannot be an address of a block", at);
   const bool equals = line_.take('=');
+  if (equals && letter == 'T' && line_.peek() == '"') {  // its number is the machine's affair
+    line_.pass_quoted();
+    words.drops.push_back({0, at, line_.width_from(at)});
+    words.any = true;
+    return true;
+  }
+  if (equals && definitions_.find(std::string(1, letter)) != nullptr)
+    return not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
   if (equals ? !expression_.value(value) : !expression_.number(value)) return refuse(block);
   value.at = at;
@@ -224,6 +233,12 @@ bool BlockReader::named(Block& block, Words& words) {
     if (line_.peek() != '=') return refuse(block, Cause::MissingEquals, "CR without =", at);
     return word(block, words, 'R', at);
   }
+  if (const Definition* const of = definitions_.find(name)) {
+    Statement statement;
+    if (!expression_.assignment(*of, statement)) return refuse(block);
+    words.statements.push_back(statement);
+    return true;
+  }
   if (is_neutral(name)) {
     line_.pass(name.size());
     if (!words.take_group(group_of(name)))
@@ -243,7 +258,10 @@ bool BlockReader::named(Block& block, Words& words) {
   if (!is_not_computed(name) && line_.ahead(behind) != '=' && line_.ahead(behind) != '[')
     return call(block, words, written);
   line_.pass(name.size());
-  return not_computed(block, name, at);
+  if (is_not_computed(name)) return not_computed(block, name, at);
+  return refuse(block, Cause::CodeNotComputed,
+                name + " is not defined in this program, and global variables are not computed here",
+                at);
 }
 
 /// Read MSG("text"), or MSG(), which takes the message away.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cncsub/dialect/sinumerik/declarations.hpp"
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 
@@ -35,7 +36,13 @@ struct Link {
 
 class BlockReader {
  public:
-  explicit BlockReader(Builder& to) : to_(to), expression_(to, line_) {}
+  explicit BlockReader(Builder& to)
+      : to_(to),
+        expression_(to, line_, definitions_),
+        declarations_(to, line_, expression_, definitions_) {}
+
+  /// Forget the variables of the program before.
+  void begin_program() { definitions_.clear(); }
 
   /// Compile a line into `block`, whose text and line are set, and set its label, in capitals.
   /// Return false if the line is empty.
@@ -74,6 +81,7 @@ class BlockReader {
   bool named(Block& block, Words& words);
   bool message(Block& block, Words& words, std::uint32_t at);
   bool call(Block& block, Words& words, std::string_view name);
+  bool given_values(Block& block, std::vector<ActualParameter>& given);
   bool write(Block& block, Words& words);
   bool write_call(Block& block, const Words& words, CallRecord call);
   bool write_return(Block& block, const Words& words, std::uint32_t at);
@@ -87,7 +95,9 @@ class BlockReader {
 
   Builder& to_;
   Line line_;
+  Definitions definitions_;
   ExpressionReader expression_;
+  DeclarationReader declarations_;
   std::uint32_t marked_at_ = 0, marked_width_ = 1;  // the slash, or the label, of the block
 };
 

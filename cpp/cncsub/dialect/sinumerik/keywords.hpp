@@ -19,8 +19,4 @@ bool is_neutral(std::string_view word);
 /// Return whether a word of the language is not read here.
 bool is_not_computed(std::string_view word);
 
-/// Return whether a line is the head of a subprogram whose return restores the modes of its caller:
-/// PROC NAME(..) SAVE.
-bool saves_modes(std::string_view line);
-
 }  // namespace cncsub::sinumerik

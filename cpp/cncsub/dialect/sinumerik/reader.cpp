@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "cncsub/dialect/dialect.hpp"
-#include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/structure.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -59,6 +58,7 @@ class FileReader {
     }
     to_.begin_program(program);
     structure_.begin();
+    blocks_.begin_program();
   }
 
   void end_program(std::uint32_t text_end, std::uint32_t line) {
@@ -73,8 +73,6 @@ class FileReader {
     block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
     std::string label;
     Link link;
-    if (to_.next_address() == to_.program().first && saves_modes(text))
-      to_.program().keeps_modes = true;
     if (!blocks_.read(text, block, label, link)) return;
     structure_.add(label, link);
     to_.append(block);

@@ -67,7 +67,7 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
   named.count = 'P';
   if (words.call) return refuse(block, Cause::CallGivenTwice, "a second call", at);
   if (name.size() == 1) return refuse(block, Cause::AddressWithoutValue, "L without a number", at);
-  if (line_.take('(') && !line_.take(')')) return not_computed(block, "a call with values", at);
+  if (line_.take('(') && !given_values(block, named.given)) return false;
   if (line_.peek() == 'P' && line_.name().size() > 1 && !is_digit(line_.name()[1])) {
     words.call = std::move(call);
     return true;  // another name, which is read next
@@ -83,6 +83,27 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
     call.l = operand_of(value);
   }
   words.call = std::move(call);
+  return true;
+}
+
+/// Read the values of a call up to the closing bracket. A value may be left out between its commas.
+bool BlockReader::given_values(Block& block, std::vector<ActualParameter>& given) {
+  while (!line_.take(')')) {
+    ActualParameter& one = given.emplace_back();
+    const std::uint32_t at = one.operand.at = line_.offset();
+    if (line_.peek() == '"') {
+      one.is_text = true;
+      line_.pass_quoted();
+      one.operand.width = line_.width_from(at);
+    } else if (line_.peek() != ',') {
+      one.variable = expression_.variable_alone();
+      Value value;
+      if (!expression_.value(value)) return refuse(block);
+      one.operand = operand_of(value);
+    }
+    if (line_.peek() != ')' && !line_.take(','))
+      return refuse(block, Cause::BracketNotClosed, ") is missing", line_.offset());
+  }
   return true;
 }
 

@@ -25,12 +25,43 @@ void Structure::match() {
   }
   for (const Met& met : links_)
     if (met.link.kind == Link::Kind::Jump) resolve(met);
-  for (const Open& open : open_) {
-    if (open.kind == Link::Kind::If)
-      refuse(open.address, Cause::IfWithoutEnd, "this IF has no ENDIF");
-    else
-      refuse(open.address, Cause::MissingEnd, "this loop has no end");
+  for (const Open& open : open_) leave_open(open);
+}
+
+/// Let a structure without an end run, up to where its end is searched for. The control does not
+/// look at structures as a whole. [840Dsl p.107]
+void Structure::leave_open(const Open& open) {
+  constexpr const char* kNoEndif = "no ENDIF follows";
+  if (open.kind == Link::Kind::If) {
+    if (open.other != kNowhere) return refuse(open.other, Cause::IfWithoutEnd, kNoEndif);
+    return refuse_otherwise(open.address, Cause::IfWithoutEnd, kNoEndif);
   }
+  if (open.kind == Link::Kind::While)
+    return refuse_otherwise(open.address, Cause::MissingEnd, "no ENDWHILE follows");
+  Block& block = to_.block(open.address);
+  if (block.op == Op::Fault) return;
+  block.op = Op::Words;
+  block.data = block.aux = 0;
+}
+
+/// Refuse a block where its condition does not hold.
+void Structure::refuse_otherwise(Address address, Cause cause, const char* detail) {
+  Block& block = to_.block(address);
+  if (block.op == Op::Fault) return;
+  Statement condition = statement(address);
+  Block instead = block;
+  to_.refuse(instead, {cause, block.text, 0, detail});
+  condition.then = to_.keep(instead);
+  const Expression of = to_.code().expression(condition.expression);
+  std::vector<Instruction> instructions;
+  for (const Instruction each : of) instructions.push_back(each);
+  const std::uint32_t at = of.at(), width = of.width();
+  to_.expressions().begin();
+  for (const Instruction& each : instructions)
+    if (each.op != Ins::End) to_.expressions().emit(each);
+  to_.expressions().emit({Ins::Not, 0, at, 0});
+  condition.expression = to_.expressions().end(at, width);
+  to_.become(block, Op::IfThen, condition);
 }
 
 void Structure::match(const Met& met) {

@@ -58,6 +58,8 @@ class Structure {
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
   void refuse(Address address, Cause cause, const char* detail);
+  void leave_open(const Open& open);
+  void refuse_otherwise(Address address, Cause cause, const char* detail);
 
   Builder& to_;
   std::unordered_map<std::string, std::vector<Address>> labels_;

@@ -13,7 +13,7 @@ namespace sinumerik {
 namespace {
 
 constexpr std::string_view kStatements[] = {"GOTO", "GOTOB", "GOTOC", "GOTOF",  "IF",  "WHILE",
-                                            "FOR",  "CASE",  "UNTIL", "REPEAT", "DEF", "PROC"};
+                                            "FOR",  "CASE",  "UNTIL", "REPEAT", "DEF", "PROC", "EXTERN"};
 constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
 
 template <class List>
@@ -40,6 +40,7 @@ void pass_bracket(Line& line, char open, char close) {
 void pass_operand(Line& line) {
   while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT")
     line.pass(line.name().empty() ? 1 : line.name().size());
+  if (line.peek() == '"') return line.pass_quoted();
   if (line.take('$')) line.peek();
   if (!line.name().empty())
     line.pass(line.name().size());

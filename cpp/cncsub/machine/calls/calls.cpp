@@ -228,7 +228,8 @@ bool call(Run& run, const Block& block) {
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
   Target target;
   if (!decode_target(run, record, target)) return false;
-  const bool passes = record.arguments > 0 || run.control().macros.call_passes_words.value;
+  const bool passes = record.arguments > 0 || record.locals != CallRecord::Locals::ByKind ||
+                      run.control().macros.call_passes_words.value;
   if (passes && !evaluate_arguments(run, record)) return false;
   if (has_words(block) && in_cycle(run.motion.state()) && run.refuses(Cause::CallWithWordsInCycle))
     return alarm(run, fault(record, Cause::CallWithWordsInCycle,
@@ -292,6 +293,19 @@ CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord&
   return open;
 }
 
+/// Give variables of the caller the values of the parameters that stand for them.
+void hand_back(Run& run, const CallRecord& record) {
+  State& s = run.state;
+  for (const auto& [from, to] : record.back()) {
+    const double value = s.locals[run.local_at(s.level, from)];
+    const auto index = static_cast<std::size_t>(to.index);
+    if (to.target == Statement::Target::Common)
+      s.commons[index] = value;
+    else
+      s.locals[run.local_at(s.level - 1, to.index)] = value;
+  }
+}
+
 }  // namespace
 
 bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t modal) {
@@ -313,12 +327,15 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
     s.moved_at = s.pc;
   }
   ++s.changes;
+  if (!record.back().empty()) open.hands_back = static_cast<std::int32_t>(index);
   if (open.own_locals) open_level(run);
   (record.macro ? s.macros : s.subprograms) += 1;
   if (run.trace.depth != Trace::Depth::None)
     record_call(run, index, target, open,
                 run.block.is_step && !by_move ? run.block.step : s.executed - 1);
   s.frames.push_back(open);
+  if (run.code->programs[static_cast<std::size_t>(target.program)].keeps_modes)
+    keep_modes_of_caller(run);
   if (s.frames.size() > kLongText) look_soon(run);  // each call looks at all of them
   s.pc = target.start;
   return true;
@@ -339,6 +356,7 @@ bool leave(Run& run, Address to, bool goes_on) {
     std::copy_n(own, run.code->locals_per_level + 1,
                 s.locals.data() + run.local_at(s.level - 1, 0));
   }
+  if (open.hands_back >= 0) hand_back(run, run.code->calls[static_cast<std::size_t>(open.hands_back)]);
   if (open.own_locals) --s.level;
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);

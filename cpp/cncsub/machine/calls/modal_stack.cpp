@@ -71,6 +71,11 @@ bool change_saved_modes(Run& run, const NcWords& words) {
   return restore_modes(run, saved->modes);
 }
 
+void keep_modes_of_caller(Run& run) {
+  save(run, true);
+  run.state.modal_stack.back().modes.codes_alone = true;
+}
+
 bool come_back_to_modes(Run& run) {
   auto& all = run.state.modal_stack;
   const auto depth = run.state.frames.size();

@@ -26,6 +26,9 @@ inline bool execute_words(Run& run, const Block& block) {
 }
 /// Execute codes that save the modes, forget them or restore them. Return false where that alarms.
 bool change_saved_modes(Run& run, const NcWords& words);
+/// Save the modes as they are when a program is entered whose return restores them: its codes, and
+/// neither F nor S.
+void keep_modes_of_caller(Run& run);
 /// Restore, after a return, the modes that were to come back.
 bool come_back_to_modes(Run& run);
 /// Finish a block whose words are executed and that has nothing else. It is a step, and the run

@@ -39,6 +39,7 @@ struct OpenFrame {
   std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
   bool shares_locals = false;     // the numbered locals of its level are the caller's
+  std::int32_t hands_back = -1;   // the call whose variables its return changes: in Code::calls
   bool interrupts = false;        // after it the caller's block does what it waits with
 
   bool operator==(const OpenFrame&) const = default;

@@ -1,0 +1,48 @@
+// The compiler of the blocks that declare: PROC, DEF and EXTERN.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cncsub/dialect/sinumerik/expression.hpp"
+
+namespace cncsub::sinumerik {
+
+/// A type and a name as they are declared, and the value after their equals sign.
+struct Declared {
+  Definition definition;
+  std::string name;  // in capitals
+  std::uint32_t at = 0, width = 1;
+  std::optional<Value> value;  // none: nothing, or a text
+};
+
+class DeclarationReader {
+ public:
+  DeclarationReader(Builder& to, Line& line, ExpressionReader& expression, Definitions& definitions)
+      : to_(to), line_(line), expression_(expression), definitions_(definitions) {}
+
+  /// Return whether a declaration stands here. It is compiled into the block.
+  bool read(Block& block);
+
+ private:
+  bool proc(Block& block);
+  bool parameter(Block& block, std::vector<Statement>& conversions);
+  bool attributes(Block& block);
+  bool def(Block& block);
+  bool type(Block& block, Type& type);
+  bool declared(Block& block, Declared& declared, std::size_t shortest);
+  bool initial_value(Block& block, Declared& declared);
+  bool lacks_end(Block& block);
+  bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
+  bool refuse(Block& block);
+  Statement assignment_of(const Declared& declared);
+  void write(Block& block, const std::vector<Statement>& statements);
+
+  Builder& to_;
+  Line& line_;
+  ExpressionReader& expression_;
+  Definitions& definitions_;
+};
+
+}  // namespace cncsub::sinumerik

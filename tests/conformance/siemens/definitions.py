@@ -1,0 +1,147 @@
+"""SINUMERIK: variables that a program defines with DEF."""
+
+from conformance import case
+
+ONE = "siemens-one"
+NAMES = {"control": ONE, "source": "SONE p.383, naming rules", "evidence": "maker's manual"}
+LOCAL = {"control": ONE, "source": "808D p.126: local user data", "evidence": "secondary"}
+JOBS = {"control": ONE, "source": "828Dj p.23, definition of user variables", "evidence": "secondary"}
+TYPES = {"control": ONE, "source": "840Da p.45, conversions of types", "evidence": "secondary"}
+RANGE = {"control": ONE, "source": "840Df p.63, types", "evidence": "secondary"}
+KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred"}
+
+case(
+    "a variable has the value of its definition until another is given", **LOCAL,
+    program="N10 DEF REAL DEPTH=2.5\nN20 G0 Z=DEPTH\nN30 DEPTH=DEPTH*2\nN40 Z=-DEPTH\nN50 M30", moves="R Z2.5\nR Z-5",
+)
+case(
+    "a variable without a value is 0", **LOCAL,
+    program="N10 DEF REAL DEPTH\nN20 R1=DEPTH+1\nN30 M30", vars={1: 1},
+)
+case(
+    "one block defines several variables of a type", **JOBS,
+    program="N10 DEF INT ONE=1, TWO, THREE=3\nN20 R1=ONE R2=TWO R3=THREE\nN30 M30", vars={1: 1, 2: 0, 3: 3},
+)
+case(
+    "small letters name the same variable", control=ONE, source="NCI, case_insensitive_variables.mpf", evidence="secondary",
+    program="N10 def real Depth=4\nN20 R1=DEPTH\nN30 depth=5\nN40 R2=Depth\nN50 M30", vars={1: 4, 2: 5},
+)
+case(
+    "conditions and indices of R read variables", **KNOWN,
+    program="N10 DEF INT COUNT=0\nN20 WHILE COUNT<3\nN30 COUNT=COUNT+1\nN40 R[COUNT]=COUNT*10\nN50 ENDWHILE\nN60 M30",
+    vars={1: 10, 2: 20, 3: 30}, runs="N10 (N20 N30 N40 N50)*3 N20 N60",
+)
+case(
+    "an INT rounds what it is given, and a half goes up", **TYPES,
+    program="N10 DEF INT COUNT=2.4\nN20 R1=COUNT\nN30 COUNT=7/2\nN40 R2=COUNT\nN50 R3=3.7\nN60 COUNT=R3\nN70 R4=COUNT\nN80 M30",
+    vars={1: 2, 2: 4, 4: 4},
+)
+case(
+    "a BOOL is TRUE where it is given anything but 0", **TYPES,
+    program="N10 DEF BOOL FLAG=5, OTHER\nN20 R1=FLAG R2=OTHER\nN30 R3=-2\nN40 FLAG=R3\nN50 R4=FLAG\nN60 FLAG=FALSE\nN70 R5=FLAG\nN80 M30",
+    vars={1: 1, 2: 0, 4: 1, 5: 0},
+)
+case(
+    "a CHAR is the code of its character", **RANGE,
+    program='N10 DEF CHAR MARK="A"\nN20 R1=MARK\nN30 MARK=66\nN40 R2=MARK\nN50 MARK="C"\nN60 R3=MARK\nN70 M30',
+    vars={1: 65, 2: 66, 3: 67},
+)
+case(
+    "a CHAR is not above 255", **RANGE,
+    program="N10 DEF CHAR MARK=256\nN20 M30", runs="", alarm="value-out-of-range", at="MAIN N10",
+)
+case(
+    "a variable is known in the program that defines it, and nowhere else", **LOCAL,
+    program="%_N_MAIN_MPF\nN10 DEF REAL DEPTH=5\nN20 PART\nN30 M30\n%_N_PART_SPF\nN40 R1=DEPTH\nN50 M17",
+    runs="N10 N20", alarm="code-not-computed", at="PART N40", word="R1=DEPTH",
+)
+case(
+    "two programs have two variables of one name", **LOCAL,
+    program="%_N_MAIN_MPF\nN10 DEF REAL DEPTH=5\nN20 PART\nN30 R1=DEPTH\nN40 M30\n"
+    "%_N_PART_SPF\nN50 DEF REAL DEPTH\nN60 R2=DEPTH\nN70 DEPTH=9\nN80 M17",
+    vars={1: 5, 2: 0}, runs="N10 N20 N50 N60 N70 N80 N30 N40",
+)
+case(
+    "each call of a program has variables of its own", **LOCAL,
+    program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 DEF INT OWN\nN40 R1=R1+1\nN50 OWN=R1\n"
+    "N60 IF R1<3\nN70 PART\nN80 ENDIF\nN90 R[10+OWN]=OWN\nN99 M17",
+    vars={11: 1, 12: 2, 13: 3},
+)
+case(
+    "a variable stands in several assignments of a block", **KNOWN,
+    program="N10 DEF REAL WIDE=3, HIGH\nN20 R1=WIDE HIGH=2 G0 X=WIDE\nN30 Y=HIGH\nN40 M30", vars={1: 3}, moves="R X3\nR Y2",
+)
+case(
+    "what a variable is in the block that assigns to it is not computed", **POLICY,
+    program="N10 DEF REAL WIDE\nN20 WIDE=3 R1=WIDE\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)
+case(
+    "a name begins with two letters", **NAMES,
+    program="N10 DEF REAL D1=5\nN20 M30", runs="", alarm="illegal-variable-name", at="MAIN N10", word="D1",
+)
+case(
+    "one letter is too short", **NAMES,
+    program="N10 DEF INT I\nN20 M30", runs="", alarm="illegal-variable-name", at="MAIN N10", word="I",
+)
+case(
+    "31 characters are a name", **NAMES,
+    program=f"N10 DEF REAL {'A' * 31}=5\nN20 R1={'A' * 31}\nN30 M30", vars={1: 5},
+)
+case(
+    "32 are none", **NAMES,
+    program=f"N10 DEF REAL {'A' * 32}=5\nN20 M30", runs="", alarm="illegal-variable-name", at="MAIN N10",
+)
+case(
+    "a name is defined once", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program="N10 DEF REAL DEPTH\nN20 DEF INT DEPTH\nN30 M30",
+    runs="N10", alarm="variable-given-twice", number="12170", at="MAIN N20", word="DEPTH",
+)
+case(
+    "a definition has a type", **JOBS,
+    program="N10 DEF DEPTH=5\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="DEPTH",
+)
+case(
+    "and a block of its own", **JOBS,
+    program="N10 DEF REAL DEPTH=5 G0 X1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="G",
+)
+case(
+    "a variable alone is no block", **KNOWN,
+    program="N10 DEF REAL DEPTH\nN20 DEPTH\nN30 M30", runs="N10", alarm="missing-equals", at="MAIN N20", word="DEPTH",
+)
+case(
+    "the definition of a text runs", **POLICY,
+    program='N10 DEF STRING[20] NOTE="A ; B", OTHER\nN20 G0 X1\nN30 M30', runs="N10 N20 N30",
+)
+for type_name, value in (("STRING[8]", '"A"'), ("AXIS", "X"), ("FRAME", "CTRANS(X,5)")):
+    for use in (f"N20 SOME={value}", "N20 R1=SOME"):
+        case(
+            f"{use[4:]} is not computed where SOME is a variable of type {type_name}", **POLICY,
+            program=f"N10 DEF {type_name} SOME={value}\n{use}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+        )
+case(
+    "the definition of an array runs", **POLICY,
+    program="N10 DEF REAL FIELD[10,3]=SET(0,,1), NEXT[2]=REP(5), PLAIN=4\nN20 R1=PLAIN\nN30 M30", vars={1: 4},
+)
+case(
+    "its elements are not computed", **POLICY,
+    program="N10 DEF REAL FIELD[10]\nN20 FIELD[1]=5\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)
+case(
+    "nor are they read", **POLICY,
+    program="N10 DEF REAL FIELD[10]\nN20 R1=FIELD[1]\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)
+for area in ("NCK", "CHAN"):
+    case(
+        f"global user data, DEF {area}, are not computed", **POLICY,
+        program=f"N10 DEF {area} REAL DEPTH\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=area,
+    )
+case(
+    "a name that nothing defines is not computed", **POLICY,
+    program="N10 DEPTH=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+)
+case(
+    "EXTERN runs, for it says what a PROC says", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program="%_N_MAIN_MPF\nN10 EXTERN PART(REAL, INT)\nN20 PART(2,3)\nN30 M30\n%_N_PART_SPF\nN40 PROC PART(REAL WIDE, INT HIGH)\nN50 R1=WIDE R2=HIGH\nN60 M17",
+    vars={1: 2, 2: 3},
+)

@@ -1,0 +1,173 @@
+"""SINUMERIK: PROC, its parameters, and calls with values."""
+
+from conformance import case
+
+ONE = "siemens-one"
+PASSED = {"control": ONE, "source": "SONE p.494, parameter transfer", "evidence": "maker's manual"}
+TYPES = {"control": ONE, "source": "840Da p.45, conversions of types", "evidence": "secondary"}
+KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred"}
+
+
+def _call(call: str, head: str, body: str = "", before: str = "") -> str:
+    return (
+        f"%_N_MAIN_MPF\n{before}N20 {call}\nN30 M30\n%_N_PART_SPF\nN40 PROC PART{head}\n{body}N60 M17"
+    )
+
+
+case(
+    "a program may begin with its name", **PASSED,
+    program="%_N_MAIN_MPF\nN5 PROC MAIN\nN20 PART\nN30 M30\n%_N_PART_SPF\nN40 PROC PART\nN50 G0 X1\nN60 RET",
+    runs="N5 N20 N40 N50 N60 N30",
+)
+for words in ("SAVE", "DISPLOF", "SBLOF", "ACTBLOCNO", "SAVE DISPLOF", "SBLOF DISPLOF ACTBLOCNO"):
+    case(
+        f"PROC takes {words}", **KNOWN,
+        program=_call("PART", f" {words}", "N50 G0 X1\n"), runs="N20 N40 N50 N60 N30",
+    )
+case(
+    "other words do not follow PROC", **KNOWN,
+    program=_call("PART", " G0 X1"), runs="N20", alarm="statement-format", at="PART N40", word="G",
+)
+case(
+    "PROC is the first block", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 G0 X1\nN20 PROC MAIN\nN30 M30", runs="N10", alarm="statement-format", at="MAIN N20", word="PROC",
+)
+case(
+    "values come in the order of the parameters", **PASSED,
+    program=_call("PART(5.5, R1, R1+1)", "(REAL WIDE, REAL HIGH, REAL DEEP)", "N50 R2=WIDE R3=HIGH R4=DEEP\n", "N10 R1=20\n"),
+    vars={2: 5.5, 3: 20, 4: 21}, calls="call:PART", runs="N10 N20 N40 N50 N60 N30",
+)
+case(
+    "a value that is left out is 0", **PASSED,
+    program=_call("PART(5,,7)", "(REAL WIDE, REAL HIGH, REAL DEEP)", "N50 R2=WIDE R3=HIGH+1 R4=DEEP\n"), vars={2: 5, 3: 1, 4: 7},
+)
+case(
+    "and so are those after the last", **PASSED,
+    program=_call("PART(5)", "(REAL WIDE, REAL HIGH, REAL DEEP)", "N50 R2=WIDE R3=HIGH+1 R4=DEEP+1\n"), vars={2: 5, 3: 1, 4: 1},
+)
+case(
+    "a comma after the last value may stand", **PASSED,
+    program=_call("PART(5,)", "(REAL WIDE, REAL HIGH)", "N50 R2=WIDE R3=HIGH+1\n"), vars={2: 5, 3: 1},
+)
+case(
+    "a call without values leaves all out", **PASSED,
+    program=_call("PART", "(REAL WIDE, REAL HIGH)", "N50 R2=WIDE+1 R3=HIGH+1\n"), vars={2: 1, 3: 1},
+)
+case(
+    "a parameter may have a value of its own for a call that leaves it out", **KNOWN,
+    program=_call("PART(,4)", "(REAL WIDE=2.5, REAL HIGH=-3, BOOL FLAG=TRUE)", "N50 R2=WIDE R3=HIGH R4=FLAG\n"),
+    vars={2: 2.5, 3: 4, 4: 1},
+)
+case(
+    "a parameter is local to the call", **PASSED,
+    program=_call("PART(WIDE)", "(REAL WIDE)", "N50 WIDE=WIDE+1\nN55 R2=WIDE\n", "N10 DEF REAL WIDE=20\n") .replace("N30 M30", "N25 R1=WIDE\nN30 M30"),
+    vars={1: 20, 2: 21},
+)
+case(
+    "VAR gives the caller's variable the value that the parameter has at the return", **KNOWN,
+    program=_call("PART(R1, WIDE)", "(VAR REAL FIRST, VAR REAL NEXT)", "N50 FIRST=FIRST+1 NEXT=7\n", "N5 R1=20\nN10 DEF REAL WIDE=3\n")
+    .replace("N30 M30", "N25 R2=WIDE\nN30 M30"),
+    vars={1: 21, 2: 7},
+)
+case(
+    "a parameter without VAR leaves it as it is", **KNOWN,
+    program=_call("PART(R1)", "(REAL FIRST)", "N50 FIRST=9\n", "N10 R1=20\n"), vars={1: 20},
+)
+case(
+    "VAR takes a variable and no value", **KNOWN,
+    program=_call("PART(R1+1)", "(VAR REAL FIRST)"), runs="", alarm="statement-format", at="MAIN N20", word="PART(R1+1)",
+)
+case(
+    "each open call has parameters of its own", **KNOWN,
+    program=_call("PART(3)", "(INT COUNT)", "N50 IF COUNT>1\nN52 PART(COUNT-1)\nN54 ENDIF\nN56 R[COUNT]=COUNT*10\n"),
+    vars={1: 10, 2: 20, 3: 30},
+)
+case(
+    "an INT parameter rounds, a BOOL one is 0 or 1", **TYPES,
+    program=_call("PART(2.5, 7)", "(INT COUNT, BOOL FLAG)", "N50 R1=COUNT R2=FLAG\n"), vars={1: 3, 2: 1},
+)
+case(
+    "a parameter may have the name of an axis: the manual's example", control=ONE,
+    source="SONE p.493, PROC CONTOUR (REAL X, REAL Y)", evidence="maker's manual",
+    program=_call("PART(5.5, WIDE)", " (REAL X, REAL Y)", "N50 R1=X R2=Y\n", "N10 DEF REAL WIDE=20.0\n"), vars={1: 5.5, 2: 20},
+)
+case(
+    "but whether X= is the axis then is not computed", **POLICY,
+    program=_call("PART(5.5)", "(REAL X)", "N50 G0 X=5\n"), runs="N20 N40", alarm="code-not-computed", at="PART N50",
+)
+case(
+    "a text is passed to a STRING, which is not computed where it is used", **POLICY,
+    program=_call('PART("A, B", 4)', "(STRING[20] NOTE, REAL WIDE)", "N50 R1=WIDE\nN55 NOTE=NOTE\n"),
+    vars={1: 4}, runs="N20 N40 N50", alarm="code-not-computed", at="PART N55",
+)
+case(
+    "a number is no text", **KNOWN,
+    program=_call("PART(4)", "(STRING[20] NOTE)"), runs="", alarm="statement-format", at="MAIN N20",
+)
+case(
+    "a text is no number", **KNOWN,
+    program=_call('PART("A")', "(REAL WIDE)"), runs="", alarm="statement-format", at="MAIN N20",
+)
+case(
+    "more values than parameters alarm", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program=_call("PART(1,2)", "(REAL WIDE)"), runs="", alarm="too-many-arguments", number="14020", at="MAIN N20",
+)
+case(
+    "a program without PROC takes none", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program="%_N_MAIN_MPF\nN10 CUT(2,5)\nN20 M30\n%_N_CUT_SPF\nN40 M17",
+    runs="", alarm="too-many-arguments", number="14020", at="MAIN N10",
+)
+case(
+    "empty brackets are no values", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 CUT()\nN20 M30\n%_N_CUT_SPF\nN40 M17", runs="N10 N40 N20",
+)
+case(
+    "a program that is not there alarms, with values or without", **KNOWN,
+    program="N10 CUT(R1,5)\nN20 M30", runs="", alarm="named-program-not-found", number="14011", at="MAIN N10",
+)
+case(
+    "values stand in brackets that close", **KNOWN,
+    program=_call("PART(1", "(REAL WIDE)"), runs="", alarm="bracket-not-closed", at="MAIN N20",
+)
+case(
+    "the list of PROC closes too", **KNOWN,
+    program=_call("PART(1)", "(REAL WIDE"), runs="N20", alarm="bracket-not-closed", at="PART N40",
+)
+case(
+    "a parameter has a type", **KNOWN,
+    program=_call("PART", "(WIDE)"), runs="N20", alarm="statement-format", at="PART N40",
+)
+case(
+    "and is named once", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program=_call("PART", "(REAL WIDE, INT WIDE)"), runs="N20", alarm="variable-given-twice", number="12170", at="PART N40",
+)
+case(
+    "values and a count", **KNOWN,
+    program=_call("PART(4) P2", "(REAL WIDE)", "N50 R1=R1+WIDE\n"), vars={1: 8}, runs="N20 (N40 N50 N60)*2 N30",
+)
+case(
+    "a main program that declares parameters runs with their own values", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 PROC MAIN(REAL WIDE, REAL HIGH=4)\nN20 R1=WIDE+1 R2=HIGH\nN30 M30", vars={1: 1, 2: 4},
+)
+
+# ---- SAVE ----
+
+for save, moves in (("", "F X1\nR X4\nR X7"), (" SAVE", "F X1\nR X4\nF X3")):
+    case(
+        f"the codes of the caller come back after PROC PART{save}" if save else "without SAVE the codes of the program stay",
+        control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+        program=f"%_N_MAIN_MPF\nN10 G90 G1 X1 F100\nN20 PART\nN30 X3\nN40 M30\n%_N_PART_SPF\nN50 PROC PART{save}\nN60 G91 G0 X3\nN70 M17",
+        moves=moves,
+    )
+case(
+    "SAVE brings the work offset back", control=ONE, source="828Db p.793, SAVE and settable frames", evidence="secondary",
+    setup={"work_offsets": {"G54": {"X": 1.125}, "G55": {"X": 100}}},
+    program="%_N_MAIN_MPF\nN10 G54 G0 X1\nN20 PART\nN30 X2\nN40 M30\n%_N_PART_SPF\nN50 PROC PART SAVE\nN60 G55 X3\nN70 M17",
+    centre="X2.125 | X103 | X3.125",
+)
+case(
+    "F and S stay as SAVE's program leaves them", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 G1 X60 F60\nN20 PART\nN30 X240\nN40 M30\n%_N_PART_SPF\nN50 PROC PART SAVE\nN60 G1 X120 F120\nN70 M17",
+    time=60 + 30 + 60,
+)
