@@ -49,6 +49,20 @@ VacantCheck::VacantCheck(Checker& c, const VariableUses& uses) : c_(c), uses_(us
     computed_calls_ = computed_calls_ || flow.calls_computed();
 }
 
+namespace {
+
+/// Return the parameters that a program declares. They have a value at each call.
+Bits parameters_of(const Code& code, const Program& program) {
+  Bits found = 0;
+  for (std::uint32_t i = 0; i < program.parameters; ++i) {
+    const std::int32_t variable = code.formal_parameters[program.first_parameter + i].variable;
+    if (variable < kMostBits) found |= Bits{1} << variable;
+  }
+  return found;
+}
+
+}  // namespace
+
 /// Return the locals that the arguments of a call set.
 Bits VacantCheck::given(const CallEdge& edge) const {
   const CallRecord& record = c_.code.calls[edge.record];
@@ -155,7 +169,9 @@ std::vector<VacantCheck::Vacant> VacantCheck::vacant(const ProgramFlow& flow) co
     const bool other = entry < flow.last() && c_.code.program_at(entry) != flow.program();
     reach(entry, {other ? uses_.named() : 0, 0, true});
   }
-  reach(flow.first(), at_entry(flow));
+  const Vacant entry = at_entry(flow);
+  const Bits vacant = ~parameters_of(c_.code, c_.program(flow.program()));
+  reach(flow.first(), {entry.always & vacant, entry.sometimes & vacant, true});
   while (!waiting.empty() && !c_.over()) {
     const Address at = waiting.back();
     waiting.pop_back();

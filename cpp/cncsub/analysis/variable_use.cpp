@@ -16,6 +16,11 @@ namespace {
 
 constexpr std::int32_t kFirstNamed = 1 << 30;  // plus its place: a variable with a name
 
+/// Return the name of a variable as programs write it.
+std::string written(const Code& code, const std::string& name) {
+  return code.spelling->numbered ? "#<" + name + ">" : name;
+}
+
 /// Return the bit of a local that has a name.
 Bits local_bit(const NamedVariable& of) {
   return of.common || of.index >= kMostBits ? 0 : Bits{1} << of.index;
@@ -76,7 +81,7 @@ std::string VariableUses::name_of(std::int32_t number) const {
     }
     return own;
   }
-  return "#<" + named_variable(number).name + ">";
+  return written(c_.code, named_variable(number).name);
 }
 
 bool VariableUses::is_local(std::int32_t number) const {
@@ -186,7 +191,7 @@ TextPlace VariableUses::place_of(Address at, std::int32_t number) const {
   const References of = references_of(c_.code, block, c_.code.program_at(at));
   const std::string name = name_of(number);
   for (const VariableReference& each : of.reads) {
-    const bool named = each.number < 0 && !each.computed && name == "#<" + each.name + ">";
+    const bool named = each.number < 0 && !each.computed && name == written(c_.code, each.name);
     const bool same = !each.computed && each.number >= 0 && own_number(each.number) == number;
     if (same || named) return each.place;
   }

@@ -19,8 +19,7 @@ std::optional<Fault> refused(const FormalParameter& formal, const ActualParamete
   if (actual.is_text != formal.is_text)
     return fault(actual, Cause::StatementFormat,
                  formal.is_text ? "the parameter takes a text" : "the parameter takes no text");
-  if (formal.by_reference && !formal.is_text &&
-      actual.variable.target == Statement::Target::None)
+  if (formal.by_reference && !formal.is_text && actual.variable.target == Statement::Target::None)
     return fault(actual, Cause::StatementFormat,
                  "the parameter takes a variable, whose value the return changes");
   return std::nullopt;
@@ -46,14 +45,15 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
   std::span<const FormalParameter> formals;
   if (found != kNoProgram) {
     const Program& program = code.programs[static_cast<std::size_t>(found)];
-    formals = std::span(code.formal_parameters).subspan(program.first_parameter, program.parameters);
+    formals =
+        std::span(code.formal_parameters).subspan(program.first_parameter, program.parameters);
   }
   for (std::size_t i = formals.size(); i < given.size(); ++i) {
     if (!is_given(given[i])) continue;
     if (found != kNoProgram)
-      return fault(given[i], Cause::TooManyArguments,
-                   code.name_of(found) + " declares " + std::to_string(formals.size()) +
-                       " parameters");
+      return fault(
+          given[i], Cause::TooManyArguments,
+          code.name_of(found) + " declares " + std::to_string(formals.size()) + " parameters");
     add_argument(code, call, 0, given[i].operand);  // what it reads is known, if nothing else
   }
   for (std::size_t i = 0; i < formals.size(); ++i) {

@@ -103,7 +103,7 @@ case(
 )
 case(
     "and a block of its own", **JOBS,
-    program="N10 DEF REAL DEPTH=5 G0 X1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="G",
+    program="N10 DEF REAL DEPTH=5 G0 X1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="G0",
 )
 case(
     "a variable alone is no block", **KNOWN,

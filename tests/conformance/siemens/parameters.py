@@ -27,7 +27,7 @@ for words in ("SAVE", "DISPLOF", "SBLOF", "ACTBLOCNO", "SAVE DISPLOF", "SBLOF DI
     )
 case(
     "other words do not follow PROC", **KNOWN,
-    program=_call("PART", " G0 X1"), runs="N20", alarm="statement-format", at="PART N40", word="G",
+    program=_call("PART", " G0 X1"), runs="N20", alarm="statement-format", at="PART N40", word="G0",
 )
 case(
     "PROC is the first block", **KNOWN,
@@ -76,7 +76,7 @@ case(
 )
 case(
     "VAR takes a variable and no value", **KNOWN,
-    program=_call("PART(R1+1)", "(VAR REAL FIRST)"), runs="", alarm="statement-format", at="MAIN N20", word="PART(R1+1)",
+    program=_call("PART(R1+1)", "(VAR REAL FIRST)"), runs="", alarm="statement-format", at="MAIN N20", word="R1+1",
 )
 case(
     "each open call has parameters of its own", **KNOWN,

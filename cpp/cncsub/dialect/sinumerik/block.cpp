@@ -259,9 +259,9 @@ bool BlockReader::named(Block& block, Words& words) {
     return call(block, words, written);
   line_.pass(name.size());
   if (is_not_computed(name)) return not_computed(block, name, at);
-  return refuse(block, Cause::CodeNotComputed,
-                name + " is not defined in this program, and global variables are not computed here",
-                at);
+  return refuse(
+      block, Cause::CodeNotComputed,
+      name + " is not defined in this program, and global variables are not computed here", at);
 }
 
 /// Read MSG("text"), or MSG(), which takes the message away.

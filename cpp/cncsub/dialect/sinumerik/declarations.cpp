@@ -15,17 +15,15 @@ struct TypeName {
   Type type;
   const char* uncomputed;
 };
-constexpr TypeName kTypes[] = {{"INT", Type::Int, nullptr},
-                               {"REAL", Type::Real, nullptr},
-                               {"BOOL", Type::Bool, nullptr},
-                               {"CHAR", Type::Char, nullptr},
-                               {"STRING", Type::String, "a STRING"},
-                               {"AXIS", Type::Axis, "an AXIS"},
-                               {"FRAME", Type::Frame, "a FRAME"}};
+constexpr TypeName kTypes[] = {
+    {"INT", Type::Int, nullptr},          {"REAL", Type::Real, nullptr},
+    {"BOOL", Type::Bool, nullptr},        {"CHAR", Type::Char, nullptr},
+    {"STRING", Type::String, "a STRING"}, {"AXIS", Type::Axis, "an AXIS"},
+    {"FRAME", Type::Frame, "a FRAME"}};
 
 // Words after the list of PROC. Only SAVE changes what runs.
-constexpr std::string_view kAttributes[] = {"SAVE",    "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
-                                            "SBLON",   "PREPRO",  "ICYCOF",  "ICYCON"};
+constexpr std::string_view kAttributes[] = {"SAVE",  "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
+                                            "SBLON", "PREPRO",  "ICYCOF",  "ICYCON"};
 
 /// Pass over brackets, from the first one on, to the one that closes it.
 bool pass_brackets(Line& line, char open, char close) {
@@ -131,10 +129,10 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
   if (declared.value) formal.otherwise = declared.value->number;
   to_.parameter(formal);
   if (definition.type == Type::Real || definition.uncomputed() != nullptr) return true;
+  Statement conversion = assignment_of(declared);
   to_.expressions().begin();
   expression_.push(definition);
   expression_.convert(definition.type);
-  Statement conversion = assignment_of(declared);
   conversion.expression = to_.expressions().end(declared.at, declared.width);
   conversions.push_back(conversion);
   return true;

@@ -18,7 +18,7 @@ std::optional<Type> type_named(std::string_view word);
 struct Definition {
   Type type = Type::Real;
   bool array = false;
-  std::int32_t local = 0;   // among the locals of a level
+  std::int32_t local = 0;  // among the locals of a level
 
   /// Return what its values are, where they are not computed here; else nothing.
   const char* uncomputed() const;

@@ -71,9 +71,10 @@ class ExpressionReader {
   Builder& to_;
   Line& line_;
   const Definitions& definitions_;
-  std::set<std::int32_t> assigned_;  // parameters that the block has assigned to; below 0: variables
-  bool assigned_any_ = false;        // one of a computed number among them
-  std::optional<double> constant_;   // the value is this number and nothing else
+  std::set<std::int32_t>
+      assigned_;                    // parameters that the block has assigned to; below 0: variables
+  bool assigned_any_ = false;       // one of a computed number among them
+  std::optional<double> constant_;  // the value is this number and nothing else
 };
 
 }  // namespace cncsub::sinumerik

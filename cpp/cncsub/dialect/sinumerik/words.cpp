@@ -12,8 +12,9 @@ namespace sinumerik {
 
 namespace {
 
-constexpr std::string_view kStatements[] = {"GOTO", "GOTOB", "GOTOC", "GOTOF",  "IF",  "WHILE",
-                                            "FOR",  "CASE",  "UNTIL", "REPEAT", "DEF", "PROC", "EXTERN"};
+constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
+                                            "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
+                                            "DEF",   "PROC",  "EXTERN"};
 constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
 
 template <class List>

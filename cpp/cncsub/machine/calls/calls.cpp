@@ -356,7 +356,8 @@ bool leave(Run& run, Address to, bool goes_on) {
     std::copy_n(own, run.code->locals_per_level + 1,
                 s.locals.data() + run.local_at(s.level - 1, 0));
   }
-  if (open.hands_back >= 0) hand_back(run, run.code->calls[static_cast<std::size_t>(open.hands_back)]);
+  if (open.hands_back >= 0)
+    hand_back(run, run.code->calls[static_cast<std::size_t>(open.hands_back)]);
   if (open.own_locals) --s.level;
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
