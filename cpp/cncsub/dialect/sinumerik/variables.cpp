@@ -52,7 +52,7 @@ Statement ExpressionReader::variable_alone() {
   found.variable_at = line_.offset();
   const std::string_view written = line_.name();
   std::size_t end = written.size();
-  while (is_blank(line_.ahead(end))) ++end;
+  while (end < line_.rest().size() && is_blank(line_.ahead(end))) ++end;
   if (written.empty() || (line_.ahead(end) != ',' && line_.ahead(end) != ')')) return found;
   const std::string name = capitals(written);
   found.variable_width = static_cast<std::uint32_t>(name.size());
