@@ -134,7 +134,8 @@ class Builder {
   /// Return the place of the next argument; those of one call follow each other.
   std::uint32_t next_argument() const { return static_cast<std::uint32_t>(code_.arguments.size()); }
 
-  /// Return the place of the next parameter that a program declares; those of one follow each other.
+  /// Return the place of the next parameter that a program declares; those of one follow each
+  /// other.
   std::uint32_t next_parameter() const {
     return static_cast<std::uint32_t>(code_.formal_parameters.size());
   }

@@ -98,7 +98,7 @@ struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
-  char count = 'L';  // the address of `l` as it is written
+  char count = 'L';                    // the address of `l` as it is written
   std::vector<ActualParameter> given;  // until the called program is known
   std::vector<HandedBack> back;
 };

@@ -1,4 +1,5 @@
-// The values in the brackets of a call, and the parameters that the called program declares for them.
+// The values in the brackets of a call, and the parameters that the called program declares for
+// them.
 #pragma once
 
 #include <optional>

@@ -57,10 +57,10 @@ struct Program {
   Address last = 0;                               // one after the last block: the EndOfRecord
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
-  std::int32_t inside = kNoProgram;  // the program whose blocks it is a part of
-  bool keeps_modes = false;          // its return restores the modes of its caller
+  std::int32_t inside = kNoProgram;                   // the program whose blocks it is a part of
+  bool keeps_modes = false;                           // its return restores the modes of its caller
   std::uint32_t first_parameter = 0, parameters = 0;  // in Code::formal_parameters
-  std::uint32_t opening = 0;         // of a file that begins with a %: its place plus 1
+  std::uint32_t opening = 0;  // of a file that begins with a %: its place plus 1
 };
 
 /// A hash table that finds programs by number or name. It is allocated once.
