@@ -228,6 +228,8 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string_view written = line_.name();
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
+  if (name == "MCALL") return modal_call(block, words, at);
+  if (name == "SETAL") return raise_alarm(block, words, at);
   if (name == "CR") {
     line_.pass(name.size());
     if (line_.peek() != '=') return refuse(block, Cause::MissingEquals, "CR without =", at);
@@ -279,6 +281,7 @@ bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
 }
 
 bool BlockReader::write(Block& block, Words& words) {
+  if (words.modal) return write_modal_call(block, words);
   if (words.call) return write_call(block, words, std::move(*words.call));
   for (const Drop& drop : words.drops) to_.drop(drop.at, drop.width);
   if (words.back) return write_return(block, words, *words.back);
