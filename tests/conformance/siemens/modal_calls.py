@@ -127,7 +127,7 @@ _pattern(
 )
 _pattern("a circle without holes is 61103", "HOLES2(10,20,5,0,0,0)", "", alarm="user-alarm", number="61103")
 _pattern(
-    "a grid is drilled line by line to and fro", "CYCLE801(10,20,0,15,10,3,2)",
+    "a grid is drilled line by line, each the other way than the one before", "CYCLE801(10,20,0,15,10,3,2)",
     "R X10 Y20\nR X25\nR X40\nR Y30\nR X25\nR X10",
 )
 _pattern(
