@@ -20,6 +20,7 @@ void calls_and_returns(Control& c) {
   c.calls.max_repeats = {9999, kKnown, Inferred};
   c.calls.zero_repeats = {ZeroRepeats::Alarm, kKnown, Inferred};
   give_role(c.calls.roles, "M17", Role::Return, kManual, Manual);
+  give_role(c.calls.roles, "M6", Role::ToolChange, kKnown, Inferred);
   give_role(c.calls.roles, "M2", Role::End, kManual, Manual);
   give_role(c.calls.roles, "M30", Role::End, kManual, Manual);
   no_role(c.calls.roles, {"M29", "M98", "M99", "M198", "G65", "G66", "G66.1", "G67"},
