@@ -77,6 +77,17 @@ void motion(Control& c) {
   c.common.power_on = {Set<PowerOn>{PowerOn::G01}, kKnown, Inferred};
 }
 
+void modal_calls(Control& c) {
+  c.macros.modal_trigger = {ModalTrigger::AxisWord,
+                            "general knowledge of the SINUMERIK 840D: posts write the first "
+                            "position again after MCALL",
+                            Inferred};
+  c.macros.modal_locals = {ModalLocals::Rewritten,
+                           "828Dj p.177: the values are handed over once, with MCALL", Inferred};
+  c.macros.second_modal_call = {SecondModal::Replaces, kKnown, Inferred};
+  c.macros.cancel_alone = {CancelAlone::Ignored, kKnown, Inferred};
+}
+
 /// Add R0 to R99, which keep their values.
 void parameters(Control& c) {
   c.variables.push_back({0, 99, VariableKind::Kept, Access::ReadWrite, 0, kKnown, Inferred});
@@ -92,6 +103,8 @@ Control family() {
   parameters(c);
   c.alarms[Cause::NoFeed] = {"10860", "feedrate not programmed",
                              "general knowledge of the SINUMERIK alarms", Inferred};
+  modal_calls(c);
+  standard_cycles(c);
   return c;
 }
 

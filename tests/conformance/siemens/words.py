@@ -9,7 +9,7 @@ POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred
 
 case(
     "a semicolon begins a comment, and brackets begin none", **KNOWN,
-    program="N10 G0 X1 ; X2\n; X3\nN20 X(1+1)\nN30 M30", runs="N10", alarm="address-without-value", at="MAIN N20",
+    program="N10 G0 X1 ; X2\n; X3\nN20 X(1+1)\nN30 M30", runs="N10", alarm="address-without-value", number="12080", at="MAIN N20",
 )
 case(
     "an address takes a number, or = and an expression", **KNOWN,
@@ -58,7 +58,7 @@ case(
 )
 case(
     "G63 without a feed alarms", **KNOWN,
-    program="N10 G0 Z5\nN20 G63 Z-10\nN30 M30", runs="N10", alarm="no-feed", at="MAIN N20", word="G63",
+    program="N10 G0 Z5\nN20 G63 Z-10\nN30 M30", runs="N10", alarm="no-feed", number="10860", at="MAIN N20", word="G63",
 )
 case(
     "an end that misses its circle by more than a hundredth is 14040",
@@ -95,7 +95,7 @@ case(
     "five M codes stand in a block", **KNOWN, program="N10 M3 M7 M8 M20 M21\nN20 M30", m=[3, 7, 8, 20, 21, 30],
 )
 case(
-    "and no sixth", **KNOWN, program="N10 M3 M7 M8 M20 M21 M22\nN20 M30", runs="", alarm="too-many-words", at="MAIN N10", word="M22",
+    "and no sixth", **KNOWN, program="N10 M3 M7 M8 M20 M21 M22\nN20 M30", runs="", alarm="too-many-words", number="12010", at="MAIN N10", word="M22",
 )
 case(
     "MSG shows a text", **KNOWN, program='N10 MSG("drill; then tap")\nN20 M30', messages=["drill; then tap"],
@@ -121,11 +121,11 @@ case(
 case("an address twice", **KNOWN, program="N10 G0 X1 X2\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X2")
 case("G takes no =", **KNOWN, program="N10 G=R1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10")
 case("E is no address", **KNOWN, program="N10 E5\nN20 M30", runs="", alarm="address-not-usable", at="MAIN N10", word="E5")
-case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10")
+case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
 for text, word in (
     ("DEF CHAN REAL DEPTH", "CHAN"),
-    ("R1=$P_UIFR", "R1=$P_UIFR"), ("MCALL HOLE", "MCALL"), ("DEPTH = 5", "DEPTH"),
+    ("R1=$P_UIFR", "R1=$P_UIFR"), ("DEPTH = 5", "DEPTH"),
     ("R1=6 B_AND 3", "R1=6 B_AND 3"), ('MSG("a"<<R1)', 'MSG("a"'),
 ):
     case(

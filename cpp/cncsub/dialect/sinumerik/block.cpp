@@ -226,6 +226,8 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string_view written = line_.name();
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
+  if (name == "MCALL") return modal_call(block, words, at);
+  if (name == "SETAL") return raise_alarm(block, words, at);
   if (const Definition* const of = definitions_.find(name)) {
     Statement statement;
     if (!expression_.assignment(*of, statement)) return refuse(block);
@@ -291,6 +293,7 @@ void BlockReader::name_machine_axes(Words& words) const {
 
 bool BlockReader::write(Block& block, Words& words) {
   name_machine_axes(words);
+  if (words.modal) return write_modal_call(block, words);
   if (words.call) return write_call(block, words, std::move(*words.call));
   for (const Drop& drop : words.drops) to_.drop(drop.at, drop.width);
   if (words.back) return write_return(block, words, *words.back);

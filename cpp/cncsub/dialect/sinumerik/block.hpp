@@ -56,6 +56,7 @@ class BlockReader {
     std::optional<Print> print;
     std::vector<Drop> drops;
     std::optional<CallRecord> call;
+    std::optional<std::uint32_t> modal;  // where MCALL stands
     std::optional<std::uint32_t> back;  // where M17 or RET stands
     std::bitset<kCodeGroups> groups;    // of the codes so far
     // X1=0: which axes G74 and G75 move.
@@ -97,6 +98,9 @@ class BlockReader {
   bool given_values(Block& block, std::vector<ActualParameter>& given);
   bool write(Block& block, Words& words);
   bool write_call(Block& block, const Words& words, CallRecord call);
+  bool modal_call(Block& block, Words& words, std::uint32_t at);
+  bool write_modal_call(Block& block, const Words& words);
+  bool raise_alarm(Block& block, Words& words, std::uint32_t at);
   bool write_return(Block& block, const Words& words, std::uint32_t at);
   void write_beside(Block& block, const Words& words);
 

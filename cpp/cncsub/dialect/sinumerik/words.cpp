@@ -133,6 +133,7 @@ void pass_word(Line& line, WrittenWord& word) {
 const std::string_view sinumerik_rules =
     "refuses power_on missing_end g_codes max_sequence_number "
     "self_call caller_call max_repeats zero_repeats too_many_repeats max_nesting max_total_nesting "
+    "modal_locals modal_trigger second_modal_call cancel_alone calls_in_modal "
     "roles main_return end_in_subprogram commons "
     "machine g_meanings rapid_rate max_feed arc_tolerance arc_tolerance_share no_radius "
     "small_radius negative_radius helix dwell_words arc_angle_words added_turns poles "
