@@ -52,7 +52,9 @@ std::vector<std::size_t> duplicates(const Code& code) {
 
 std::optional<std::size_t> first_of_memory(const Code& code) {
   for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (!code.files[code.programs[i].file].external) return i;
+    if (const SourceFile& file = code.files[code.programs[i].file];
+        !file.external && !defines_for_all(*code.spelling, file))
+      return i;
   return std::nullopt;
 }
 

@@ -39,6 +39,8 @@ void alarms(Control& c) {
                                     "general knowledge of the SINUMERIK alarms", Inferred};
   c.alarms[VariableGivenTwice] = {"12170", "name defined several times",
                                   "general knowledge of the SINUMERIK alarms", Inferred};
+  c.alarms[ArrayElement] = {"12400", "element of array does not exist",
+                            "general knowledge of the SINUMERIK alarms", Inferred};
   c.alarms[TooManyArguments] = {"14020", "wrong value or wrong number of parameters",
                                 "general knowledge of the SINUMERIK alarms", Inferred};
   c.alarms[RadiusTolerance] = {"14040", "error in end point of circle", "HSA 14040", Secondary};

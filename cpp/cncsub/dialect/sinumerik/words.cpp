@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
                                             "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
                                             "DEF",   "PROC",  "EXTERN"};
-constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
+                                         "TO",  "B_AND", "B_OR", "B_XOR"};
 
 template <class List>
 bool is_in(const List& list, std::string_view word) {
@@ -39,7 +40,8 @@ void pass_bracket(Line& line, char open, char close) {
 }
 
 void pass_operand(Line& line) {
-  while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT")
+  while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT" ||
+         capitals(line.name()) == "B_NOT")
     line.pass(line.name().empty() ? 1 : line.name().size());
   if (line.peek() == '"') return line.pass_quoted();
   if (line.take('$')) line.peek();
@@ -102,6 +104,7 @@ void pass_word(Line& line, WrittenWord& word) {
     line.pass(name.size());
     if (line.ahead(0) == ':') return line.pass(1);
     if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
+    if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
     if (!line.take('=')) return;
     if (capital == "CR") word.address = capital;
     pass_value(line, word);
@@ -140,7 +143,8 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,
                                   .radius = "CR",
-                                  .own_m_codes = {100, 999}};
+                                  .own_m_codes = {100, 999},
+                                  .definitions = ".DEF"};
 
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;

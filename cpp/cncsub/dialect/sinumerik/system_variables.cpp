@@ -1,0 +1,106 @@
+// System variables, $AA_IW[X] and others, as far as a run knows what they hold.
+#include <algorithm>
+#include <iterator>
+
+#include "cncsub/dialect/sinumerik/operands.hpp"
+
+namespace cncsub::sinumerik {
+
+namespace {
+
+/// A system variable of one number among the variables of the control, or of several by an index.
+struct SystemVariable {
+  std::string_view name;
+  VariableKind kind;
+  enum class By : std::uint8_t { Nothing, Axis, Number } by;
+  char address = 0;  // of an active word
+  // A part of the number that the control keeps: over `divisor`, and the rest of a hundred.
+  double divisor = 0;
+};
+using By = SystemVariable::By;
+
+// [NCI, actual_position.mpf; general knowledge of the SINUMERIK 840D]
+constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, By::Axis},
+                                         {"AA_IM", VariableKind::MachinePosition, By::Axis},
+                                         {"P_EP", VariableKind::BlockEnd, By::Axis},
+                                         {"P_TOOLNO", VariableKind::ActiveWord, By::Nothing, 'T'},
+                                         {"P_F", VariableKind::ActiveWord, By::Nothing, 'F'},
+                                         {"A_IN", VariableKind::Input, By::Number},
+                                         {"A_OUT", VariableKind::Output, By::Number},
+                                         {"A_MONTH", VariableKind::Date, By::Nothing, 0, 100},
+                                         {"A_DAY", VariableKind::Date, By::Nothing, 0, 1},
+                                         {"A_HOUR", VariableKind::Time, By::Nothing, 0, 10000},
+                                         {"A_MINUTE", VariableKind::Time, By::Nothing, 0, 100},
+                                         {"A_SECOND", VariableKind::Time, By::Nothing, 0, 1}};
+
+/// Return the range of the control's variables that holds a system variable; null where it has
+/// none.
+const VariableRange* range_of(const OpenExpression& open, const SystemVariable& of) {
+  for (const PlacedRange& placed : open.to.code().variables)
+    if (placed.range.kind == of.kind && placed.range.address == of.address) return &placed.range;
+  return nullptr;
+}
+
+void pass_index(Line& line) {
+  int depth = 0;
+  while (line.peek() == '[' || (depth > 0 && line.peek() != '\0')) {
+    const char c = line.peek();
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    line.pass(1);
+    if (depth == 0) return;
+  }
+}
+
+/// Read the index of a system variable, and push its value.
+bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t first, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (!open.line.take('['))
+    return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable has an index", at);
+  const Read read = read_value(open, depth + 1);
+  if (!read) return false;
+  const bool axis = *read == Type::Axis;
+  if (axis != (of.by == By::Axis) || *read == Type::String)
+    return open.wrong(Cause::ExpressionFormat,
+                      axis ? "the index is a number" : "the index is an axis", at);
+  if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
+  open.emit(Ins::VariableAt, first);
+  return true;
+}
+
+}  // namespace
+
+Read read_system_variable(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
+  open.line.pass(1);
+  const std::string name = capitals(open.line.name());
+  open.line.pass(name.size());
+  if (name == "PI") {
+    open.constant.reset();
+    open.emit(Ins::Constant, 3.14159265358979323846);
+    return Type::Real;
+  }
+  const auto* const of = std::find_if(std::begin(kVariables), std::end(kVariables),
+                                      [&](const auto& known) { return known.name == name; });
+  const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);
+  if (range == nullptr) {
+    pass_index(open.line);
+    open.wrong(Cause::CodeNotComputed, "a run does not know $" + name, at);
+    return std::nullopt;
+  }
+  open.constant.reset();
+  if (of->by != By::Nothing) {
+    if (!push_indexed(open, *of, range->first, depth)) return std::nullopt;
+    open.constant.reset();
+    return of->kind == VariableKind::Input || of->kind == VariableKind::Output ? Type::Bool
+                                                                               : Type::Real;
+  }
+  open.emit(Ins::Variable, range->first);
+  if (of->divisor == 0) return of->address == 'T' ? Type::Int : Type::Real;
+  open.emit(Ins::DivideConstant, of->divisor);
+  open.emit(Ins::Fix);
+  open.emit(Ins::Constant, 100);
+  open.emit(Ins::Modulo);
+  return Type::Int;
+}
+
+}  // namespace cncsub::sinumerik
