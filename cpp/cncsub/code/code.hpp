@@ -172,6 +172,9 @@ struct Code {
   /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
 
+  /// Return the program that runs where none is named: the first one of the memory, or the first
+  /// that is named as a main program. kNoProgram where there is none.
+  std::int32_t main_program() const;
   /// Return the program of a number or name; kNoProgram where there is none.
   std::int32_t find(std::int64_t number, bool external = false) const;
   std::int32_t find(std::string_view name, bool external = false) const;

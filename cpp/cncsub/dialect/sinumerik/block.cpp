@@ -20,8 +20,7 @@ constexpr std::string_view kDropped = "DH";                    // reported, and 
 
 /// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
-  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
-  return structure && (block.skip != 0 || o_word);
+  return link.is_structure() && (block.skip != 0 || o_word);
 }
 
 void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::uint32_t width) {
@@ -73,13 +72,13 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   return true;
 }
 
-/// Read the skip switches: `/` and `/0` are the first one, `/1` and up the one of this number.
+/// Read the skip levels: `/` and `/0` are the first of ten, `/9` is the tenth. [general knowledge]
 void BlockReader::skip_level(Block& block) {
   marked_at_ = line_.offset();
   while (line_.take('/')) {
     const char level = line_.ahead(0);
     if (is_digit(level)) line_.pass(1);
-    block.skip |= 1u << (is_digit(level) && level > '1' ? level - '0' : 1);
+    block.skip |= 1u << (is_digit(level) ? level - '0' + 1 : 1);
     marked_width_ = line_.width_from(marked_at_);
   }
 }

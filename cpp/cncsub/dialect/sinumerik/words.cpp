@@ -12,9 +12,9 @@ namespace sinumerik {
 
 namespace {
 
-constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
-                                            "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
-                                            "DEF",   "PROC",  "EXTERN"};
+constexpr std::string_view kStatements[] = {
+    "GOTO",  "GOTOB",  "GOTOC",   "GOTOF", "GOTOS", "IF",      "WHILE", "FOR",  "CASE",
+    "UNTIL", "REPEAT", "REPEATB", "CALL",  "PCALL", "EXTCALL", "DEF",   "PROC", "EXTERN"};
 constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
 
 template <class List>
@@ -136,6 +136,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .value = {"=(", ")"},
                                   .message = {"MSG(\"", "\")"},
                                   .head = {"%_N_", "_MPF"},
+                                  .main_ending = "MPF",
                                   .brackets = {"(", ")"},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,
