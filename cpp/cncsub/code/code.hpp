@@ -179,6 +179,9 @@ struct Code {
   /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
 
+  /// Return the program that runs where none is named: the first one of the memory, or the first
+  /// that is named as a main program. kNoProgram where there is none.
+  std::int32_t main_program() const;
   /// Return the program of a number or name; kNoProgram where there is none.
   std::int32_t find(std::int64_t number, bool external = false) const;
   std::int32_t find(std::string_view name, bool external = false) const;
@@ -205,5 +208,8 @@ void list_statements(Code& code);
 
 /// Return the number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);
+
+/// Return whether a file defines variables for the programs of all others, which are read after it.
+bool defines_for_all(const Spelling& spelling, const SourceFile& file);
 
 }  // namespace cncsub

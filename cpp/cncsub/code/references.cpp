@@ -35,6 +35,7 @@ class ReferenceReader {
   void print(const Print& print);
   void parallel_assign(const ParallelAssign& all, bool conditional);
   void select(const Select& variant);
+  void alternatives(const Statement& choice);
 
   void operands(const CallRecord& call);
 
@@ -230,6 +231,14 @@ void ReferenceReader::statement(Op op, const Statement& statement, bool conditio
       used_.reads(statement.expression);
       read(code_.variants[statement.then], true);
       break;
+    case Op::For:
+      used_.reads(statement.expression);
+      used_.reads(code_.statements[statement.then].expression);
+      used_.written(code_.statements[statement.then]);
+      break;
+    case Op::Switch:
+      alternatives(statement);
+      break;
     default:
       break;
   }
@@ -240,6 +249,14 @@ void ReferenceReader::parallel_assign(const ParallelAssign& all, bool conditiona
     statement(Op::Assign, code_.statements[all.first_statement + i], conditional);
   if (all.print != OWord::kNone) print(code_.prints[all.print]);
   if (all.words != OWord::kNone) read(code_.variants[all.words], conditional);
+}
+
+void ReferenceReader::alternatives(const Statement& choice) {
+  if (choice.index == Statement::kHasValue) used_.reads(choice.expression);
+  for (const Statement* of = &choice + 1; of <= &choice + choice.number; ++of) {
+    if (of->index != Statement::kAlways) used_.reads(of->expression);
+    read(code_.variants[of->then], true);
+  }
 }
 
 void ReferenceReader::select(const Select& variant) {
@@ -264,8 +281,10 @@ void ReferenceReader::read(const Block& block, bool conditional) {
     case Op::Goto:
     case Op::IfGoto:
     case Op::IfThen:
+    case Op::Switch:
     case Op::If:
     case Op::While:
+    case Op::For:
       return statement(block.op, code_.statements[block.aux], conditional);
     case Op::HCode:
       return h_code(code_.h_codes[block.aux]);

@@ -21,8 +21,7 @@ constexpr std::string_view kDropped = "H";  // reported, and without effect here
 
 /// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
-  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
-  return structure && (block.skip != 0 || o_word);
+  return link.is_structure() && (block.skip != 0 || o_word);
 }
 
 void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::uint32_t width) {
@@ -74,13 +73,13 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   return true;
 }
 
-/// Read the skip switches: `/` and `/0` are the first one, `/1` and up the one of this number.
+/// Read the skip levels: `/` and `/0` are the first of ten, `/9` is the tenth. [general knowledge]
 void BlockReader::skip_level(Block& block) {
   marked_at_ = line_.offset();
   while (line_.take('/')) {
     const char level = line_.ahead(0);
     if (is_digit(level)) line_.pass(1);
-    block.skip |= 1u << (is_digit(level) && level > '1' ? level - '0' : 1);
+    block.skip |= 1u << (is_digit(level) ? level - '0' + 1 : 1);
     marked_width_ = line_.width_from(marked_at_);
   }
 }
@@ -229,7 +228,6 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
   if (name == "MCALL") return modal_call(block, words, at);
-  if (name == "SETAL") return raise_alarm(block, words, at);
   if (const Definition* const of = definitions_.find(name)) {
     return expression_.assignments(*of, words.statements) || refuse(block);
   }

@@ -14,11 +14,10 @@ namespace sinumerik {
 
 namespace {
 
-constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
-                                            "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
-                                            "DEF",   "PROC",  "EXTERN"};
-constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
-                                         "TO",  "B_AND", "B_OR", "B_XOR"};
+constexpr std::string_view kStatements[] = {
+    "GOTO",  "GOTOB",  "GOTOC",   "GOTOF", "GOTOS", "IF",      "WHILE", "FOR",  "CASE",
+    "UNTIL", "REPEAT", "REPEATB", "CALL",  "PCALL", "EXTCALL", "DEF",   "PROC", "EXTERN"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR", "B_XOR"};
 
 template <class List>
 bool is_in(const List& list, std::string_view word) {
@@ -149,6 +148,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .value = {"=(", ")"},
                                   .message = {"MSG(\"", "\")"},
                                   .head = {"%_N_", "_MPF"},
+                                  .main_ending = "MPF",
                                   .brackets = {"(", ")"},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,

@@ -33,6 +33,8 @@ bool by_name(CallKind kind) {
     case CallKind::Local:
     case CallKind::OWord:
     case CallKind::Named:
+    case CallKind::Repeat:
+    case CallKind::CallBlock:
     case CallKind::Macro:
     case CallKind::Modal:
     case CallKind::ModalEveryBlock:
@@ -338,7 +340,9 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
     record_call(run, index, target, open,
                 run.block.is_step && !by_move ? run.block.step : s.executed - 1);
   s.frames.push_back(open);
-  if (run.code->programs[static_cast<std::size_t>(target.program)].keeps_modes)
+  run.frame().part_end = record.extras.get().part_end;
+  const bool part = run.frame().part_end != kNowhere;
+  if (!part && run.code->programs[static_cast<std::size_t>(target.program)].keeps_modes)
     keep_modes_of_caller(run);
   if (s.frames.size() > kLongText) look_soon(run);  // each call looks at all of them
   s.pc = target.start;
