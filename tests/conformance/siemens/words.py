@@ -58,7 +58,7 @@ case(
 )
 case(
     "G63 without a feed alarms", **KNOWN,
-    program="N10 G0 Z5\nN20 G63 Z-10\nN30 M30", runs="N10", alarm="no-feed", at="MAIN N20", word="G63",
+    program="N10 G0 Z5\nN20 G63 Z-10\nN30 M30", runs="N10", alarm="no-feed", number="10860", at="MAIN N20", word="G63",
 )
 case(
     "an end that misses its circle by more than a hundredth is 14040",
