@@ -54,7 +54,7 @@ void paths(Control& c) {
 void motion(Control& c) {
   c.motion.g_meanings = {
       "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
-      "332=thread-by-axis 53=machine 58=not-computed "
+      "332=thread-by-axis 58=not-computed "
       "59=not-computed 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
       "75=second-reference-direct 96=not-computed 97=not-computed "
       "110=pole-from-tool 111=pole 112=pole-from-pole 153=machine-all 450=corner-arc "

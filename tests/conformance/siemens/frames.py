@@ -146,7 +146,7 @@ case(
     program="N10 TRANS X10\nN20 G505 G0 X1\nN30 M30", final_machine="X1016.5 Y7 Z0",
 )
 case(
-    "G53 leaves out the zero point and the frame of its block, and no basic frame", pins="machine_move g_meanings:53=machine", **KNOWN, setup=SYSTEMS,
+    "G53 leaves out the zero point and the frame of its block, and no basic frame", pins="machine_move", **KNOWN, setup=SYSTEMS,
     program="N10 TRANS X10\nN20 G53 G0 X1\nN30 M30", final_machine="X1001 Y7 Z0",
 )
 for word, pin in (("G153", "153=machine-all"), ("SUPA", "901.1=machine-all")):
