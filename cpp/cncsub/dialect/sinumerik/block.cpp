@@ -184,7 +184,8 @@ bool BlockReader::Words::take_group(int group) {
 
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const auto code = to_whole<int>(std::round(value.number * 10));
-  if (value.number < 0 || !to_.control().reading.g_codes.value.has(code))
+  const bool whole = code % 10 == 0;  // tenths are those of codes that are written as words
+  if (value.number < 0 || !whole || !to_.control().reading.g_codes.value.has(code))
     return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
   if (!words.take_group(group_of(code / 10)))
     return refuse(block, Cause::AddressGivenTwice, "a second code of its G group", value.at);
@@ -239,6 +240,8 @@ bool BlockReader::named(Block& block, Words& words) {
   if (const int code = code_of_word(name); code >= 0)
     return code_word(block, words, code, name, at);
   if (is_reported(name)) return report(block, words, name, at);
+  if (is_reported_call(name)) return report_call(block, words, name, at);
+  if (is_off_at_zero(name)) return off_at_zero(block, words, name, at);
   if (is_neutral(name)) {
     line_.pass(name.size());
     if (!words.take_group(group_of(name)))
@@ -289,7 +292,8 @@ void BlockReader::name_machine_axes(Words& words) const {
   for (int i = 0; i < words.list.g_count; ++i) {
     const double code = words.list.g[static_cast<std::size_t>(i)].value;
     if (code != 740 && code != 750) continue;
-    for (const auto& [letter, value] : words.machine_axes) words.list.set(letter - 'A', value, false);
+    for (const auto& [letter, value] : words.machine_axes)
+      words.list.set(letter - 'A', value, false);
     words.drops.clear();
   }
 }

@@ -73,6 +73,8 @@ class BlockReader {
   bool code_word(Block& block, Words& words, int code, std::string_view name, std::uint32_t at);
   bool tool_by_name(Words& words, std::uint32_t at);
   void name_machine_axes(Words& words) const;
+  bool report_call(Block& block, Words& words, std::string_view name, std::uint32_t at);
+  bool off_at_zero(Block& block, Words& words, std::string_view name, std::uint32_t at);
   bool axis_beyond(Block& block, Words& words, std::uint32_t at);
   bool g_code(Block& block, Words& words, const Value& value);
   bool m_code(Block& block, Words& words, const Value& value);

@@ -137,10 +137,11 @@ const std::string_view sinumerik_rules =
     "modal_locals modal_trigger second_modal_call cancel_alone calls_in_modal "
     "roles main_return end_in_subprogram commons "
     "machine g_meanings rapid_rate max_feed arc_tolerance arc_tolerance_share no_radius "
-    "small_radius negative_radius helix dwell_words arc_angle_words added_turns poles "
+    "small_radius negative_radius helix dwell_words arc_angle_words added_turns "
+    "drops_centre_across poles "
     "machine_move max_extra_systems extra_system_codes max_offset_number tool_edges "
-    "shifts_move_increments length_type rotation_words start_up acute_corner idle_blocks "
-    "missing_radius_offset chamfer_words round_words angle_words angles_on_mills "
+    "shifts_move_increments rotation_words start_up acute_corner idle_blocks "
+    "chamfer_words round_words angle_words angles_on_mills "
     "dwell_turn_words unit_change computed_lengths";
 
 const std::span<const WordUse> sinumerik_word_uses;
