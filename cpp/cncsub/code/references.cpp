@@ -24,6 +24,7 @@ class ReferenceReader {
   static TextPlace place_of(const Operand& operand) { return {operand.at, operand.width}; }
 
   void call(const CallRecord& call);
+  void part(const CallRecord& call);
   void target_of(const CallRecord& call, CallReference& reference);
   void o_word(const OWord& own);
   void label_of(const OWord& own, CallReference& reference) const;
@@ -88,6 +89,21 @@ void ReferenceReader::call(const CallRecord& call) {
   reference.kind = call.kind;
   reference.place = {call.at, call.width};
   target_of(call, reference);
+  to_.calls.push_back(std::move(reference));
+  operands(call);
+}
+
+/// List a part of the own program that is executed as a call.
+void ReferenceReader::part(const CallRecord& call) {
+  CallReference reference;
+  reference.kind = call.kind;
+  reference.place = {call.at, call.width};
+  reference.found = call.target.program;
+  reference.program = code_.name_of(reference.found);
+  if (call.l.kind == Operand::Kind::Expression)
+    reference.computed_repeats = place_of(call.l.expression);
+  else if (call.l.present())
+    reference.repeats = to_whole<std::int64_t>(std::clamp(call.l.value, 0.0, 1e9));
   to_.calls.push_back(std::move(reference));
   operands(call);
 }
@@ -271,6 +287,8 @@ void ReferenceReader::read(const Block& block, bool conditional) {
     case Op::MacroCall:
     case Op::ModalCall:
       return call(code_.calls[block.aux]);
+    case Op::RepeatPart:
+      return part(code_.calls[block.aux]);
     case Op::Return:
       return back(code_.calls[block.aux], conditional);
     case Op::Jump:

@@ -50,11 +50,10 @@ class FileReader {
     program.text = at;
     std::string_view rest;
     if (!head.empty()) {
-      std::string_view name = trimmed(head.substr(1));
-      std::size_t before = name.starts_with("_N_") || name.starts_with("_n_") ? 3 : 0;
-      name = name_in(name.substr(before));
-      rest =
-          trimmed(head.substr(static_cast<std::size_t>(name.data() - head.data()) + name.size()));
+      const std::string_view said = trimmed(head.substr(1));
+      const std::size_t before = said.starts_with("_N_") || said.starts_with("_n_") ? 3 : 0;
+      std::string_view name = said.substr(before, name_in(said.substr(before)).size());
+      rest = trimmed(said.substr(before + name.size()));
       const std::string capital = capitals(name);
       if (capital.ends_with("_MPF") || capital.ends_with("_SPF")) name.remove_suffix(4);
       program.name_at = at + static_cast<std::uint32_t>(name.data() - head.data());
