@@ -158,8 +158,8 @@ struct Assigned {
 
   static constexpr std::uint32_t kMostIndex = (1U << 14) - 1, kMostPlace = 255;
   bool fits() const {
-    return target != Statement::Target::None && target <= Statement::Target::Indirect && index <= kMostIndex && at <= kMostPlace &&
-           width <= kMostPlace;
+    return target != Statement::Target::None && target <= Statement::Target::Indirect &&
+           index <= kMostIndex && at <= kMostPlace && width <= kMostPlace;
   }
 
   std::uint32_t data() const { return kind(target) | index << 2 | at << 16 | width << 24; }

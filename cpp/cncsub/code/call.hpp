@@ -86,9 +86,9 @@ struct JumpRecord {
 
 /// A value in the brackets of a call, in the order of the called program's parameters.
 struct ActualParameter {
-  Operand operand;       // absent: left out
+  Operand operand;  // absent: left out
   bool is_text = false;
-  Statement variable;    // its target is the variable that stands there and nothing else, if any
+  Statement variable;  // its target is the variable that stands there and nothing else, if any
 };
 
 /// What a return gives to a variable of the caller: the value of a local of the called program.

@@ -129,8 +129,8 @@ struct Code {
   std::array<std::unordered_map<std::int32_t, std::uint32_t>, 2>
       named_at;                // locals, commons by index
   std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
-  std::vector<DefinedVariable> defined_variables;  // one program's after the other's
-  std::vector<DefinedVariable> shared_variables;   // of all programs
+  std::vector<DefinedVariable> defined_variables;             // one program's after the other's
+  std::vector<DefinedVariable> shared_variables;              // of all programs
   std::vector<std::pair<std::int32_t, double>> first_values;  // of commons, when a run begins
   Texts texts;                                                // the first is empty
   std::vector<cncsub::ParallelAssign> parallel_assigns;

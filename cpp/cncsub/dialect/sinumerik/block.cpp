@@ -157,9 +157,11 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
   if (equals && definitions_.find(std::string(1, letter)) != nullptr)
     return not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
-  if (equals ? !form(block, at, letter - 'A', words.list.forms, value)
-             : !expression_.number(value) && !refuse(block))
-    return false;
+  bool is_text = false;
+  const bool read = !equals         ? expression_.number(value) || refuse(block)
+                    : letter == 'T' ? expression_.value_or_text(value, is_text) || refuse(block)
+                                    : form(block, at, letter - 'A', words.list.forms, value);
+  if (!read) return false;
   value.at = at;
   value.width = line_.width_from(at);
   words.any = true;
@@ -167,7 +169,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     return equals ? refuse(block, Cause::StatementFormat, "G cannot have =", at)
                   : g_code(block, words, value);
   if (letter == 'M') return m_code(block, words, value);
-  if (!known) {
+  if (!known || is_text) {  // the number of a tool's name is the machine's affair
     words.drops.push_back({0, value.at, value.width});
     return true;
   }
