@@ -25,6 +25,8 @@ constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, B
                                          {"P_EP", VariableKind::BlockEnd, By::Axis},
                                          {"P_TOOLNO", VariableKind::ActiveWord, By::Nothing, 'T'},
                                          {"P_F", VariableKind::ActiveWord, By::Nothing, 'F'},
+                                         {"P_S", VariableKind::ActiveWord, By::Nothing, 'S'},
+                                         {"P_GG", VariableKind::ModalCode, By::Group},
                                          {"A_IN", VariableKind::Input, By::Number},
                                          {"A_OUT", VariableKind::Output, By::Number},
                                          {"A_MONTH", VariableKind::Date, By::Nothing, 0, 100},
