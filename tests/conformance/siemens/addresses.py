@@ -224,7 +224,7 @@ case(
     "the centre across the plane does not count", pins="drops_centre_across", control=ONE, source="NCI, arc.mpf with its table", evidence="secondary", setup=ZERO,
     program="N10 G0 X0 Y50\nN20 G2 X0 Y0 Z10 I0 J-25 K5 F100\nN30 M30", moves="R X0 Y50\nCW X0 Y0 Z10 C X0 Y25", dropped=["K5"],
 )
-for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "RNDM=0", "OFFN=0"):
+for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "RNDM=0", "OFFN=0", "TOFFL=0", "DL=0", "COMPSURF", "ORISON"):
     case(
         f"{text} changes no path", **POLICY, setup=ZERO, program=f"N10 G0 X1\nN20 {text}\nN30 X2\nN40 M30", moves_x=[1, 2], dropped=[text],
     )
