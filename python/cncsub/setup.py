@@ -224,7 +224,7 @@ def work_system(what: str, name: object) -> str:
     if not _SYSTEM.fullmatch(system):
         raise ValueError(
             f"{what}: {name!r} is not a work coordinate system;"
-            " there are G54 to G59, EXT, G54.1 P1 to P300, and G500, G505 to G599"
+            " there are G54 to G59, EXT and G54.1 P1 to P300, on a SINUMERIK G500 and G505 to G599"
         )
     return system
 

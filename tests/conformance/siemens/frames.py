@@ -116,10 +116,6 @@ case(
     program="N10 SCALE X2 Y2\nN20 G1 X10 Y0 RND=1 F100\nN30 Y10\nN40 M30", moves="F X18 Y0\nCCW X20 Y2 C X18 Y2\nF X20 Y20",
 )
 case(
-    "no G word reaches the codes that are words", **KNOWN, program="N10 G900.1 X5\nN20 M30", runs="", alarm="g-code-not-available", number="12470",
-    at="MAIN N10", word="G900.1",
-)
-case(
     "a value that is too large is out of range, not beyond all numbers", **KNOWN, setup=ZERO,
     program="N10 SCALE X1EX30 Y1EX30\nN20 ASCALE X1EX30 Y1EX30\nN30 G0 X1\nN40 M30", runs="N10", alarm="value-out-of-range", at="MAIN N20",
 )
