@@ -12,7 +12,10 @@ CALLS = {"65", "66", "66.1", "67"}
 
 
 def codes(control: cncsub.Control) -> list[str]:
-    return str(next(rule.value for rule in control.rules if rule.name == "g_codes")).split()
+    """Return the codes of the list; the SINUMERIK writes those with tenths as words."""
+    listed = str(next(rule.value for rule in control.rules if rule.name == "g_codes")).split()
+    words = control.name.startswith("siemens")
+    return [code for code in listed if not (words and "." in code)]
 
 
 def stopped(control: cncsub.Control, machine: str, code: str) -> cncsub.Alarm | None:

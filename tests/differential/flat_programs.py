@@ -35,6 +35,7 @@ REASONS = {
     "a code starts the program over, and the flat program goes on after it",
     "the run ends by an alarm:  user-alarm",
     "M70 to M73 save and restore the modes of each call, and a flat program has no calls",
+    "its program restores the codes of the caller, and a flat program has no calls",
 }
 
 

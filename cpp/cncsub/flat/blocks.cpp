@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "cncsub/control/g_codes.hpp"
+
 namespace cncsub {
 
 namespace {
@@ -55,6 +57,7 @@ class BlockWriter::Maker {
     return block_.op == Op::EndProgram && to_.code_.control->calls.roles.value.of_m(m) == Role::End;
   }
   bool take_code(char letter, const WrittenWord& word);
+  bool take_code_word(const WrittenWord& word);
   bool take_end(const WrittenWord& word);
   void take_value(int place, const WrittenWord& word);
   void text(char letter, const WrittenWord& word);
@@ -121,6 +124,8 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
     failed_ = word.text;  // of two addresses in one place the other would be written
   } else if ((expressions_ & mark) != 0) {
     add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
+  } else if (word.address.size() > 1 && word.address.front() != ',') {
+    to_.add_text(word.text);  // I1=5, which is no I
   } else if (word.known && word.value == constant(place)) {
     text(static_cast<char>('A' + place), word);
   } else {
@@ -129,7 +134,21 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   left_ &= ~mark;
 }
 
+/// Add a G code that is written as a word, where the block has it.
+bool BlockWriter::Maker::take_code_word(const WrittenWord& word) {
+  const int code = code_of_word(word.address);
+  if (code < 0) return false;
+  for (std::size_t i = 0; i < codes_.g_count; ++i) {
+    if (codes_.g_codes[i] != code || (g_taken_ >> i & 1) != 0) continue;
+    g_taken_ |= 1u << i;
+    to_.add_text(word.text);
+    break;
+  }
+  return true;
+}
+
 void BlockWriter::Maker::take(const WrittenWord& word) {
+  if (take_code_word(word)) return;
   const int place = to_.code_.spelling->place_of(word.address);
   if (place < 0) return;
   const char letter = place < 26 ? static_cast<char>('A' + place) : ',';

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "cncsub/control/code_calls.hpp"
+#include "cncsub/control/g_codes.hpp"
 #include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/motion/state/facts.hpp"
@@ -191,6 +192,11 @@ bool WordWriter::constant(std::string& to, int place, double value, bool whole) 
 }
 
 bool WordWriter::code(std::string& to, char letter, int tenfold) const {
+  if (const std::string name = letter == 'G' ? code_name(tenfold) : "";
+      !name.empty() && name[0] != 'G') {
+    to += name;  // a code that is written as a word
+    return true;
+  }
   const Roles& roles = control_.calls.roles.value;
   const Role role = letter == 'M' ? roles.of_m(tenfold / 10) : roles.of_g(tenfold);
   const bool plain = role == Role::None || role == Role::Stop || role == Role::OptionalStop ||

@@ -62,6 +62,8 @@ NcWords constant_words(const Machine& machine, const Block& block) {
   words.mask = block.mask;
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell)
     words.value[static_cast<std::size_t>(std::countr_zero(left))] = cell->value;
+  if ((block.flags & Block::kHasForms) != 0)
+    words.forms = {cell[0].extra.expressions, cell[0].extra.whole, cell[1].extra.expressions};
   return words;
 }
 

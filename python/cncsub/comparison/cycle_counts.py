@@ -31,7 +31,9 @@ class CycleCounts:
 
     def __init__(self, control: Control, machine: str) -> None:
         codes = _core.g_codes(control, machine)
-        self._meanings = {float(code[1:]): meaning for code, meaning in codes}
+        self._meanings = {
+            float(code[1:]): meaning for code, meaning in codes if code[1:2].isdecimal()
+        }
         self._letters = letters_of(control)
 
     def words(self, program: Program) -> Iterator[tuple[Block, str]]:

@@ -164,6 +164,8 @@ _OTHERWISE_ON_LATHES = {
 
 def _names(text: str, code: str) -> bool:
     """Return whether a text names a code, or a range in which it is: `G71 to G73`."""
+    if not code[1:2].isdecimal():  # a code that is written as a word
+        return re.search(rf"\b{code}\b", text) is not None
     for letter, first, last in _NAMED.findall(text):
         if letter != code[0]:
             continue

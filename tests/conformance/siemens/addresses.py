@@ -176,10 +176,14 @@ case(
     program="N10 T1 M6\nN20 G41 G1 X10 Y10 F100\nN30 Y30\nN40 X40\nN50 G40 X50 Y50\nN60 M30", time=52.237,
 )
 case(
-    "G451 lets the moved paths meet there", pins="g_meanings:450=corner-arc g_meanings:451=corner-meet", **KNOWN, setup=MILL,
+    "G451 lets the moved paths meet there", pins="g_meanings:451=corner-meet", **KNOWN, setup=MILL,
     program="N10 T1 M6\nN20 G41 G451 G1 X10 Y10 F100\nN30 Y30\nN40 X40\nN50 G40 X50 Y50\nN60 M30", time=53.525,
 )
 
+case(
+    "G450 brings the arc back", pins="g_meanings:450=corner-arc", **KNOWN, setup=MILL,
+    program="N10 T1 M6\nN20 G451\nN30 G41 G450 G1 X10 Y10 F100\nN40 Y30\nN50 X40\nN60 G40 X50 Y50\nN70 M30", time=52.237,
+)
 case(
     "three blocks without a move may stand between two moves", pins="idle_blocks", **KNOWN, setup=MILL,
     program="N10 T1 M6\nN20 G41 G1 X10 Y10 F100\nN30 Y30\nN31 M8\nN32 M9\nN33 M8\nN40 X40\nN50 G40 X50 Y50\nN60 M30", time=52.237,
@@ -220,7 +224,7 @@ case(
     "the centre across the plane does not count", pins="drops_centre_across", control=ONE, source="NCI, arc.mpf with its table", evidence="secondary", setup=ZERO,
     program="N10 G0 X0 Y50\nN20 G2 X0 Y0 Z10 I0 J-25 K5 F100\nN30 M30", moves="R X0 Y50\nCW X0 Y0 Z10 C X0 Y25", dropped=["K5"],
 )
-for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "RNDM=0", "OFFN=0"):
+for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "RNDM=0", "OFFN=0", "TOFFL=0", "DL=0", "COMPSURF", "ORISON"):
     case(
         f"{text} changes no path", **POLICY, setup=ZERO, program=f"N10 G0 X1\nN20 {text}\nN30 X2\nN40 M30", moves_x=[1, 2], dropped=[text],
     )

@@ -42,17 +42,18 @@ constexpr Word kWords[] = {{"TRANS", 3},  {"ATRANS", 3},   {"ROT", 3},     {"ARO
 // followed, the orientation of a tool that no transformation turns, and what the screen shows. [NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNeutral[] = {
-    "BRISK",    "BRISKA",     "DRIVE",     "DRIVEA",    "SOFT",      "SOFTA",    "FFWOF",
-    "FFWON",    "SBLOF",      "SBLON",     "STOPRE",    "DISPLOF",   "DISPLON",  "WALIMON",
-    "WALIMOF",  "CFC",        "CFTCP",     "CFIN",      "CDON",      "CDOF",     "CDOF2",
-    "FNORM",    "FLIN",       "FCUB",      "COMPON",    "COMPOF",    "COMPCURV", "COMPCAD",
-    "CUT2D",    "NORM",       "FIFOCTRL",  "STARTFIFO", "STOPFIFO",  "SPCON",    "SPCOF",
-    "TRAFOOF",  "TOROTOF",    "PAROTOF",   "RTLION",    "RTLIOF",    "DYNNORM",  "DYNPOS",
-    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CPRECON",   "CPRECOF",   "UPATH",    "SPATH",
-    "ORIWKS",   "ORIMKS",     "ORIAXES",   "ORIVECT",   "ORIPLANE",  "ORIEULER", "ORIRPY",
-    "ORIRPY2",  "ORIVIRT1",   "ORIVIRT2",  "ORIC",      "ORID",      "OSOF",     "OSC",
-    "OSS",      "OSSE",       "OSD",       "OST",       "PTPG0",     "CP",       "LFON",
-    "LFOF",     "FENDNORM",   "WAITENC",   "RELIEVEON", "RELIEVEOF", "SUPD"};
+    "BRISK",    "BRISKA",     "DRIVE",     "DRIVEA",    "SOFT",     "SOFTA",    "FFWOF",
+    "FFWON",    "SBLOF",      "SBLON",     "STOPRE",    "DISPLOF",  "DISPLON",  "WALIMON",
+    "WALIMOF",  "CFC",        "CFTCP",     "CFIN",      "CDON",     "CDOF",     "CDOF2",
+    "FNORM",    "FLIN",       "FCUB",      "COMPON",    "COMPOF",   "COMPCURV", "COMPCAD",
+    "CUT2D",    "NORM",       "FIFOCTRL",  "STARTFIFO", "STOPFIFO", "SPCON",    "SPCOF",
+    "TRAFOOF",  "TOROTOF",    "PAROTOF",   "RTLION",    "RTLIOF",   "DYNNORM",  "DYNPOS",
+    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CPRECON",   "CPRECOF",  "UPATH",    "SPATH",
+    "ORIWKS",   "ORIMKS",     "ORIAXES",   "ORIVECT",   "ORIPLANE", "ORIEULER", "ORIRPY",
+    "ORIRPY2",  "ORIVIRT1",   "ORIVIRT2",  "ORIC",      "ORID",     "OSOF",     "OSC",
+    "OSS",      "ORISON",     "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",  "FTOCOF",
+    "OSSE",     "OSD",        "OST",       "PTPG0",     "CP",       "LFON",     "LFOF",
+    "FENDNORM", "WAITENC",    "RELIEVEON", "RELIEVEOF", "SUPD"};
 
 // Words with a value, of an axis or a spindle in brackets too. [NCI grammar; general knowledge of
 // the SINUMERIK 840D]
@@ -72,7 +73,8 @@ constexpr std::string_view kReportedCalls[] = {
     "LOCK",   "UNLOCK",   "CLGON",       "CLGOF",     "NPROT",        "CPROT",     "MSGL"};
 
 // [general knowledge of the SINUMERIK 840D]
-constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN"};
+constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",
+                                           "TOFF", "TCARR", "CUTMOD", "DL"};
 
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups]
