@@ -72,5 +72,16 @@ def test_those_of_all_programs_come_last() -> None:
     assert library.run().variables.named == {"COUNT": 1, "TOTAL": 1.5}
 
 
+def test_a_file_of_definitions_is_no_subprogram_that_nobody_calls() -> None:
+    texts = {"UGUD.DEF": "DEF NCK REAL TOTAL=0.5\nM17\n", "MAIN.MPF": "R1=TOTAL\nM30\n"}
+    assert cncsub.loads(texts, control="siemens-one").check() == []
+
+
+def test_a_definition_that_is_refused_is_found_by_check() -> None:
+    texts = {"UGUD.DEF": "DEF NCK REAL TOTAL\nDEF NCK INT TOTAL\nM17\n", "MAIN.MPF": "M30\n"}
+    (finding,) = cncsub.loads(texts, control="siemens-one").check()
+    assert (finding.program, finding.line, finding.word) == ("UGUD", 2, "TOTAL")
+
+
 def test_a_run_of_a_control_without_names_has_none() -> None:
     assert cncsub.loads("O1\n#100=5\nM30\n", control="fanuc-0i-f").run().variables.named == {}

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "cncsub/code/definition_files.hpp"
 #include "cncsub/code/parameters.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"
@@ -191,13 +192,6 @@ bool begin_with(const std::vector<SourceFile>& files, char mark) {
 }
 
 }  // namespace
-
-bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
-  const std::string_view ending = spelling.definitions, name = file.name;
-  return !ending.empty() && name.size() >= ending.size() &&
-         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
-                    [](char a, char b) { return a == upper(b); });
-}
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
