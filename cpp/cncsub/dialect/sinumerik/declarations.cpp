@@ -83,11 +83,13 @@ bool DeclarationReader::lacks_end(Block& block) {
 bool DeclarationReader::read(Block& block) {
   const std::string word = capitals(line_.name());
   if (word == "DEFINE") return macro(block);
-  if (word != "PROC" && word != "DEF" && word != "EXTERN") return false;
+  if (word != "PROC" && word != "DEF" && word != "EXTERN" && word != "REDEF") return false;
   const std::uint32_t at = line_.offset();
   line_.pass(word.size());
   if (word == "DEF") return def(block), true;
-  if (word == "EXTERN") {  // says in advance what a PROC says
+  // EXTERN says in advance what a PROC says, and REDEF who may write a variable and when it is
+  // reset.
+  if (word == "EXTERN" || word == "REDEF") {
     line_.pass(line_.rest().size());
     to_.drop(at, line_.width_from(at));
     return write(block, {}), true;
