@@ -82,9 +82,11 @@ bool DeclarationReader::first_value(Block& block, const Declared& declared) {
   if (declared.value) to_.names().first_value(declared.definition.local, declared.value->number);
   for (const Statement& of : declared.elements) {
     const Expression value = to_.code().expression(of.expression);
-    if (value.form() != Expression::Form::Constant) return refused();
+    auto at = value.begin();
+    const Instruction only = *at;
+    if (only.op != Ins::Constant || !(++at == Expression::end())) return refused();
     const int count = of.count == 0 ? of.number : of.count;
-    for (int i = 0; i < count; ++i) to_.names().first_value(of.index + i, value.cells()[0].value());
+    for (int i = 0; i < count; ++i) to_.names().first_value(of.index + i, only.value);
   }
   return true;
 }
