@@ -72,5 +72,40 @@ def test_those_of_all_programs_come_last() -> None:
     assert library.run().variables.named == {"COUNT": 1, "TOTAL": 1.5}
 
 
+def test_a_block_that_alarms_changes_no_variable() -> None:
+    text = (
+        'DEF REAL GRID[3]=SET(1,2,3)\nDEF STRING[5] NAME="A"\nDEF INT AT=1\n'
+        'NAME="B"<<AT GRID[1]=7 GRID[AT+1]=SET(8,9) AT=5\nM30\n'
+    )
+    run = cncsub.loads(text, control="siemens-one").run()
+    assert run.alarm is not None
+    assert run.alarm.cause == "array-element"
+    assert run.variables.named == {"GRID": [1.0, 2.0, 3.0], "NAME": "A", "AT": 1}
+    moved = cncsub.loads(text.replace("=SET(8,9)", "=8 G1 X1"), control="siemens-one").run()
+    assert moved.alarm is not None
+    assert moved.alarm.cause == "no-feed"
+    assert moved.variables.named == {"GRID": [1.0, 2.0, 3.0], "NAME": "A", "AT": 1}
+
+
+def test_a_loop_is_endless_where_no_element_changes() -> None:
+    text = "DEF INT COUNTS[2]\nWHILE COUNTS[1]<100\nCOUNTS[1]=COUNTS[1]+1\nENDWHILE\nM30\n"
+    counting = cncsub.loads(text, control="siemens-one").run(max_blocks=50)
+    standing = cncsub.loads(text.replace("+1", "*1"), control="siemens-one").run(max_blocks=50)
+    assert counting.endless is not None
+    assert standing.endless is not None
+    assert (counting.endless.proven, standing.endless.proven) == (False, True)
+
+
+def test_a_file_of_definitions_is_no_subprogram_that_nobody_calls() -> None:
+    texts = {"UGUD.DEF": "DEF NCK REAL TOTAL=0.5\nM17\n", "MAIN.MPF": "R1=TOTAL\nM30\n"}
+    assert cncsub.loads(texts, control="siemens-one").check() == []
+
+
+def test_a_definition_that_is_refused_is_found_by_check() -> None:
+    texts = {"UGUD.DEF": "DEF NCK REAL TOTAL\nDEF NCK INT TOTAL\nM17\n", "MAIN.MPF": "M30\n"}
+    (finding,) = cncsub.loads(texts, control="siemens-one").check()
+    assert (finding.program, finding.line, finding.word) == ("UGUD", 2, "TOTAL")
+
+
 def test_a_run_of_a_control_without_names_has_none() -> None:
     assert cncsub.loads("O1\n#100=5\nM30\n", control="fanuc-0i-f").run().variables.named == {}

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "cncsub/code/definition_files.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/system/memory.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/code/definition_files.hpp"
 #include "cncsub/control/spelled.hpp"
 
 namespace cncsub {
@@ -241,7 +242,8 @@ void check_never_called(Checker& c, const ProgramFlow& flow) {
   const bool only_called = flow.ever_returns() && !flow.ever_ends();
   const bool called = c.is_called(flow.program()) || flow.program() == c.main ||
                       c.is_entry(flow.program()) ||
-                      c.named[static_cast<std::size_t>(flow.program())];
+                      c.named[static_cast<std::size_t>(flow.program())] ||
+                      defines_for_all(*c.code.spelling, c.code.files[program.file]);
   if (!only_called || called || program.duplicate_of != kNoProgram || c.flows.size() <= 1) return;
   const Block& first = c.code.blocks[flow.first()];
   c.found(Check::NeverCalled, flow.first(), {first.text, first.length},

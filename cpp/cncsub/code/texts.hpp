@@ -11,11 +11,12 @@
 
 namespace cncsub {
 
-/// Return how many bytes of the first `count` are whole characters.
-inline std::size_t whole_characters(const std::string& text, std::size_t count) {
-  if (count >= text.size()) return text.size();
-  while (count > 0 && (static_cast<unsigned char>(text[count]) & 0xC0U) == 0x80) --count;
-  return count;
+/// Return how many bytes the first characters of a text have, which is UTF-8.
+inline std::size_t bytes_of_first(const std::string& text, std::size_t characters) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at)
+    if ((static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80 && characters-- == 0) break;
+  return at;
 }
 
 /// Texts of which each has one number.

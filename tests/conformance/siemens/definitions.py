@@ -191,3 +191,7 @@ case(
     "other macros are not computed", **POLICY,
     program="N10 DEFINE MILLING AS M3\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
 )
+case(
+    "REDEF is read, and told as dropped", **KNOWN,
+    program="N10 DEF INT COUNT=2\nN20 REDEF COUNT INIRE\nN30 R1=COUNT\nN40 M30", vars={1: 2}, dropped=["REDEF COUNT INIRE"],
+)

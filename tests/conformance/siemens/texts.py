@@ -181,3 +181,13 @@ case(
     "a tool may have the name in a variable, and the word is told as dropped", **KNOWN,
     program='N10 DEF STRING[20] TOOL="MILL"\nN20 T=TOOL\nN30 M6\nN40 M30', runs="N10 N20 N30 N40", dropped=["T=TOOL"],
 )
+case(
+    "characters are counted, and not their bytes", **KNOWN,
+    program='N10 DEF STRING[4] NOTE="häß"\nN20 R1=STRLEN(NOTE) R2=INDEX(NOTE,"ß") R3=NOTE[1] R4=MINDEX(NOTE,"xßä") R5=MATCH(NOTE,"ß")\n'
+    'N30 MSG(SUBSTR(NOTE,1,1)<<NOTE[2])\nN40 NOTE="äöüßä"\nN50 MSG(NOTE)\nN60 NOTE[1]="O"\nN70 MSG(NOTE)\nN80 R6=INDEX(NOTE,196)\nN90 M30',
+    vars={1: 3, 2: 2, 3: 228, 4: 1, 5: 2, 6: -1}, messages=["äß", "äöüß", "äOüß"],
+)
+case(
+    "a CHAR may be one of the upper half", **RANGE,
+    program='N10 DEF CHAR MARK="ß"\nN20 R1=MARK\nN30 MSG(MARK<<MARK)\nN40 M30', vars={1: 223}, messages=["ßß"],
+)

@@ -21,10 +21,6 @@ constexpr TypeName kTypes[] = {
 
 constexpr std::int32_t kMostElements = 100'000;  // of the arrays of a program
 
-// Words between DEF and the type that say who may read and write, and when the control reads ahead.
-constexpr std::string_view kAccess[] = {"SYNR", "SYNW", "SYNRW", "PHU",  "APR",   "APW",
-                                        "APRP", "APWP", "APRB",  "APWB", "INIPO", "INIRE"};
-
 // Words after the list of PROC. Only SAVE changes what runs.
 constexpr std::string_view kAttributes[] = {"SAVE",  "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
                                             "SBLON", "PREPRO",  "ICYCOF",  "ICYCON"};
@@ -87,11 +83,13 @@ bool DeclarationReader::lacks_end(Block& block) {
 bool DeclarationReader::read(Block& block) {
   const std::string word = capitals(line_.name());
   if (word == "DEFINE") return macro(block);
-  if (word != "PROC" && word != "DEF" && word != "EXTERN") return false;
+  if (word != "PROC" && word != "DEF" && word != "EXTERN" && word != "REDEF") return false;
   const std::uint32_t at = line_.offset();
   line_.pass(word.size());
   if (word == "DEF") return def(block), true;
-  if (word == "EXTERN") {  // says in advance what a PROC says
+  // EXTERN says in advance what a PROC says, and REDEF who may write a variable and when it is
+  // reset.
+  if (word == "EXTERN" || word == "REDEF") {
     line_.pass(line_.rest().size());
     to_.drop(at, line_.width_from(at));
     return write(block, {}), true;
@@ -163,104 +161,6 @@ bool DeclarationReader::attributes(Block& block) {
     if (word == "SAVE") to_.program().keeps_modes = true;
   }
   return true;
-}
-
-// ---- DEF ----
-
-/// Read DEF INT COUNT=1, LAST. A variable without a value is 0.
-bool DeclarationReader::def(Block& block) {
-  Definition of;
-  if (!is_global(block, of.global) || !type(block, of)) return false;
-  std::vector<Statement> statements;
-  do {
-    Declared declared;
-    declared.definition = of;
-    if (!this->declared(block, declared, 2)) return false;
-    if (!add(block, declared, statements)) return false;
-  } while (line_.take(','));
-  if (lacks_end(block)) return false;
-  return write(block, statements), true;
-}
-
-/// Return whether the program is a file of definitions.
-bool DeclarationReader::is_of_definitions() {
-  const std::string file = capitals(to_.code().files[to_.program().file].name);
-  return file.ends_with(".DEF") || capitals(to_.code().name_of(to_.program())).ends_with("_DEF");
-}
-
-/// Read NCK or CHAN, and who may read and write. Files of definitions say them. [840Da p.133]
-bool DeclarationReader::is_global(Block& block, bool& global) {
-  const std::uint32_t at = line_.offset();
-  const std::string first = capitals(line_.name());
-  global = first == "NCK" || first == "CHAN";
-  if (!global) return true;
-  line_.pass(first.size());
-  if (!is_of_definitions())
-    return refuse(block, Cause::CodeNotComputed,
-                  "DEF " + first + " outside of a file of definitions is not computed here", at);
-  for (std::string word = capitals(line_.name());
-       std::find(std::begin(kAccess), std::end(kAccess), word) != std::end(kAccess);
-       word = capitals(line_.name())) {
-    line_.pass(word.size());
-    if (is_digit(line_.peek())) line_.take_digits();
-  }
-  return true;
-}
-
-/// Add what gives a variable its first value when its definition runs, or when a run begins.
-bool DeclarationReader::add(Block& block, Declared& declared, std::vector<Statement>& statements) {
-  const Definition& definition = declared.definition;
-  if (definition.uncomputed() != nullptr) return true;
-  if (definition.global) return first_value(block, declared);
-  if (!definition.is_array()) {
-    statements.push_back(assignment_of(declared));
-    return true;
-  }
-  Statement all = assignment_of(declared);
-  all.count = 0;
-  statements.push_back(all);
-  statements.insert(statements.end(), declared.elements.begin(), declared.elements.end());
-  return true;
-}
-
-/// Keep the first value of a variable of all programs, or of its elements.
-bool DeclarationReader::first_value(Block& block, const Declared& declared) {
-  const auto refused = [&] {
-    return refuse(block, Cause::CodeNotComputed,
-                  "a computed first value of " + declared.name + " is not computed here",
-                  declared.at);
-  };
-  if (declared.value && declared.value->computed) return refused();
-  if (declared.value) to_.names().first_value(declared.definition.local, declared.value->number);
-  for (const Statement& of : declared.elements) {
-    const Expression value = to_.code().expression(of.expression);
-    if (value.form() != Expression::Form::Constant) return refused();
-    const int count = of.count == 0 ? of.number : of.count;
-    for (int i = 0; i < count; ++i) to_.names().first_value(of.index + i, value.cells()[0].value());
-  }
-  return true;
-}
-
-/// Read DEFINE SIDES AS 6: a name for a number. Other macros are left. [general knowledge]
-bool DeclarationReader::macro(Block& block) {
-  const Line before = line_;
-  const auto leave = [&] { return line_ = before, false; };
-  line_.pass(6);
-  const std::string name = capitals(line_.name());
-  line_.pass(name.size());
-  if (name.size() < 2 || capitals(line_.name()) != "AS") return leave();
-  line_.pass(2);
-  Definition number;
-  number.global = is_of_definitions();
-  Value value;
-  const bool read = expression_.number(value) && line_.at_end();
-  expression_.fault.reset();
-  if (!read) return leave();
-  if (definitions_.defines(name, number.global))
-    return refuse(block, Cause::VariableGivenTwice, name + " is defined already", value.at), true;
-  number.constant = value.number;
-  definitions_.add(name, number);
-  return write(block, {}), true;
 }
 
 // ---- both ----

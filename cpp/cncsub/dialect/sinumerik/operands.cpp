@@ -253,7 +253,7 @@ void cut_text(OpenExpression& open, std::int32_t length) {
   const auto& texts = open.to.code().texts;
   if (open.constant) {
     const std::string text = texts.at(to_whole<std::size_t>(*open.constant));
-    const std::size_t cut = whole_characters(text, static_cast<std::size_t>(length));
+    const std::size_t cut = bytes_of_first(text, static_cast<std::size_t>(length));
     open.constant = open.to.names().constant_text(text.substr(0, cut));
     return;
   }
@@ -266,9 +266,12 @@ bool convert_text(OpenExpression& open, const Definition& to, std::uint32_t at) 
   if (to.type == Type::Char) {
     if (open.constant) {
       const std::string& text = open.to.code().texts.at(to_whole<std::size_t>(*open.constant));
-      if (text.size() != 1)
+      if (text.empty() || bytes_of_first(text, 1) != text.size())
         return open.wrong(Cause::ValueOutOfRange, "a CHAR is one character", at);
-      open.constant = static_cast<unsigned char>(text[0]);
+      if (text.size() == 1)
+        open.constant = static_cast<unsigned char>(text[0]);
+      else
+        open.constant.reset();  // its code is known when it runs
     }
     open.emit(Ins::OnlyCharacter);
     return true;

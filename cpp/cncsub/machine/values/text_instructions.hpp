@@ -60,10 +60,16 @@ inline Fallible join_texts(E e, I at, double a, double b) {
   return fails(e, at, Cause::CodeNotComputed, "a text of more than 1,000 characters");
 }
 
-/// Return how many characters of a text a value counts.
-inline std::size_t characters(const std::string& text, double count) {
-  return whole_characters(text, to_whole<std::size_t>(std::clamp(
-                                    std::round(count), 0.0, static_cast<double>(text.size()))));
+/// Return how many bytes of a text so many characters are.
+inline std::size_t bytes_of(const std::string& text, double characters) {
+  const double most = static_cast<double>(text.size());
+  return bytes_of_first(text, to_whole<std::size_t>(std::clamp(std::round(characters), 0.0, most)));
+}
+/// Return how many characters stand before a byte of a text.
+inline double characters_before(const std::string& text, std::size_t byte) {
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; };
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(byte);
+  return static_cast<double>(std::count_if(text.begin(), end, begins));
 }
 
 /// Write a value as a field of SPRINT says.
@@ -79,7 +85,7 @@ inline double format_text(E e, I at, double a) {
   switch (format.kind) {
     case 'S':
       text = text_of(e.run, a);
-      if (format.decimals >= 0) text.resize(characters(text, decimals));
+      if (format.decimals >= 0) text.resize(bytes_of(text, decimals));
       break;
     case 'C':
       text = written_as(e, a, WrittenAs::Character);
@@ -109,7 +115,8 @@ inline double format_text(E e, I at, double a) {
 }
 
 inline double text_length(E e, I, double a) {
-  return static_cast<double>(text_of(e.run, a).size());
+  const std::string& text = text_of(e.run, a);
+  return characters_before(text, text.size());
 }
 inline double changed_letters(E e, double a, char (*change)(char)) {
   std::string text = text_of(e.run, a);
@@ -142,44 +149,57 @@ inline Fallible number_in_text(E e, I at, double a) {
   return number ? number : fails(e, at, Cause::ValueOutOfRange, "the text is no number");
 }
 inline double is_number_text(E e, I, double a) { return number_of_text(text_of(e.run, a)) ? 1 : 0; }
-inline double code_of(char character) { return static_cast<unsigned char>(character); }
+/// Return the code of the character at the head of a text: of Latin-1, or 0 where it has none.
+inline double code_at_head(std::string_view text) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(text[at]); };
+  if (text.empty() || byte(0) < 0x80) return text.empty() ? 0 : byte(0);
+  return text.size() > 1 && byte(0) <= 0xC3 ? (byte(0) & 3U) << 6 | (byte(1) & 0x3FU) : 0;
+}
 inline Fallible only_character(E e, I at, double a) {
   const std::string& text = text_of(e.run, a);
-  if (text.size() == 1) return code_of(text[0]);
+  if (!text.empty() && bytes_of_first(text, 1) == text.size()) return code_at_head(text);
   return fails(e, at, Cause::ValueOutOfRange, "a CHAR is one character");
 }
 inline double text_from(E e, I, double a, double b) {
   const std::string& text = text_of(e.run, a);
-  return keep_text(e.run, text.substr(characters(text, b)));
+  return keep_text(e.run, text.substr(bytes_of(text, b)));
 }
 inline double text_up_to(E e, I, double a, double b) {
   const std::string& text = text_of(e.run, a);
-  const std::size_t count = characters(text, b);
+  const std::size_t count = bytes_of(text, b);
   return count == text.size() ? a : keep_text(e.run, text.substr(0, count));
 }
 inline double character_at(E e, I, double a, double b) {
   const std::string& text = text_of(e.run, a);
-  const double place = std::round(b);
-  const bool inside = place >= 0 && place < static_cast<double>(text.size());
-  return inside ? code_of(text[to_whole<std::size_t>(place)]) : 0;
+  return std::round(b) < 0 ? 0 : code_at_head(std::string_view(text).substr(bytes_of(text, b)));
 }
-inline double place(std::size_t found) {
-  return found == std::string::npos ? -1 : static_cast<double>(found);
-}
-inline char as_character(double a) {
-  return static_cast<char>(to_whole<unsigned>(std::clamp(std::round(a), 0.0, 255.0)));
+inline double place(const std::string& text, std::size_t found) {
+  return found == std::string::npos ? -1 : characters_before(text, found);
 }
 inline double first_place(E e, I, double a, double b) {
-  return place(text_of(e.run, a).find(as_character(b)));
+  const std::string& text = text_of(e.run, a);
+  return place(text, text.find(written_as(e, b, WrittenAs::Character)));
 }
 inline double last_place(E e, I, double a, double b) {
-  return place(text_of(e.run, a).rfind(as_character(b)));
+  const std::string& text = text_of(e.run, a);
+  return place(text, text.rfind(written_as(e, b, WrittenAs::Character)));
 }
 inline double first_place_of_any(E e, I, double a, double b) {
-  return place(text_of(e.run, a).find_first_of(text_of(e.run, b)));
+  const std::string &text = text_of(e.run, a), &any = text_of(e.run, b);
+  const auto goes_on = [&](std::size_t at) {
+    return at < any.size() && (static_cast<unsigned char>(any[at]) & 0xC0U) == 0x80;
+  };
+  std::size_t first = std::string::npos;
+  for (std::size_t at = 0, next = 0; at < any.size(); at = next) {
+    next = at + 1;
+    while (goes_on(next)) ++next;
+    first = std::min(first, text.find(any.data() + at, 0, next - at));
+  }
+  return place(text, first);
 }
 inline double find_text(E e, I, double a, double b) {
-  return place(text_of(e.run, a).find(text_of(e.run, b)));
+  const std::string& text = text_of(e.run, a);
+  return place(text, text.find(text_of(e.run, b)));
 }
 
 }  // namespace cncsub::instruction
