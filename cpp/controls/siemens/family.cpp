@@ -45,13 +45,14 @@ void paths(Control& c) {
   c.motion.angle_words = {",A", "NCI grammar: ANG", Secondary};
   c.motion.angles_on_mills = {true, "NCI grammar: ANG", Secondary};
   c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};
-  c.motion.acute_corner = {AcuteCorner::ByCode, "general knowledge of the SINUMERIK 840D: G450, G451",
-                           Inferred};
+  c.motion.acute_corner = {AcuteCorner::ByCode,
+                           "general knowledge of the SINUMERIK 840D: G450, G451", Inferred};
 }
 
 void motion(Control& c) {
   c.motion.g_meanings = {
-      "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis 332=thread-by-axis 53=machine 58=not-computed "
+      "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
+      "332=thread-by-axis 53=machine 58=not-computed "
       "59=not-computed 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
       "75=second-reference-direct 96=not-computed 97=not-computed "
       "110=pole-from-tool 111=pole 112=pole-from-pole 153=machine-all 450=corner-arc "
@@ -93,6 +94,29 @@ void parameters(Control& c) {
   c.variables.push_back({0, 99, VariableKind::Kept, Access::ReadWrite, 0, kKnown, Inferred});
 }
 
+/// Add the system variables that a run knows, at numbers that no R reaches: the language names
+/// them.
+void system_variables(Control& c) {
+  constexpr const char* kPositions = "NCI, actual_position.mpf";
+  const auto add = [&c](std::int32_t first, std::int32_t count, VariableKind kind, char address,
+                        const char* source, Evidence evidence) {
+    constexpr std::int32_t kFirst = 2'000'000'000;
+    c.variables.push_back({kFirst + first, kFirst + first + count - 1, kind, Access::ReadOnly,
+                           address, source, evidence});
+  };
+  add(1001, 1024, VariableKind::Input, 0, kKnown, Inferred);
+  add(3001, 1024, VariableKind::Output, 0, kKnown, Inferred);
+  add(4901, 30, VariableKind::ModalCode, 0, kKnown, Inferred);
+  add(5001, 9, VariableKind::WorkPosition, 0, kPositions, Secondary);
+  add(5021, 9, VariableKind::MachinePosition, 0, kPositions, Secondary);
+  add(5041, 9, VariableKind::BlockEnd, 0, kKnown, Inferred);
+  add(5061, 1, VariableKind::ActiveWord, 'T', kKnown, Inferred);
+  add(5062, 1, VariableKind::ActiveWord, 'F', kKnown, Inferred);
+  add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
+  add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
+  add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
+}
+
 }  // namespace
 
 Control family() {
@@ -105,6 +129,7 @@ Control family() {
                              "general knowledge of the SINUMERIK alarms", Inferred};
   modal_calls(c);
   standard_cycles(c);
+  system_variables(c);
   return c;
 }
 

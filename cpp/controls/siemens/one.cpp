@@ -36,6 +36,8 @@ void alarms(Control& c) {
                 {
 #include "controls/siemens/alarms_840d.def"
                 }});
+  c.alarms[ArrayElement] = {"12400", "element of array does not exist",
+                            "general knowledge of the SINUMERIK alarms", Inferred};
 }
 
 }  // namespace

@@ -18,11 +18,8 @@ struct Form {
   bool incremental;
   unsigned rotary;  // the first bit of its axes in WordForms::rotary; 32: it is no form of them
 };
-constexpr std::array<Form, 5> kForms = {{{"AC", false, 32},
-                                         {"IC", true, 32},
-                                         {"DC", false, 0},
-                                         {"ACP", false, 8},
-                                         {"ACN", false, 16}}};
+constexpr std::array<Form, 5> kForms = {
+    {{"AC", false, 32}, {"IC", true, 32}, {"DC", false, 0}, {"ACP", false, 8}, {"ACN", false, 16}}};
 
 const Form* form_named(std::string_view name) {
   for (const Form& of : kForms)
@@ -45,8 +42,8 @@ bool BlockReader::form(Block& block, std::uint32_t at, int place, WordForms& for
   const std::uint32_t address = 1u << place;
   (of->incremental ? forms.incremental : forms.absolute) |= address;
   if (of->rotary == 32) return true;
-  const std::size_t axis = place < 26 ? kRotary.find(static_cast<char>('A' + place))
-                                      : std::string_view::npos;
+  const std::size_t axis =
+      place < 26 ? kRotary.find(static_cast<char>('A' + place)) : std::string_view::npos;
   if (axis == std::string_view::npos)
     return refuse(block, Cause::StatementFormat,
                   std::string(of->name) + " is a form of rotary axes", at);
@@ -133,7 +130,8 @@ bool BlockReader::report(Block& block, Words& words, std::string_view name, std:
     if (!line_.name().empty()) line_.pass(index.size());
     if (!line_.take(']')) return refuse(block, Cause::BracketNotClosed, "] is missing", at);
   }
-  if (!line_.take('=')) return refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
+  if (!line_.take('='))
+    return refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
   WordForms none;
   Value value;
   if (!form(block, at, 0, none, value)) return false;
