@@ -49,7 +49,7 @@ const VariableRange* range_of(const OpenExpression& open, const SystemVariable& 
   return nullptr;
 }
 
-/// Read [6] after $P_GG, and push the place of the code in force in this G group.
+/// Read the number of a group after $P_GG, and push the place of the code in force in this G group.
 bool push_group(OpenExpression& open, std::uint32_t at) {
   Line& line = open.line;
   std::string digits;
