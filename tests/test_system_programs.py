@@ -103,7 +103,7 @@ def test_a_library_with_a_cycle_can_be_copied_and_changed() -> None:
 
 def test_the_feeds_of_a_cycle_and_the_feed_after_it() -> None:
     def feeds(call: str) -> list[float]:
-        text = f"N10 G0 X5 Z60 F100\nN20 {call}\nN30 G1 X9\nN40 M30\n"
+        text = f"N10 G0 X5 Z60 F100 S300 M3\nN20 {call}\nN30 G1 X9\nN40 M30\n"
         moves = cncsub.loads(text, control=ONE).run().moves
         return [move.feed for move in moves if move.kind == "feed"]
 
@@ -112,7 +112,21 @@ def test_the_feeds_of_a_cycle_and_the_feed_after_it() -> None:
     assert feeds("CYCLE85(50,30,2,10,,0,80,200)") == [80, 200, 100]
     assert feeds("CYCLE85(50,30,2,10,,0,80)") == [80, 80, 100]
     assert feeds("CYCLE85(50,30,2,10)") == [100, 100, 100]
+    assert feeds("CYCLE840(50,30,2,10,,0,4,3,11,0,1.5)") == [450, 450, 100]
+    assert feeds("CYCLE840(50,30,2,10,,0,4,3,1)") == [100, 100, 100]
     assert feeds("CYCLE89(50,30,2,10)") == [100, 100, 100]
+
+
+def test_the_leads_of_the_metric_threads() -> None:
+    leads = {3: 0.5, 4: 0.7, 5: 0.8, 6: 1, 8: 1.25, 10: 1.5, 12: 1.75, 14: 2, 16: 2, 18: 2.5, 24: 3}
+    leads |= {30: 3.5, 36: 4, 42: 4.5, 48: 5}
+    for size, lead in leads.items():
+        text = f"N10 G0 Z60 S60 M3\nN20 CYCLE84(50,30,2,10,,0,3,{size},0,0,300,600)\nN30 M30\n"
+        moves = cncsub.loads(text, control=ONE).run().moves
+        threads = [move for move in moves if move.kind == "thread"]
+        assert [round(move.time, 6) for move in threads] == [
+            round(22 / lead / speed * 60, 6) for speed in (300, 600)
+        ]
 
 
 def test_no_cycle_touches_an_r_parameter() -> None:

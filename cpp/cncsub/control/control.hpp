@@ -245,7 +245,8 @@ struct CodeCall {
 /// same name comes first.
 struct SystemProgram {
   std::string_view name;
-  std::string_view text;  // empty: its moves are not computed
+  std::string_view text;     // empty: its moves are not computed
+  std::string_view needs{};  // what it would need for that
 };
 
 /// An alarm that programs of the control raise by its number.

@@ -117,7 +117,8 @@ const SystemProgram* system_program(const Code& code, const CallRecord& call) {
 Fault not_computed(const CallRecord& call, const SystemProgram& called) {
   const CallExtras& extras = call.extras.get();
   return {Cause::CodeNotComputed, extras.name_at, extras.name_width,
-          "cncsub does not compute " + std::string(called.name)};
+          "cncsub does not compute " + std::string(called.name) +
+              (called.needs.empty() ? "" : ": " + std::string(called.needs))};
 }
 
 /// The reading of a library's files.

@@ -108,15 +108,16 @@ void system_variables(Control& c) {
   };
   add(1001, 1024, VariableKind::Input, 0, kKnown, Inferred);
   add(3001, 1024, VariableKind::Output, 0, kKnown, Inferred);
+  add(4901, 30, VariableKind::ModalCode, 0, kKnown, Inferred);
   add(5001, 9, VariableKind::WorkPosition, 0, kPositions, Secondary);
   add(5021, 9, VariableKind::MachinePosition, 0, kPositions, Secondary);
   add(5041, 9, VariableKind::BlockEnd, 0, kKnown, Inferred);
   add(5061, 1, VariableKind::ActiveWord, 'T', kKnown, Inferred);
   add(5062, 1, VariableKind::ActiveWord, 'F', kKnown, Inferred);
   add(5101, 22, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
-  add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
   add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
   add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
+  add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
 }
 
 }  // namespace

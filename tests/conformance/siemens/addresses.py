@@ -32,9 +32,9 @@ case(
     moves="R C350\nR C370\nR C350\nR C360\nR C360\nR C360",
 )
 case("DC is of rotary axes", **KNOWN, program="N10 G0 X=DC(5)\nN20 M30", runs="", alarm="statement-format", at="MAIN N10")
-case("IC needs a bracket", **GRAMMAR, program="N10 G0 X=IC 5\nN20 M30", runs="", alarm="bracket-not-opened", at="MAIN N10")
-case("and its end", **GRAMMAR, program="N10 G0 X=IC(5\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
-case("and a value", **GRAMMAR, program="N10 G0 X=AC()\nN20 M30", runs="", alarm="expression-format", at="MAIN N10")
+case("IC needs a bracket", **GRAMMAR, program="N10 G0 X=IC 5\nN20 M30", runs="", alarm="bracket-not-opened", number="12080", at="MAIN N10")
+case("and its end", **GRAMMAR, program="N10 G0 X=IC(5\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
+case("and a value", **GRAMMAR, program="N10 G0 X=AC()\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10")
 case(
     "a word by IC and the same word", **KNOWN, program="N10 G0 X=IC(5) X1\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X1",
 )

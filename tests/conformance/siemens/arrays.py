@@ -126,11 +126,11 @@ case(
 )
 case(
     "every index is written", **KNOWN,
-    program="N10 DEF REAL GRID[2,2]\nN20 R1=GRID[1]\nN30 M30", runs="N10", alarm="missing-comma", at="MAIN N20",
+    program="N10 DEF REAL GRID[2,2]\nN20 R1=GRID[1]\nN30 M30", runs="N10", alarm="missing-comma", number="12080", at="MAIN N20",
 )
 case(
     "the array alone has no value", **KNOWN,
-    program="N10 DEF REAL GRID[2]\nN20 R1=GRID\nN30 M30", runs="N10", alarm="bracket-not-opened", at="MAIN N20",
+    program="N10 DEF REAL GRID[2]\nN20 R1=GRID\nN30 M30", runs="N10", alarm="bracket-not-opened", number="12080", at="MAIN N20",
 )
 case(
     "an array takes no single value", **KNOWN,

@@ -160,6 +160,49 @@ _drill(
     "R Y32\nF Y20\nF Y21\nF Y10\nR Y50", **LIST,
 )
 
+# ---- tapping ----
+
+_drill(
+    "CYCLE84 taps down and back with its own speeds", "CYCLE84(50,30,2,-10,0,0.5,3,0,1.5,45,300,600)",
+    "R Z32\nT Z-10\nW 0.5\nT Z32\nR Z50", m=[3, 30], **LIST,
+)
+_drill(
+    "in G18 it taps along Y", "CYCLE84(50,30,2,-10,0,0,5,10,0,0,300)",
+    "R Y32\nT Y-10\nT Y32\nR Y50", "N15 G18 F100\n", m=[5, 30], **LIST,
+)
+_drill(
+    "a thread without a lead is 61001", "CYCLE84(50,30,2,-10,0,0,3)", "",
+    alarm="user-alarm", number="61001", **KNOWN,
+)
+_drill(
+    "and so is one with two", "CYCLE84(50,30,2,-10,0,0,3,10,1.25)", "",
+    alarm="user-alarm", number="61001", **KNOWN,
+)
+_drill(
+    "a size and its own lead go together", "CYCLE84(50,30,2,-10,0,0,3,10,1.5,0,300)",
+    "R Z32\nT Z-10\nT Z32\nR Z50", **KNOWN,
+)
+_drill(
+    "tapping in several strokes is not computed", "CYCLE84(50,30,2,-10,0,0,3,10,0,0,300,0,3,0,0,1,5)", "",
+    alarm="code-not-computed", word="_VARI_OF_CYCLE84", **LIST,
+)
+_drill(
+    "a lead in threads an inch is not computed", "CYCLE84(50,30,2,-10,0,0,3,0,20,0,300,0,3,2)", "",
+    alarm="code-not-computed", word="_PITA_OF_CYCLE", **LIST,
+)
+_drill(
+    "CYCLE840 follows the encoder of the spindle", "CYCLE840(50,30,2,-10,0,0.5,4,3,0,0,1.5)",
+    "R Z32\nT Z-10\nT Z32\nR Z50", "N15 F100 S300 M3\n", m=[3, 4, 3, 30], **LIST,
+)
+_drill(
+    "with ENC 20 it dwells", "CYCLE840(50,30,2,-10,0,0.5,0,0,20,10)",
+    "R Z32\nT Z-10\nW 0.5\nT Z32\nR Z50", "N15 F100 S300 M3\n", m=[3, 30], **LIST,
+)
+_drill(
+    "without the encoder it taps with the feed in force", "CYCLE840(50,30,2,-10,0,0.5,4,3,1)",
+    "R Z32\nF Z-10\nW 0.5\nF Z32\nR Z50", "N15 F450 S300 M3\n", m=[3, 4, 3, 30], **LIST,
+)
+
 # ---- reaming and boring ----
 
 _drill(
@@ -212,7 +255,7 @@ case(
     "a cycle is a level of the call tree", **KNOWN, program=_hole("CYCLE81(50,30,2,-10)", "N15 F100\n"),
     calls="call:CYCLE81",
 )
-for name in ("CYCLE952", "CYCLE800", "POCKET3", "CYCLE97", "Cycle84", "LONGHOLE"):
+for name in ("CYCLE952", "CYCLE800", "POCKET3", "CYCLE97", "Cycle70", "LONGHOLE"):
     case(
         f"{name} is told as not computed", **KNOWN,
         program=f"N10 G0 X1\nN20 {name}(1,2)\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word=name,

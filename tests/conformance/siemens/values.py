@@ -102,7 +102,7 @@ case(
 for wrong in ("'H5", "'HG'", "'B12'", "'X1'", "''"):
     case(
         f"{wrong} is no number", **BASES,
-        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="expression-format", at="MAIN N10",
+        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10",
     )
 LIMITS = {"control": ONE, "source": "828Dj p.70, MINVAL, MAXVAL and BOUND", "evidence": "secondary"}
 case(
@@ -127,10 +127,10 @@ case(
     vars={1: 1, 2: 2, 3: 7, 4: 3, 5: 2.9000000000000004, 6: 1, 7: 17, 8: 0},
 )
 case(
-    "an axis is no number", **KNOWN, program="N10 R1=Y\nN20 M30", runs="", alarm="expression-format", at="MAIN N10", word="R1=Y",
+    "an axis is no number", **KNOWN, program="N10 R1=Y\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10", word="R1=Y",
 )
 for function in ("MINVAL(1)", "BOUND(1,2)", "SUBSTR(\"A\")"):
     case(
         f"{function} lacks a value", **KNOWN,
-        program=f"N10 R1={function}\nN20 M30", runs="", alarm="missing-comma", at="MAIN N10",
+        program=f"N10 R1={function}\nN20 M30", runs="", alarm="missing-comma", number="12080", at="MAIN N10",
     )
