@@ -49,7 +49,7 @@ def test_the_programs_go_over_the_whole_ground() -> None:
     frames = {action.op for action in blocks if isinstance(action, l.Frame)}
     assert frames == {a + op for a in ("", "A") for op in ("TRANS", "ROT", "SCALE", "MIRROR")}
     types = {d.type for of in programs for program in of.values() for d in program.definitions}
-    assert types == {"INT", "REAL", "BOOL"}
+    assert types == {"INT", "REAL", "BOOL", "STRING"}
 
 
 @pytest.mark.parametrize(

@@ -41,6 +41,7 @@ NOT_COMPUTED: dict[str, str] = {
     "bits": "R1=6 B_AND 3\nM30",
     "new functions": "R1=ROUNDUP(3.1)\nM30",
     "increments": "G0 X=IC(2)\nM30",
+    "texts": 'DEF STRING[9] NOTE="A"\nNOTE="B"\nM30',
     "frames": "TRANS X10\nM30",
 }
 
@@ -96,7 +97,7 @@ def _varied(block: l.Block, random: Random) -> str:
     number = f"N{block.number} " if block.number is not None else ""
     label = f"{block.label}: " if block.label else ""
     line = number + label + l.text_of(block.action)
-    if random.random() < 0.08:
+    if random.random() < 0.08 and '"' not in line:  # a text keeps its letters
         line = line.lower()
     if random.random() < 0.05:
         line += " ; a comment"

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-Value = float | int | bool
+Value = float | int | bool | str
 Matrix = tuple[tuple[float, float, float], ...]
 
 ALIKE = 1e-12  # REAL values that differ by this share are equal
@@ -31,6 +31,8 @@ class Cell:
 
 def converted(value: Value, to: str) -> Value:
     """Return a value as a variable of this type keeps it."""
+    if to == "STRING":
+        return value or ""  # without a value it is empty
     if to == "REAL":
         return float(value)
     if to == "BOOL":
@@ -55,6 +57,8 @@ def turned(axis: str, degrees: float) -> Matrix:
 
 
 def alike(a: Value, b: Value) -> bool:
+    if isinstance(a, str) or isinstance(b, str):
+        return a == b
     return abs(a - b) <= ALIKE * max(abs(a), abs(b))
 
 
@@ -93,6 +97,12 @@ def _direction(y: Value, x: Value) -> float:
     return math.degrees(math.atan2(y, x))
 
 
+def _part(text: str, first: int, count: int) -> str:
+    if first + count > len(text):
+        raise UnclearError  # what lies behind the end of a text is open
+    return text[first : first + count]
+
+
 FUNCTIONS: dict[str, Callable[..., Value]] = {
     "SIN": _degrees(math.sin),
     "COS": _degrees(math.cos),
@@ -109,4 +119,10 @@ FUNCTIONS: dict[str, Callable[..., Value]] = {
     "MINVAL": min,
     "MAXVAL": max,
     "BOUND": lambda low, high, value: max(low, min(high, value)),
+    "STRLEN": len,
+    "INDEX": str.find,
+    "RINDEX": str.rfind,
+    "SUBSTR": _part,
+    "TOUPPER": str.upper,
+    "NUMBER": float,
 }

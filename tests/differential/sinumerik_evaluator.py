@@ -307,6 +307,8 @@ class Evaluator:
         match of:
             case l.Number(text):
                 return float(text) if "." in text else int(text)
+            case l.Text(inside):
+                return inside
             case l.Truth(value):
                 return value
             case l.Variable(name):
@@ -327,6 +329,10 @@ class Evaluator:
                 return result * (1 + self.hair) if isinstance(result, float) else result
 
     def combined(self, op: str, a: Value, b: Value) -> Value:
+        if op == "<<":
+            if len(joined := f"{a}{b}") > l.LENGTH:
+                raise UnclearError
+            return joined
         if op in ("AND", "OR", "XOR"):
             one, other = bool(a), bool(b)
             return (

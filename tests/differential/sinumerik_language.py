@@ -20,8 +20,11 @@ PRIORITY = {
     "AND": 7,
     "XOR": 8,
     "OR": 9,
+    "<<": 10,
     **dict.fromkeys(("==", "<>", "<", ">", "<=", ">="), 11),
 }
+
+LENGTH = 200  # of a STRING; no text of a program becomes longer
 
 
 @dataclass(frozen=True)
@@ -29,6 +32,13 @@ class Number:
     """A number as it is written: with a point it is REAL, without one INT."""
 
     text: str
+
+
+@dataclass(frozen=True)
+class Text:
+    """A text between quotation marks."""
+
+    value: str
 
 
 @dataclass(frozen=True)
@@ -80,7 +90,7 @@ class Function:
 
 
 Target = Variable | Parameter | Element
-Expression = Number | Truth | Variable | Parameter | Element | Unary | Binary | Function
+Expression = Number | Text | Truth | Variable | Parameter | Element | Unary | Binary | Function
 
 
 def written(of: Expression) -> str:
@@ -88,6 +98,8 @@ def written(of: Expression) -> str:
     match of:
         case Number(text):
             return text
+        case Text(inside):
+            return f'"{inside}"'
         case Truth(value):
             return "TRUE" if value else "FALSE"
         case Variable(name):
@@ -300,7 +312,8 @@ def definition_text(of: Definition) -> str:
     if of.all is not None:
         return f"DEF {of.type} {of.name}{size}=REP({written(of.all)})"
     initial = f"={written(of.initial)}" if of.initial is not None else ""
-    return f"DEF {of.type} {of.name}{size}{initial}"
+    length = f"[{LENGTH}]" if of.type == "STRING" else ""
+    return f"DEF {of.type}{length} {of.name}{size}{initial}"
 
 
 def head_text(program: Program) -> str:

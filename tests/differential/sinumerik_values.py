@@ -11,7 +11,7 @@ import sinumerik_language as l
 FEATURES = (
     "while", "for", "loop", "repeat", "case", "jumps", "several jumps", "again", "calls", "var",
     "defaults", "arrays", "bits", "new functions", "increments", "frames", "booleans", "computed R",
-    "AND in comparisons",
+    "AND in comparisons", "texts",
 )  # fmt: skip
 OLD_FUNCTIONS = ("SIN", "COS", "TAN", "SQRT", "ABS", "POT", "TRUNC", "ROUND", "ATAN2", "ASIN")
 NEW_FUNCTIONS = ("ROUNDUP", "MINVAL", "MAXVAL", "BOUND")
@@ -31,7 +31,7 @@ class Known:
     """The names that a program may use, by type."""
 
     numbers: dict[str, list[str]] = field(
-        default_factory=lambda: {"INT": [], "REAL": [], "BOOL": []}
+        default_factory=lambda: {"INT": [], "REAL": [], "BOOL": [], "STRING": []}
     )
     fixed: list[str] = field(default_factory=list)  # counters of loops: they are read only
     arrays: dict[str, tuple[str, tuple[int, ...]]] = field(default_factory=dict)
@@ -100,6 +100,8 @@ class ValueWriter:
             return self.operation(deep)
         if kind < 0.88 and self.has("bits"):
             return self.bits()
+        if self.has("texts") and self.chance(0.1):
+            return self.about_letters()
         if kind < 0.9 and self.has("booleans"):
             return l.Binary("*", self.value(deep + 1), self.truth(deep + 1))
         return self.function(deep)
@@ -135,6 +137,35 @@ class ValueWriter:
             return l.Function(name, (integer(r.randint(-5, 0) + 5), integer(20), value))
         return l.Function(name, (value,))
 
+    def letters(self, deep: int = 0) -> l.Expression:
+        """Return a text."""
+        r = self.random
+        kind = r.random()
+        names = self.known.numbers["STRING"]
+        if deep < 2 and kind < 0.3:
+            return l.Binary("<<", self.letters(deep + 1), self.letters(deep + 1))
+        if deep < 2 and kind < 0.4:
+            whole = integer(r.randint(0, 999))
+            return l.Binary("<<", self.letters(deep + 1), whole)
+        if deep < 2 and kind < 0.5:
+            return l.Function("TOUPPER", (self.letters(deep + 1),))
+        if deep < 2 and kind < 0.6:
+            count = integer(r.randint(1, 3))
+            return l.Function("SUBSTR", (self.letters(deep + 1), integer(r.randint(0, 2)), count))
+        if names and kind < 0.85:
+            return l.Variable(r.choice(names))
+        return l.Text(r.choice(("abc", "Part 7", "ABC", "x; y", "", "a-b.c")))
+
+    def about_letters(self) -> l.Expression:
+        """Return a number that tells of a text."""
+        r = self.random
+        name = r.choice(("STRLEN", "INDEX", "RINDEX", "NUMBER"))
+        if name == "NUMBER":
+            return l.Function(name, (l.Text(r.choice(("12.5", "-3", "0.25"))),))
+        if name == "STRLEN":
+            return l.Function(name, (self.letters(),))
+        return l.Function(name, (self.letters(), l.Text(r.choice("abc7A "))))
+
     def truth(self, deep: int = 0) -> l.Expression:
         """Return a condition."""
         r = self.random
@@ -149,6 +180,8 @@ class ValueWriter:
             return l.Variable(r.choice(names))
         if kind < 0.55:
             return l.Truth(self.chance(0.5))
+        if self.has("texts") and self.chance(0.1):
+            return l.Binary(r.choice(("==", "<>")), self.letters(1), self.letters(1))
         op = r.choice(("==", "<>", "<", ">", "<=", ">="))
         if self.has("AND in comparisons") and self.chance(0.08):
             # A comparison is weaker than AND: this is 1==((..) AND (..)).

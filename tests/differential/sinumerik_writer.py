@@ -5,6 +5,7 @@ Every program ends: each loop has a counter of its own, and a jump back is guard
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import sinumerik_language as l
@@ -60,7 +61,7 @@ class Writer(ValueWriter):
     def target(self) -> tuple[l.Target, str]:
         """Return what is assigned to, and its type."""
         r = self.random
-        kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "array"))
+        kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "STRING", "array"))
         if self.known.numbers.get(kind):
             return l.Variable(r.choice(self.known.numbers[kind])), kind
         if kind == "array" and self.known.arrays:
@@ -70,6 +71,9 @@ class Writer(ValueWriter):
 
     def assignment(self) -> None:
         to, kind = self.target()
+        if kind == "STRING":
+            self.put(l.Assign(((to, self.letters()),)))
+            return
         value = self.truth() if kind == "BOOL" else self.value()
         if kind == "REAL" and self.has("booleans") and self.chance(0.1):
             value = self.truth()
@@ -98,7 +102,7 @@ class Writer(ValueWriter):
                 if not free:
                     return
                 values.append(l.Variable(self.random.choice(free)))
-            elif place and self.chance(0.3):
+            elif place and self.chance(0.4):
                 values.append(None)
             else:
                 values.append(self.truth() if formal.type == "BOOL" else self.value(1))
@@ -303,13 +307,15 @@ class Writer(ValueWriter):
     def define(self) -> None:
         """Write the DEFs of a program."""
         r = self.random
-        types = ["INT", "REAL"] + ["BOOL"] * self.has("booleans")
+        types = ["INT", "REAL"] + ["BOOL"] * self.has("booleans") + ["STRING"] * self.has("texts")
         for _ in range(r.randint(1, 4)):
             kind = r.choice(types)
             name = self.name(r.choice(("LEN", "_deep", "Wide", "HIGH")))
             initial = None
             if self.chance(0.7):
                 initial = l.Truth(self.chance(0.5)) if kind == "BOOL" else self.number()
+            if kind == "STRING":
+                initial = l.Text("first") if self.chance(0.7) else None
             self.here.definitions.append(l.Definition(kind, name, initial))
             self.known.numbers[kind].append(name)
         if self.has("arrays") and self.chance(0.6):
@@ -325,7 +331,7 @@ class Writer(ValueWriter):
             fill = tuple(
                 self.number() if self.chance(0.8) else None for _ in range(r.randint(1, 3))
             )
-            fill = (self.number(), *fill[: max(0, _count(size) - 1)])
+            fill = (self.number(), *fill[: max(0, math.prod(size) - 1)])
         elif self.chance(0.4):
             all_ = self.number()
         self.here.definitions.append(l.Definition(kind, name, None, size, fill, all_))
@@ -338,7 +344,7 @@ class Writer(ValueWriter):
             kind = r.choice(["INT", "REAL", "REAL"] + ["BOOL"] * self.has("booleans"))
             by_reference = self.has("var") and kind != "BOOL" and self.chance(0.3)
             initial = None
-            if self.has("defaults") and not by_reference and self.chance(0.3):
+            if self.has("defaults") and not by_reference and self.chance(0.5):
                 initial = l.Truth(True) if kind == "BOOL" else self.number()
             name = self.name("GIVEN")
             made.append(l.Formal(kind, name, by_reference, initial))
@@ -387,10 +393,3 @@ class Writer(ValueWriter):
         self.put(l.Return("M30"))
         self.programs["MAIN"] = self.here
         return self.programs
-
-
-def _count(size: tuple[int, ...]) -> int:
-    count = 1
-    for each in size:
-        count *= each
-    return count
