@@ -1,8 +1,8 @@
 """Compute what a SINUMERIK program does, from the rules of the manual and not from the engine.
 
 Where the manual leaves a value open the program is `UnclearError` and not compared: `hair` makes the
-result of each division and function larger by this share, and a program that then does something
-else depends on the last digits of a REAL.
+result of each division and function larger by this share, `digits` rounds it, and a program that
+then does something else depends on the last digits of a REAL.
 """
 
 from __future__ import annotations
@@ -53,6 +53,7 @@ class Evaluator:
     rapid: bool = False
     absolute: bool = True
     hair: float = 0.0
+    digits: int = 0
     blocks: int = 0
 
     def run(self, main: str) -> str:
@@ -201,7 +202,10 @@ class Evaluator:
             number = 0 if value is None else self.value(value, scope)
             cells[formal.name] = Cell(formal.type, converted(number, formal.type))
         for _ in range(of.times):
+            before = self.rapid, self.absolute, self.turn, self.shift
             self.program(callee, dict(cells))
+            if callee.save:
+                self.rapid, self.absolute, self.turn, self.shift = before
 
     def again(self, program: l.Program, at: int, of: l.Again, scope: Scope) -> None:
         """Repeat a part: from its label to the other one, to this block, or one block alone."""
@@ -326,7 +330,7 @@ class Evaluator:
                 return self.combined(op, self.value(left, scope), self.value(right, scope))
             case l.Function(name, values):
                 result = FUNCTIONS[name](*(self.value(v, scope) for v in values))
-                return result * (1 + self.hair) if isinstance(result, float) else result
+                return self.other(result) if isinstance(result, float) else result
 
     def combined(self, op: str, a: Value, b: Value) -> Value:
         if op == "<<":
@@ -350,6 +354,12 @@ class Evaluator:
             raise UnclearError
         return result
 
+    def other(self, value: float) -> float:
+        """Return the result of a division or a function with other last digits, if these are asked."""
+        if self.digits:
+            value = float(f"{value:.{self.digits}g}")
+        return value * (1 + self.hair)
+
     def computed(self, op: str, a: Value, b: Value) -> Value:
         if op in ("/", "DIV", "MOD") and b == 0:
             raise AlarmError("division-by-zero")
@@ -361,9 +371,9 @@ class Evaluator:
             case "*":
                 return a * b
             case "/":
-                return a / b * (1 + self.hair)
+                return self.other(a / b)
         whole = isinstance(a, int) and isinstance(b, int)
-        times = math.trunc(a / b * (1 if whole else 1 + self.hair))
+        times = math.trunc(a / b if whole else self.other(a / b))
         if op == "MOD":
             return a - b * times
         return times if whole else float(times)

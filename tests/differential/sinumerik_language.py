@@ -255,6 +255,7 @@ class Program:
     formals: tuple[Formal, ...] | None = None  # None: without PROC
     definitions: list[Definition] = field(default_factory=list)
     blocks: list[Block] = field(default_factory=list)
+    save: bool = False  # the G codes and the frame are again those of the caller after its return
 
 
 def text_of(action: Action) -> str:
@@ -322,4 +323,4 @@ def head_text(program: Program) -> str:
         initial = f"={written(of.initial)}" if of.initial is not None else ""
         formals.append(f"{'VAR ' * of.by_reference}{of.type} {of.name}{initial}")
     brackets = f"({', '.join(formals)})" if formals else ""
-    return f"PROC {program.name}{brackets}"
+    return f"PROC {program.name}{brackets}" + " SAVE" * program.save
