@@ -92,9 +92,18 @@ tidy() {
         -extra-arg=-Wno-unknown-warning-option -extra-arg=-Wno-deprecated-declarations "$1"
 }
 
+# tidy_changed FILE...: clang-tidy over the engine's files among these, and over those beside its headers among them.
+tidy_changed() {
+    local sources
+    mapfile -t sources < <(printf '%s\n' "$@" | sed -nE 's/\.hpp$/.cpp/; /^cpp\/(cncsub|controls)\/.*\.cpp$/p' | sort -u)
+    echo "${#sources[@]} files of the engine changed"
+    [ ${#sources[@]} -eq 0 ] || tidy "($(IFS='|' && echo "${sources[*]//./\\.}"))$"
+}
+
 # The package under the sanitizers in .venv-sanitize, and the program that makes programs beside it.
 sanitized_build() {
-    env VENV=.venv-sanitize CXX=g++ CNCSUB_WERROR=OFF CNCSUB_SANITIZE=address,undefined CMAKE_ARGS=-DCNCSUB_PROGRAMS=ON \
+    env VENV=.venv-sanitize CXX=g++ CNCSUB_WERROR=OFF CNCSUB_SANITIZE=address,undefined \
+        CMAKE_ARGS="-DCNCSUB_PROGRAMS=ON -DCNCSUB_PRECOMPILE=ON" \
         SKBUILD_BUILD_DIR=build/sanitize SKBUILD_CMAKE_BUILD_TYPE=RelWithDebInfo \
         sh -c '. tools/environment.sh; install ".[test]"'
 }
@@ -118,4 +127,4 @@ made_programs() {
         build/sanitize/cpp/fuzz/fuzz_programs --seed "$SEED" --count 1000000000 --seconds "$1" build/sanitize/seeds/run
 }
 
-export -f debian counted_instructions lint tidy sanitized_build sanitized_python sanitized_tests made_programs
+export -f debian counted_instructions lint tidy tidy_changed sanitized_build sanitized_python sanitized_tests made_programs

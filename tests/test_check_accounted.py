@@ -109,10 +109,10 @@ def lines_have_the_number(seen: Seen) -> bool:
 
 
 def of_labels(seen: Seen) -> bool:
-    """Return whether this is LinuxCNC, which runs on if a branch or loop has no end, or did not
-    run.
+    """Return whether the control misses the end of a branch or a loop only when it needs it, as
+    LinuxCNC and SINUMERIK do, or the block did not run.
     """
-    return seen.library.control.name == "linuxcnc" or never_ran(seen)
+    return seen.library.control.dialect in ("linuxcnc", "sinumerik") or never_ran(seen)
 
 
 def ends_there(seen: Seen) -> bool:

@@ -46,11 +46,12 @@ N40 G80
 N50 G0 Z100.
 N60 M30
 """
+SIEMENS = tuple(name for name in CONTROLS if name.startswith("siemens"))
 _LACK = {
     _ALONG_Z: (),
     _IN_THE_PLANE: ("gsk-928te", "gsk-980tdi"),  # these have no G17, or no G91
-    _CALLS: ("gsk-928te", "siemens-one"),
-    _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", "siemens-one"),
+    _CALLS: ("gsk-928te", *SIEMENS),
+    _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", *SIEMENS),
 }
 
 
@@ -271,11 +272,11 @@ def _translated(library: cncsub.Library, other: str, setup: dict[str, str] | Non
 
 # ---- the words of a language belong to the language ----
 
-_RETURNS = {"siemens-one": "M17"}
+_RETURNS = dict.fromkeys(SIEMENS, "M17")
 
 
 def _files(folder: Path, control: str) -> Path:
-    if control == "siemens-one":
+    if control in SIEMENS:
         (folder / "MAIN.MPF").write_text("N10 SUB_A\nN20 SUB_A\nN30 M30\n")
         (folder / "SUB_A.SPF").write_text("N40 G0 X1\n")
         return folder / "SUB_A.SPF"
@@ -290,7 +291,7 @@ def test_a_return_that_is_added_is_the_controls_own_and_is_added_once(
 ) -> None:
     sub = _files(tmp_path, control)
     command = ["check", str(tmp_path), "-c", control, "--rule", "CS303", "--main"]
-    command.append("MAIN" if control == "siemens-one" else "O1")
+    command.append("MAIN" if control in SIEMENS else "O1")
     runner = CliRunner()
     before = runner.invoke(app, command)
     assert "CS303" in before.output

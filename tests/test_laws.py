@@ -102,7 +102,8 @@ moving = st.builds(
     st.one_of(line, round_block()),
     st.sampled_from(["", "", "", "F200.", "F0"]),
 )
-MILLS = [n for n in NAMES if n not in ("gsk-928te", "siemens-one")]  # they read ISO programs
+# They read ISO programs.
+MILLS = [n for n in NAMES if n != "gsk-928te" and not n.startswith("siemens")]
 WIDE = dict.fromkeys("XYZ", (-1e8, 1e8))
 
 

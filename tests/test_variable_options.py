@@ -16,7 +16,9 @@ from cncsub.cli import app
 
 MITSUBISHI = "mitsubishi-m700"
 # The controls whose variables are #1, #100 ...
-WITH_MACROS = [name for name in cncsub.controls if name not in ("gsk-928te", "siemens-one")]
+WITH_MACROS = [
+    name for name in cncsub.controls if name != "gsk-928te" and not name.startswith("siemens")
+]
 WITH_COMMONS = [
     name
     for name in WITH_MACROS

@@ -28,7 +28,8 @@ py::list listed(const Code& code, bool external, const Row& row) {
   py::list rows;
   for (std::size_t i = 0; i < code.programs.size(); ++i) {
     const Program& program = code.programs[i];
-    if (code.files[program.file].external == external && program.duplicate_of == kNoProgram)
+    const SourceFile& file = code.files[program.file];
+    if (file.external == external && !file.system && program.duplicate_of == kNoProgram)
       rows.append(row(i));
   }
   return rows;
@@ -52,7 +53,8 @@ std::vector<std::size_t> duplicates(const Code& code) {
 
 std::optional<std::size_t> first_of_memory(const Code& code) {
   for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (!code.files[code.programs[i].file].external) return i;
+    if (const SourceFile& file = code.files[code.programs[i].file]; !file.external && !file.system)
+      return i;
   return std::nullopt;
 }
 
@@ -174,6 +176,7 @@ void add_code(py::module_& m) {
       .def_property_readonly(
           "has_head",
           [](const ProgramData& p) { return p.program().name_length != Program::kOfFile; })
+      .def_property_readonly("system", [](const ProgramData& p) { return p.file().system; })
       .def_property_readonly("inside",
                              [](const ProgramData& p) { return p.program().inside != kNoProgram; })
       .def(
@@ -233,14 +236,15 @@ void add_code(py::module_& m) {
       .def_property_readonly("duplicates", &duplicates)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &first_of_memory)
-      .def_property_readonly(
-          "sources",
-          [](const Code& c) {
-            py::list rows;
-            for (const SourceFile& file : c.files)
-              rows.append(py::make_tuple(file.name, file.stem, bytes_of(file.text), file.external));
-            return rows;
-          })
+      .def_property_readonly("sources",
+                             [](const Code& c) {
+                               py::list rows;
+                               for (const SourceFile& file : c.files)
+                                 if (!file.system)
+                                   rows.append(py::make_tuple(file.name, file.stem,
+                                                              bytes_of(file.text), file.external));
+                               return rows;
+                             })
       .def_property_readonly("leaders",
                              [](const Code& c) {
                                py::list rows;

@@ -54,6 +54,7 @@ py::list blocks(const Code& code) {
     py::list addresses, n, lines, texts, kinds, skips;
     for (Address a = program.first; a < program.last; ++a) {
       if ((a & 0xffff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (code.files[program.file].system) break;  // of the control, not of the user
       if (code.program_at(a) != static_cast<std::int32_t>(p)) continue;
       const Block& block = code.blocks[a];
       const std::string_view text = code.text_of(block, program);
@@ -77,7 +78,7 @@ py::tuple deciding(const Code& code) {
   std::fill_n(known.data, code.blocks.size(), 0);
   py::list decide;
   for (const Program& program : code.programs)
-    for (Address a = program.first; a < program.last; ++a) {
+    for (Address a = program.first; a < program.last && !code.files[program.file].system; ++a) {
       known.data[a] = 1;
       if (branches.of[a] == Branch::None && code.blocks[a].skip == 0) continue;
       if (code.program_at(a) != static_cast<std::int32_t>(&program - code.programs.data()))

@@ -229,6 +229,8 @@ void check_systems(const Control& control, const Options& options) {
         p != std::string::npos && std::stol(name.substr(p + 1)) > most)
       refuse(option, field + ": " + control.name + " has no " + name +
                          (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
+    if (name.size() == 4 && name[0] == 'G' && control.motion.extra_system_codes.value == 0)
+      refuse(option, field + ": " + control.name + " has no " + name);
   };
   if (options.inputs.workpiece) check("inputs", "coordinates", options.inputs.workpiece->system);
   for (const auto& [name, values] : setup.work_offsets) check("setup", "work_offsets", name);

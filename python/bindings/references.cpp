@@ -93,6 +93,7 @@ void take_calls(const Code& code, const Take& take) {
     const Rows rows(code, own);
     for (Address a = program.first; a < program.last; ++a) {
       if ((++looked_at & 0xfff) == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+      if (code.files[program.file].system) break;  // of the control, not of the user
       if (!may_call(code.blocks[a].op) || code.program_at(a) != own) continue;
       for (const CallReference& call : references_of(code, code.blocks[a], own).calls)
         take(p, a, rows.call(call));

@@ -223,6 +223,8 @@ class ProgramData:
     @property
     def has_head(self) -> bool: ...  # its text gives its name, not its file
     @property
+    def system(self) -> bool: ...  # of the control itself, not of the user
+    @property
     def inside(self) -> bool: ...  # a part of another program
     @property
     def comment(self) -> str: ...

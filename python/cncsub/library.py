@@ -475,7 +475,7 @@ def read_again(
 def _one_program(code: _core.Code, *, named: bool) -> _core.ProgramData:
     """Return the only program of a text, which has a name of its own or that of its file."""
     programs = [code.program(place) for place in range(len(code))]
-    whole = [program for program in programs if not program.inside]
+    whole = [program for program in programs if not program.inside and not program.system]
     if len(whole) > 1:
         names = ", ".join(program.name for program in whole)
         raise ValueError(f"with_program needs one program; this text has {names}")

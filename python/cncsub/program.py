@@ -23,7 +23,8 @@ def find_program(code: _core.Code, name: object) -> int:
     its name; -1 where there is none. Raises `TypeError` for anything else.
     """
     if isinstance(name, str):
-        return code.find(clean(name))
+        found = code.find(clean(name))
+        return -1 if found >= 0 and code.program(found).system else found
     if isinstance(name, bool) or not hasattr(name, "__index__"):
         raise TypeError(f"a program must be given by its name or number, not by {name!r}")
     number = operator.index(name)

@@ -288,11 +288,12 @@ def call_graph(code: _core.Code, starts: Iterable[int]) -> CallGraph:
     deepest = {kind: _Graph(each).deepest() for kind, each in ways.items()}
     if ways:
         deepest["any"] = graph.deepest()
+    own = [index for index, program in enumerate(data) if not program.system]
     return CallGraph(
-        names,
+        tuple(names[index] for index in own),
         tuple(edges),
-        tuple(name for index, name in enumerate(names) if index not in called),
-        tuple(name for index, name in enumerate(names) if index not in reached),
+        tuple(names[index] for index in own if index not in called),
+        tuple(names[index] for index in own if index not in reached),
         tuple(tuple(names[index] for index in cycle) for cycle in graph.cycles()),
         {kind: tuple(names[index] for index in path) for kind, path in deepest.items()},
     )

@@ -22,7 +22,7 @@ REFERENCES = 4  # G28 and G30 P2 to P4
 
 # A key of n parts takes TOML a time of n squared.
 _DEEP = re.compile(r"(?:\.[^.,=\[\]{}#\n]{0,80}){100}")
-_SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)")
+_SYSTEM = re.compile(r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)|G500|G5(0[5-9]|[1-9][0-9])")
 _TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
 
 Point = Mapping[str, float]
@@ -35,9 +35,10 @@ class Setup:
 
     `machine`: `"mill"`, `"lathe-a"` or `"lathe-b"` (G-code system A or B); `None` is the type of
     the control. `start`: where the tool is, in work coordinates. `work_offsets`: zero points by
-    `"G54"` to `"G59"`, `"EXT"` and `"G54.1 P1"`. `length_offsets`, `radius_offsets`: by H and by D.
+    `"G54"` to `"G59"`, `"EXT"`, `"G54.1 P1"`, and on a SINUMERIK `"G505"` to `"G599"`.
+    `length_offsets`, `radius_offsets`: by H and by D, or by T where D is an edge of the tool.
     `tools`: a lathe's tool offsets by number, each with `"X"`, `"Z"`, `"R"` (nose radius) and
-    `"tip"` (0 to 9). `reference`: reference points 1 to 4 in machine coordinates, 1 is that of G28.
+    `"tip"` (0 to 9); where D is an edge of the tool, the lengths and the radius of tool T. `reference`: reference points 1 to 4 in machine coordinates, 1 is that of G28.
     `rapid`: mm/min by axis. `limits`: lowest and highest machine coordinate by axis; without them
     nothing is limited. `stroke_area`: the same for the area of G22, before a program sets it.
     `increment`: the least input increment in mm.
@@ -220,7 +221,7 @@ def work_system(what: str, name: object) -> str:
     if not _SYSTEM.fullmatch(system):
         raise ValueError(
             f"{what}: {name!r} is not a work coordinate system;"
-            " there are G54 to G59, EXT and G54.1 P1 to P300"
+            " there are G54 to G59, EXT, G54.1 P1 to P300, and G500, G505 to G599"
         )
     return system
 

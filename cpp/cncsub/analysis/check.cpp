@@ -89,6 +89,7 @@ Checker::Checker(const Code& code, const Starts& starts, const std::string& mach
 
 bool Checker::ignored(Check check, Address block, TextPlace place) {
   const Program& of = program(code.program_at(block));
+  if (code.files[of.file].system) return true;
   const std::size_t at = std::max(place.at, code.blocks[block].text);
   return ignored_[of.file].holds(check, at);
 }

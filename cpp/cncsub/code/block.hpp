@@ -81,9 +81,23 @@ constexpr std::uint32_t kPolarWords = 1u << kRadius | 1u << kAngle;
 constexpr std::uint32_t kAxisWords =
     kEndWords | bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W') | kPolarWords;
 
+/// The form of words that do not follow the mode: sets of a block's addresses.
+struct WordForms {
+  std::uint32_t absolute = 0, incremental = 0;
+  // Of A, B and C, whose words are absolute: bit 0 to 2 the shorter way, 8 to 10 in plus direction,
+  // 16 to 18 in minus direction.
+  std::uint32_t rotary = 0;
+
+  bool any() const { return (absolute | incremental) != 0; }
+  /// Return whether a word is an increment; `mode`: what words without a form are.
+  bool is_incremental(std::uint32_t address, bool mode) const {
+    return mode ? (absolute & address) == 0 : (incremental & address) != 0;
+  }
+};
+
 /// One block. Its words follow in `Code::cells` from `data`: the extra cell (if has_extra), the G
 /// codes and the M codes (if not listed; one cell each, or an expression), then the values of the
-/// mask's addresses in alphabetical order.
+/// mask's addresses in alphabetical order, and two cells of forms (if has_forms).
 struct Block {
   std::uint32_t text = 0;  // where it starts in its file
   std::uint32_t line = 0;  // 1-based
@@ -105,6 +119,7 @@ struct Block {
   static constexpr std::uint8_t kSecondG = 4;  // Linear: G01 is written; Arc: G03
   static constexpr std::uint8_t kNoG = 8;      // Linear and Arc: no G is written
   static constexpr std::uint8_t kDrops = 16;   // words that do not count: Code::drops
+  static constexpr std::uint8_t kHasForms = 64;
   static constexpr std::uint8_t kListed = 32;  // its codes are one of Code::code_lists
 
   bool has_codes() const { return g_count != 0 || m_count != 0; }
@@ -192,6 +207,7 @@ struct NcWords {
   std::uint32_t whole = 0;     // written as a number without a point; and kPointedH
   std::uint32_t computed = 0;  // came from a variable or an expression
   std::array<double, kAddresses> value{};
+  WordForms forms;
   const BlockCodes* codes = &kNoCodes;
   bool ends = false;   // M02 or M30 stands in the block
   bool stops = false;  // the run stops after it: moves in the lookahead queue wait no more

@@ -154,6 +154,15 @@ void write_codes(Code& code, Block& block, const WordList& words) {
   for (int i = 0; i < words.m_count; ++i) write(words.m[static_cast<std::size_t>(i)]);
 }
 
+void write_forms(Code& code, Block& block, const WordForms& forms) {
+  block.flags |= Block::kHasForms;
+  Cell cell{};
+  cell.extra = {forms.absolute, forms.incremental};
+  code.cells.push_back(cell);
+  cell.extra = {forms.rotary, 0};
+  code.cells.push_back(cell);
+}
+
 }  // namespace
 
 void Builder::words(Block& block, const WordList& words) {
@@ -173,6 +182,7 @@ void Builder::words(Block& block, const WordList& words) {
   if (words.g_count + words.m_count > 0) write_codes(code_, block, words);
   for (std::uint32_t left = words.mask; left != 0; left &= left - 1)
     code_.cells.push_back(cell_of(words.values[static_cast<std::size_t>(std::countr_zero(left))]));
+  if (words.forms.any()) write_forms(code_, block, words.forms);
   if (code_.drops.size() > first_drop_) {
     block.flags |= Block::kDrops;
     // Drops are found by the block's data, which then are its own.

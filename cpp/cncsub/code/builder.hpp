@@ -36,6 +36,7 @@ struct WordList {
   std::array<WordValue, kAddresses> values;  // NOLINT: those of the mask
   std::uint32_t mask = 0;
   std::uint32_t whole = 0;  // as in NcWords
+  WordForms forms;
   int g_count = 0;
   int m_count = 0;
 

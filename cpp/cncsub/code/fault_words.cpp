@@ -29,8 +29,10 @@ struct Finder {
     for (const WrittenWord& word : words) {
       const int place = spelling.place_of(word.address);
       if (place >= 0 && (name.addresses >> place & 1) != 0) return &word;
-      if (word.address != "G") continue;
-      if (name.code >= 0 && (!word.known || std::lround(word.value * 10) == name.code))
+      const int own = code_of_word(word.address);
+      if (word.address != "G" && own < 0) continue;
+      if (name.code >= 0 && (own >= 0 ? own == name.code
+                                      : !word.known || std::lround(word.value * 10) == name.code))
         return &word;
       if ((group_of(word) & name.groups) != 0) return &word;
     }
@@ -38,8 +40,11 @@ struct Finder {
   }
   /// Return the bit of the group of a G code that does something.
   std::uint32_t group_of(const WrittenWord& word) const {
-    if (codes == nullptr || !word.known || std::fabs(word.value) > 1000) return 0;
-    const GCode found = codes->find(static_cast<int>(std::lround(word.value * 10)));
+    if (codes == nullptr) return 0;
+    const int own = code_of_word(word.address);
+    if (own < 0 && (!word.known || std::fabs(word.value) > 1000)) return 0;
+    const GCode found =
+        codes->find(own >= 0 ? own : static_cast<int>(std::lround(word.value * 10)));
     const bool acts = found.meaning > Meaning::Uncomputed && found.meaning != Meaning::Unknown;
     return acts ? bit(found.group) : 0;
   }

@@ -18,6 +18,7 @@ struct SourceFile {
   std::string stem;  // names the program where the text does not
   FileText text;     // UTF-8
   bool external = false;
+  bool system = false;      // a program of the control itself, which is no program of the user
   std::int32_t leader = 0;  // how many lines before its tape are no program
 };
 

@@ -31,7 +31,14 @@ struct Spelling {
   bool long_numbers = false;  // no rule says how many digits a number in an expression may have
   bool numbered = true;       // variables are assigned by their number: #5221=5
 
+  /// An address of several characters, and the place in the mask of a block that holds its value.
+  struct LongAddress {
+    std::string_view name;
+    int place;
+  };
+
   // The spelling of words.
+  std::span<const LongAddress> long_addresses{};
   std::string_view radius = "R";  // the address of an arc's radius
   std::string_view polar{};       // the signs of a point's radius and angle, each an address
   Codes own_m_codes{};            // the M codes that a machine gives a meaning

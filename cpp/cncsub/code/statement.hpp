@@ -50,6 +50,7 @@ struct PrintField {
 struct Print {
   bool binary = false;
   bool alarms = false;         // the text is that of an alarm
+  std::string number{};        // the number of the alarm; empty: that of the control
   std::string_view command{};  // the word of the comment that says it, where that is no message
   bool logs() const { return command.starts_with("LOG"); }
   std::vector<PrintField> fields;

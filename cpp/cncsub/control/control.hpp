@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -240,6 +241,21 @@ struct CodeCall {
   }
 };
 
+/// A program that the control has itself, such as a standard cycle. A program of the user with the
+/// same name comes first.
+struct SystemProgram {
+  std::string_view name;
+  std::string_view text;  // empty: its moves are not computed
+};
+
+/// An alarm that programs of the control raise by its number.
+struct RaisedAlarm {
+  std::int32_t number = 0;
+  std::string_view text;
+  std::string_view source;
+  Evidence evidence = Evidence::Inferred;
+};
+
 // The rules of a control, in their groups: control.calls.max_nesting.
 #define GROUP(Type, name, meaning) struct Type {
 #define END_GROUP(Type, name) \
@@ -281,6 +297,8 @@ struct Control {
   std::vector<VariableRange> variables;  // besides the commons
   std::vector<VariableOption> variable_choices;
   std::vector<CodeCall> code_calls;
+  std::span<const SystemProgram> system_programs;
+  std::span<const RaisedAlarm> raised_alarms;
   std::map<Cause, AlarmEntry> alarms;
   std::string user_alarm_prefix;  // "MC": #3000=1 is MC3001
   std::int32_t user_alarm_digits = 0;

@@ -153,9 +153,28 @@ constexpr int kNeutral[] = {54,   401,  502,  504,  505,  506,  512,  611, 631,
                             632,  691,  804,  805,  961,  962,  963,  964, 1130,
                             1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
 
+/// A code that a language writes as a word.
+struct WordCode {
+  int code;
+  std::string_view word;
+};
+constexpr WordCode kWordCodes[] = {
+#define WORD_CODE(code, word) {code, word},
+#include "cncsub/control/word_codes.def"
+#undef WORD_CODE
+};
+
 }  // namespace
 
+int code_of_word(std::string_view word) {
+  for (const WordCode& of : kWordCodes)
+    if (of.word == word) return of.code;
+  return -1;
+}
+
 std::string code_name(int code) {
+  for (const WordCode& of : kWordCodes)
+    if (of.code == code) return std::string(of.word);
   std::string name = code < 100 ? "G0" : "G";
   name += std::to_string(code / 10);
   if (code % 10 != 0) name += "." + std::to_string(code % 10);
@@ -178,6 +197,7 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
   if (!control.reading.g_codes.value.empty())
     keep(control.reading.g_codes.value,
          control.reading.unlisted_codes.value == UnlistedCode::Refused);
+  name_systems(control);
   const Roles& roles = control.calls.roles.value;
   if (!roles.has(Role::MacroCall))
     for (const std::int16_t code : {650, 660, 661, 670}) set({code, G::OneShot, M::None});
@@ -189,6 +209,18 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
       entry.variant = own.variant;
     set(entry);
   }
+}
+
+/// Let codes name the extra work systems, by the number from which they count.
+void GCodes::name_systems(const Control& control) {
+  const int first = control.motion.extra_system_codes.value;
+  if (first <= 0) return;
+  control.reading.g_codes.value.for_each([&](int code10) {
+    const int system = code10 / 10 - first;
+    if (code10 % 10 == 0 && system > 0 && system <= control.motion.max_extra_systems.value)
+      set({static_cast<std::int16_t>(code10), Group::Work, Meaning::WorkExtra,
+           static_cast<std::int16_t>(system)});
+  });
 }
 
 /// Keep what the family's tables say of the control's own codes, and nothing about others. A code

@@ -35,8 +35,10 @@ inline bool is_multiple_cycle(Meaning meaning) {
   }
 }
 
-/// Return "G54.1" for 541.
+/// Return "G54.1" for 541, and the word of a code that is written as one.
 std::string code_name(int code);
+/// Return ten times the code that is written as this word, in capitals; -1 where none is.
+int code_of_word(std::string_view word);
 
 /// Return the kind of machine of a name such as "lathe-a"; the control's own where it is none.
 MachineType machine_of(const Control& control, const std::string& name);
@@ -58,6 +60,7 @@ class GCodes {
  private:
   void set(GCode entry);
   void keep(const Codes& list, bool complete);
+  void name_systems(const Control& control);
 
   static constexpr int kCodes = 10001;  // ten times the largest, and one
 

@@ -39,6 +39,7 @@ enum class Group : std::uint8_t {
   PolarMilling,
   Centre,
   Diameter,
+  Corner,
   Count
 };
 constexpr std::size_t kGroups = static_cast<std::size_t>(Group::Count);
@@ -89,6 +90,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"tap-cycle", Group::Motion, Meaning::TapCycle},
     {"thread", Group::Motion, Meaning::Thread},
     {"thread-by-k", Group::Motion, Meaning::Thread, 1},
+    {"thread-by-axis", Group::Motion, Meaning::Thread, 3},
     {"rigid-tap", Group::Motion, Meaning::Thread, 2},
     {"rotation", Group::Rotation, Meaning::RotationOn},
     {"rotation-off", Group::Rotation, Meaning::RotationOff},
@@ -99,6 +101,23 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"spline-by-one-point", Group::Motion, Meaning::Spline, 1},
     {"drive-line-thread", Group::Motion, Meaning::DriveLineThread},
     {"tapping", Group::OneShot, Meaning::Tapping},
+    {"frame-shift", Group::OneShot, Meaning::FrameShift},
+    {"frame-shift-added", Group::OneShot, Meaning::FrameShift, 1},
+    {"frame-rotation", Group::OneShot, Meaning::FrameRotation},
+    {"frame-rotation-added", Group::OneShot, Meaning::FrameRotation, 1},
+    {"frame-scale", Group::OneShot, Meaning::FrameScale},
+    {"frame-scale-added", Group::OneShot, Meaning::FrameScale, 1},
+    {"frame-mirror", Group::OneShot, Meaning::FrameMirror},
+    {"frame-mirror-added", Group::OneShot, Meaning::FrameMirror, 1},
+    {"machine", Group::OneShot, Meaning::Machine},
+    {"machine-all", Group::OneShot, Meaning::Machine, 1},
+    {"pole-from-tool", Group::OneShot, Meaning::Pole, 1},
+    {"pole", Group::OneShot, Meaning::Pole, 2},
+    {"pole-from-pole", Group::OneShot, Meaning::Pole, 3},
+    {"corner-arc", Group::Corner, Meaning::CornerArc},
+    {"corner-meet", Group::Corner, Meaning::CornerMeet},
+    {"reference-direct", Group::OneShot, Meaning::Reference, 2},
+    {"second-reference-direct", Group::OneShot, Meaning::SecondReference, 2},
     {"bore-stop-after-dwell", Group::Cycle, Meaning::BoreManual},
     {"centre-absolute", Group::Centre, Meaning::CentreAbsolute},
     {"centre-from-start", Group::Centre, Meaning::CentreFromStart},
@@ -113,6 +132,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"not-computed", Group::OneShot, Meaning::Uncomputed},
     {"three-points", Group::Motion, Meaning::ThreePoints},
     {"three-points-absolute", Group::Motion, Meaning::ThreePointsAbsolute},
+    {"three-points-by-mode", Group::Motion, Meaning::ThreePointsAbsolute, 1},
     {"extra-system", Group::Work, Meaning::WorkExtra},
     {"extra-system-1", Group::Work, Meaning::WorkExtra, 1},
     {"extra-system-2", Group::Work, Meaning::WorkExtra, 2},
@@ -134,6 +154,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"extra-system-18", Group::Work, Meaning::WorkExtra, 18},
     {"extra-system-19", Group::Work, Meaning::WorkExtra, 19},
     {"extra-system-20", Group::Work, Meaning::WorkExtra, 20},
+    {"extra-system-100", Group::Work, Meaning::WorkExtra, 100},
     {"none", Group::OneShot, Meaning::None},
     {"unknown", Group::OneShot, Meaning::Unknown},
 };
@@ -188,6 +209,7 @@ inline constexpr GroupName kGroupNames[] = {
     {"polar-milling", Group::PolarMilling, 0, 21},
     {"centre", Group::Centre, 0, 0},
     {"diameter", Group::Diameter, 0, 0},
+    {"corner", Group::Corner, 0, 0},
 };
 
 /// An entry as `plane=2`.

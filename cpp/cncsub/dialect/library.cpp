@@ -1,6 +1,7 @@
 #include "cncsub/dialect/library.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 #include <thread>
@@ -100,6 +101,23 @@ const Dialect& dialect_of(const Control& control) {
   return *dialect;
 }
 
+/// Return the program of the control itself that a call leads to: one that no file has.
+const SystemProgram* system_program(const Code& code, const CallRecord& call) {
+  const std::string& name = call.name();
+  if (name.empty()) return nullptr;
+  for (const SystemProgram& of : code.control->system_programs)
+    if (of.name.size() == name.size() && std::equal(name.begin(), name.end(), of.name.begin(),
+                                                    [](char a, char b) { return upper(a) == b; }))
+      return code.find(name) == kNoProgram ? &of : nullptr;
+  return nullptr;
+}
+
+Fault not_computed(const CallRecord& call, const SystemProgram& called) {
+  const CallExtras& extras = call.extras.get();
+  return {Cause::CodeNotComputed, extras.name_at, extras.name_width,
+          "cncsub does not compute " + std::string(called.name)};
+}
+
 /// The reading of a library's files.
 class Reading {
  public:
@@ -116,6 +134,39 @@ class Reading {
       code.external_device = code_.external_device;
     };
     read_files({code_, to_, read_, dialect_, other}, files, sharing);
+  }
+
+  /// Read the programs of the control itself that something calls and the user has not: their own
+  /// calls too. The programs before are registered. Return their names.
+  std::vector<std::string_view> read_system_programs() {
+    std::vector<std::string_view> names;
+    if (code_.control->system_programs.empty()) return names;
+    for (std::size_t i = 0; i < code_.calls.size(); ++i) {
+      if (interrupt_.requested(InterruptCheck::kBlock)) break;
+      const SystemProgram* const called = system_program(code_, code_.calls[i]);
+      if (called == nullptr || called->text.empty() ||
+          std::find(names.begin(), names.end(), called->name) != names.end())
+        continue;
+      names.push_back(called->name);
+      read_system_program(*called);
+    }
+    return names;
+  }
+  /// Read these programs of the control, and register and resolve them.
+  void read_system_programs(const std::vector<std::string_view>& names) {
+    const std::size_t before = code_.programs.size();
+    for (const SystemProgram& of : code_.control->system_programs)
+      if (std::find(names.begin(), names.end(), of.name) != names.end()) read_system_program(of);
+    code_.register_programs([this] { return interrupted(kProgram); });
+    resolve_calls(before);
+  }
+  void read_system_program(const SystemProgram& program) {
+    const std::string name(program.name);
+    SourceFile& file = code_.files.emplace_back();
+    file.name = file.stem = name;
+    file.text = FileText(std::string(program.text));
+    file.system = true;
+    read_(static_cast<std::uint32_t>(code_.files.size() - 1));
   }
 
   /// Decide, once and for all, the calls whose operands are written as numbers, in program `from`
@@ -148,6 +199,8 @@ class Reading {
 
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
     if (auto fault = pass_parameters(code_, call)) return to_.refuse(block, std::move(*fault));
+    if (const SystemProgram* const called = system_program(code_, call))
+      return to_.refuse(block, not_computed(call, *called));
     if (!has_constant_operands(call)) return;
     const CallOperands operands{call.p.value, call.l.value, call.start().value,
                                 call.device().value};
@@ -212,7 +265,9 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   }
   if (begin_with(files, 'N')) code->sequence.reserve(bytes / 8);
   reading.read(files, sharing);
-  code->register_programs([&reading] { return reading.interrupted(kProgram); });
+  const auto over = [&reading] { return reading.interrupted(kProgram); };
+  code->register_programs(over);
+  if (!reading.read_system_programs().empty()) code->register_programs(over);
   reading.resolve_calls(0);
   resolve_codes(*code);
   system::give_back_large_memory();
@@ -224,14 +279,24 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
                                         const std::function<bool()>& interrupted) {
   auto with = std::make_shared<Code>(code);
-  const std::size_t programs = with->programs.size();
-  Reading reading(*with, interrupted);
+  std::size_t programs = with->programs.size();
+  std::optional<Reading> reading(std::in_place, *with, interrupted);
   std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
-  reading.read(typed, {.threads = 1});
+  reading->read(typed, {.threads = 1});
+  if (const auto names = reading->read_system_programs(); !names.empty()) {
+    // The typed text is the last program, so what it calls is read before it.
+    reading.reset();
+    with = std::make_shared<Code>(code);
+    reading.emplace(*with, interrupted);
+    reading->read_system_programs(names);
+    programs = with->programs.size();
+    typed = {{"MDI", "MDI", FileText(text), false}};
+    reading->read(typed, {.threads = 1});
+  }
   // A text typed in MDI is no program of the memory: it is not registered, and nothing finds it.
-  reading.resolve_calls(programs);
+  reading->resolve_calls(programs);
   resolve_codes(*with);
-  if (!reading.interrupted(0)) return with;
+  if (!reading->interrupted(0)) return with;
   free_aside(std::move(with), {});
   return nullptr;
 }

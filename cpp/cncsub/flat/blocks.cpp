@@ -31,6 +31,10 @@ class BlockWriter::Maker {
     }
     cells_ += block.code_cells();
     left_ = block.mask;
+    if ((block.flags & Block::kHasForms) != 0) {
+      const Cell::Extra forms = cells_[std::popcount(block.mask)].extra;
+      formed_ = forms.expressions | forms.whole;
+    }
     if ((block.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'G', 0, 0});
   }
 
@@ -61,6 +65,7 @@ class BlockWriter::Maker {
   CodeList codes_;
   const Cell* cells_ = nullptr;
   std::uint32_t expressions_ = 0, whole_ = 0, left_ = 0;
+  std::uint32_t formed_ = 0;  // the words whose value has a form of its own
   std::uint32_t g_taken_ = 0, m_taken_ = 0;
   bool ended_ = false;
   std::string failed_;
@@ -103,9 +108,17 @@ bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
 void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   const std::uint32_t mark = 1u << place;
   if ((left_ & mark) == 0) return;
-  if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
+  if ((formed_ & mark) != 0) {  // as it is written, where its value is a number
+    if ((expressions_ & mark) != 0)
+      failed_ = word.text;
+    else
+      to_.add_text(word.text);
+  } else if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
     const std::int64_t n = (*profile_)[place == 'P' - 'A' ? 0 : 1];
     to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
+  } else if ((expressions_ & mark) != 0 && word.address.size() > 1 &&
+             to_.code_.spelling->address_of(place) != word.address) {
+    failed_ = word.text;  // of two addresses in one place the other would be written
   } else if ((expressions_ & mark) != 0) {
     add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
   } else if (word.known && word.value == constant(place)) {

@@ -252,6 +252,24 @@ bool keeps_modes(const BlockCodes& codes) {
 }  // namespace
 
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
+  return write_own(text, origins) && write_restored(text, origins);
+}
+
+/// Write the codes that the return from a call has put in force again.
+bool FlatRun::write_restored(std::string& text, FlatOrigins& origins) {
+  for (const BlockCodes& codes : observer_.restored) {
+    const std::size_t before = text.size();
+    NcWords words;
+    words.codes = &codes;
+    if (other_ && !other_->write(text, Block(), words)) return refuse(other_->refused());
+    for (const int code : codes.g())
+      if (!other_) text += (text.size() == before ? "" : " ") + code_name(code);
+    if (text.size() > before) end_line(text, origins);
+  }
+  return true;
+}
+
+bool FlatRun::write_own(std::string& text, FlatOrigins& origins) {
   if (!write_assigned(text, origins) || !write_print(text, origins)) return false;
   write_raised(text, origins);
   const Block* block = coming_.plain ? &machine_.code().blocks[coming_.at] : observer_.words;
@@ -262,9 +280,6 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
     return refuse(
         "M70 to M73 save and restore the modes of each call, and a flat program has no "
         "calls");
-  const auto program = static_cast<std::size_t>(program_at(coming_.at));
-  if (coming_.call >= 0 && machine_.code().programs[program].keeps_modes)
-    return refuse("its program restores the codes of the caller, and a flat program has no calls");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);

@@ -84,6 +84,8 @@ class FlatRun {
   bool before_block(std::string& text, FlatOrigins& origins);
   void write_done(std::string& text, FlatOrigins& origins);
   bool write_block(std::string& text, FlatOrigins& origins);
+  bool write_own(std::string& text, FlatOrigins& origins);
+  bool write_restored(std::string& text, FlatOrigins& origins);
   bool write_words(std::string& text, FlatOrigins& origins, const Block& block,
                    const std::array<std::int64_t, 2>* profile = nullptr);
   bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block,

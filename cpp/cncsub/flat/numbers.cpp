@@ -30,6 +30,9 @@ char letter_of(int place) {
                           : static_cast<char>('A' + place);
 }
 
+/// Return whether = stands between an address and its value.
+bool needs_equals(std::string_view address) { return address.size() > 1 && address.front() != ','; }
+
 }  // namespace
 
 NumberText::NumberText(double value) : text_(system::shortest_fixed(value + 0.0)) {
@@ -157,7 +160,7 @@ bool WordWriter::takes(char letter, bool comma, double value, const NumberText& 
 }
 
 bool WordWriter::computed(std::string& to, int place, double value) const {
-  if (place >= kRadius && code_.spelling->polar.empty()) return false;
+  if (place >= kRadius && code_.spelling->address_of(place).empty()) return false;
   const bool comma = place >= kCommaC;
   const char letter = letter_of(place);
   const bool rounded = round(place, value);
@@ -166,7 +169,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   const bool named = !comma && calls(letter, value);
   if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
   to += address;
-  if (!comma && address.size() > 1) to += '=';
+  if (needs_equals(address)) to += '=';
   to += text.text();
   if (text.decimals() == 0 && points(letter, text) &&
       control_.reading.point_addresses.value.has(letter))
@@ -180,7 +183,7 @@ bool WordWriter::constant(std::string& to, int place, double value, bool whole) 
   const std::string address = code_.spelling->address_of(place);
   if (place < kCommaC && calls(letter, value)) return bracketed(to, address, value);
   to += address;
-  if (place < kCommaC && address.size() > 1) to += '=';
+  if (needs_equals(address)) to += '=';
   to += text.text();
   const bool counts = increments_ && is_in(kLengths, letter);
   if (!whole && counts && text.decimals() == 0) to += '.';

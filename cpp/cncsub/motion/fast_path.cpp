@@ -54,7 +54,8 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
                 !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
                 !state.rigid_waits && facts.control->motion.max_feed.value == 0 &&
                 state.frame_angle == 0 && !state.diameter && !state.no_motion &&
-                !centre_is_absolute(state) && !feed_of_each_cut(m) && !is_transformed(state) &&
+                !centre_is_absolute(state) && !feed_of_each_cut(m) && !is_turned(state) &&
+                same_bits(state.unmoved, Axes{}) &&
                 !state.surface && state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
 

@@ -97,6 +97,9 @@ void Motion::reset() {
   state.pending_angle = {};
   state.rigid_waits = state.data_set = false;
   state.transform = {};
+  state.unmoved = {};
+  state.pole = {};
+  if (std::exchange(state.frame, {}) != GeneralFrame{}) refresh_offset(state);
   if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
     state.local = {};
     refresh_offset(state);

@@ -18,20 +18,54 @@ void reading(Control& c) {
       "540 541 542 543 544 545 546 547 548 549 550 551 552 553 554 555 556 557 558 559 560 561 562 "
       "563 564 565 566 567 568 569 570 571 572 573 574 575 576 577 578 579 580 581 582 583 584 585 "
       "586 587 588 589 590 591 592 593 594 595 596 597 598 599 601 602 603 621 641 642 643 644 645 "
+      "900.1 900.2 900.3 900.4 900.5 900.6 900.7 900.8 901.1 901.2 901.4 901.5 "
       "700 710 810 811 812 813 814 815 816 817 818 819 820 821 822 823 824 825 826 827 828 829 931 "
       "942 952 961 962 971 972 973",
       "NCI, ggroups.json: the G groups of the manual", Secondary};
 }
 
+void frames_and_tools(Control& c) {
+  c.motion.machine_move = {MachineMove::ModalWithTool, kKnown, Inferred};
+  c.motion.max_extra_systems = {100, "NCI, ggroups.json: G505 to G599, and G500", Secondary};
+  c.motion.extra_system_codes = {500, "NCI, ggroups.json: G505 to G599", Secondary};
+  c.motion.tool_edges = {true, kKnown, Inferred};
+  c.motion.max_offset_number = {9999, kKnown, Inferred};
+  c.motion.shifts_move_increments = {
+      true, "NCI, trans2.mpf with its table; SD 42440 and 42442 are general knowledge", Secondary};
+  c.motion.length_type = {LengthType::Normal, kKnown, Inferred};
+  c.motion.rotation_words = {"E", "NCI grammar: RPL", Secondary};
+}
+
+void paths(Control& c) {
+  c.motion.arc_angle_words = {"Q", "NCI grammar: AR", Secondary};
+  c.motion.added_turns = {"P", "NCI grammar: TURN", Secondary};
+  c.motion.poles = {true, "NCI grammar: G110 to G112, RP, AP", Secondary};
+  c.motion.chamfer_words = {",C ,D", "NCI grammar: CHR, CHF", Secondary};
+  c.motion.round_words = {",R", "NCI grammar: RND", Secondary};
+  c.motion.angle_words = {",A", "NCI grammar: ANG", Secondary};
+  c.motion.angles_on_mills = {true, "NCI grammar: ANG", Secondary};
+  c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};
+  c.motion.acute_corner = {AcuteCorner::ByCode, "general knowledge of the SINUMERIK 840D: G450, G451",
+                           Inferred};
+}
+
 void motion(Control& c) {
   c.motion.g_meanings = {
-      "5=not-computed 25=not-computed 26=not-computed 33=not-computed 41=not-computed "
-      "42=not-computed 53=not-computed 58=not-computed 59=not-computed 60=neutral "
-      "63=tapping 70=inch 71=metric 74=not-computed 93=not-computed "
-      "96=not-computed 97=not-computed 450=neutral 451=neutral 601=neutral 602=neutral 603=neutral "
+      "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis 332=thread-by-axis 53=machine 58=not-computed "
+      "59=not-computed 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
+      "75=second-reference-direct 96=not-computed 97=not-computed "
+      "110=pole-from-tool 111=pole 112=pole-from-pole 153=machine-all 450=corner-arc "
+      "451=corner-meet 500=extra-system-100 "
+      "900.1=frame-shift 900.2=frame-shift-added 900.3=frame-rotation 900.4=frame-rotation-added "
+      "900.5=frame-scale 900.6=frame-scale-added 900.7=frame-mirror 900.8=frame-mirror-added "
+      "901.1=machine-all 901.2=three-points-by-mode 901.4=diameter 901.5=diameter-off "
+      "140=neutral 141=neutral 142=neutral 143=neutral 340=neutral 341=neutral 460=neutral "
+      "601=neutral 602=neutral 603=neutral 700=inch 710=metric "
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
   c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
+  frames_and_tools(c);
+  paths(c);
   c.motion.dwell_words = {"F", kKnown, Inferred};
   c.motion.dwell_turn_words = {"S", kKnown, Inferred};
   c.motion.computed_lengths = {ComputedLengths::Rounded,
@@ -41,6 +75,17 @@ void motion(Control& c) {
   c.motion.arc_tolerance_share = {1, "HSA 14040: MD 21010; its value is general knowledge",
                                   Inferred};
   c.common.power_on = {Set<PowerOn>{PowerOn::G01}, kKnown, Inferred};
+}
+
+void modal_calls(Control& c) {
+  c.macros.modal_trigger = {ModalTrigger::AxisWord,
+                            "general knowledge of the SINUMERIK 840D: posts write the first "
+                            "position again after MCALL",
+                            Inferred};
+  c.macros.modal_locals = {ModalLocals::Rewritten,
+                           "828Dj p.177: the values are handed over once, with MCALL", Inferred};
+  c.macros.second_modal_call = {SecondModal::Replaces, kKnown, Inferred};
+  c.macros.cancel_alone = {CancelAlone::Ignored, kKnown, Inferred};
 }
 
 /// Add R0 to R99, which keep their values.
@@ -56,6 +101,10 @@ Control family() {
   reading(c);
   motion(c);
   parameters(c);
+  c.alarms[Cause::NoFeed] = {"10860", "feedrate not programmed",
+                             "general knowledge of the SINUMERIK alarms", Inferred};
+  modal_calls(c);
+  standard_cycles(c);
   return c;
 }
 

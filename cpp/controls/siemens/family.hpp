@@ -12,5 +12,14 @@ constexpr const char* kKnown = "general knowledge of the SINUMERIK 840D";
 /// variables, arrays, texts. Work begins in G54: the machine's maker decides which system is
 /// in force at power-on.
 Control family();
+/// Give a control the standard cycles and their alarms; the family has them.
+void standard_cycles(Control& c);
 
 }  // namespace cncsub::siemens
+
+namespace cncsub {
+
+/// Return the SINUMERIK ONE mill, from which its relatives are copied.
+Control siemens_one();
+
+}  // namespace cncsub

@@ -275,7 +275,7 @@ def programs_of(raw: Raw) -> Iterator[Counted]:
             made[index].calls[block_at, kind, made[called_index].name] += count
     for (index, variable), count in raw.given.items():
         made[index].given[variable] += count
-    yield from made
+    yield from (each for index, each in enumerate(made) if not code.program(index).system)
 
 
 def _locals_read(data: _core.ProgramData, blocks: Iterable[int]) -> set[int]:

@@ -76,7 +76,7 @@ case(
 )
 case(
     "L without a number calls nothing", **KNOWN,
-    program="%_N_MAIN_MPF\nN10 L\nN20 M30", runs="", alarm="address-without-value", at="MAIN N10", word="L",
+    program="%_N_MAIN_MPF\nN10 L\nN20 M30", runs="", alarm="address-without-value", number="12080", at="MAIN N10", word="L",
 )
 case(
     "fifteen programs are called below the main one, the next is 14012", pins="max_nesting max_total_nesting self_call",

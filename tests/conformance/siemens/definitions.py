@@ -107,7 +107,7 @@ case(
 )
 case(
     "a variable alone is no block", **KNOWN,
-    program="N10 DEF REAL DEPTH\nN20 DEPTH\nN30 M30", runs="N10", alarm="missing-equals", at="MAIN N20", word="DEPTH",
+    program="N10 DEF REAL DEPTH\nN20 DEPTH\nN30 M30", runs="N10", alarm="missing-equals", number="12080", at="MAIN N20", word="DEPTH",
 )
 case(
     "the definition of a text runs", **POLICY,

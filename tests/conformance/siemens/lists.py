@@ -9,20 +9,20 @@ GROUPS = {
 }
 
 # These rows are written by loops: a row each would say nothing but the number of the code.
-_NEUTRAL = "9 40 60 62 64 450 451 601 602 603 621 641 642 643 644 645"
-_SYSTEMS = "54 55 56 57"
+_NEUTRAL = """9 40 41 42 60 62 64 93 110 111 112 140 141 142 143 340 341 450 451 460 601 602 603 621 641 642
+    643 644 645"""
+_SYSTEMS = "54 55 56 57 500"
 _PLANES = "17 18 19"
-_NOT_COMPUTED = """5 7 25 26 33 34 35 41 42 53 58 59 74 75 93 96 97 110 111 112 140 141 142 143 147 148
-    153 247 248 290 291 331 332 335 336 340 341 347 348 460 461 462 500 700 710 931 942 952 961 962
-    971 972 973"""
-_CHANGED = {5, 25, 26, 33, 41, 42, 53, 58, 59, 74, 93, 96, 97}  # differ from those of FANUC
+_NOT_COMPUTED = """5 7 25 26 34 35 58 59 96 97 147 148 247 248 290 291 335 336 347 348 461 462 931 942
+    952 961 962 971 972 973"""
+_CHANGED = {5, 25, 26, 58, 59, 96, 97}  # differ from those of FANUC
 
-for number in f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split():
+for number in (*f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split(), *range(505, 600)):
     case(
         f"G{number} of a SINUMERIK runs", pins="g_codes", **GROUPS,
         program=f"N10 G{number}\nN20 M30", runs="N10 N20",
     )
-for number in (*_NOT_COMPUTED.split(), *range(505, 600), *range(810, 830)):
+for number in (*_NOT_COMPUTED.split(), *range(810, 830)):
     case(
         f"G{number} of a SINUMERIK is not computed", pins="g_meanings" if int(number) in _CHANGED else "g_codes", **GROUPS,
         program=f"N10 G{number}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{number}",

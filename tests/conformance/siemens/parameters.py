@@ -128,15 +128,15 @@ case(
 )
 case(
     "values stand in brackets that close", **KNOWN,
-    program=_call("PART(1", "(REAL WIDE)"), runs="", alarm="bracket-not-closed", at="MAIN N20",
+    program=_call("PART(1", "(REAL WIDE)"), runs="", alarm="bracket-not-closed", number="12080", at="MAIN N20",
 )
 case(
     "a value follows the bracket of a call, or the one that closes it", **KNOWN,
-    program=_call("PART(", "(REAL WIDE)"), runs="", alarm="expression-format", at="MAIN N20",
+    program=_call("PART(", "(REAL WIDE)"), runs="", alarm="expression-format", number="12080", at="MAIN N20",
 )
 case(
     "the list of PROC closes too", **KNOWN,
-    program=_call("PART(1)", "(REAL WIDE"), runs="N20", alarm="bracket-not-closed", at="PART N40",
+    program=_call("PART(1)", "(REAL WIDE"), runs="N20", alarm="bracket-not-closed", number="12080", at="PART N40",
 )
 case(
     "a parameter has a type", **KNOWN,

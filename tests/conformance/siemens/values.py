@@ -58,23 +58,23 @@ case(
     program="N10 G0 R1=5 X=R1\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
 )
 case(
-    "nothing is divided by 0", **KNOWN, program="N10 R1=1/R2\nN20 M30", runs="", alarm="division-by-zero", at="MAIN N10",
+    "nothing is divided by 0", **KNOWN, program="N10 R1=1/R2\nN20 M30", runs="", alarm="division-by-zero", number="14051", at="MAIN N10",
 )
 case(
     "a bracket that is not closed", **KNOWN,
-    program="N10 R1=(1+2\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10",
+    program="N10 R1=(1+2\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10",
 )
 case(
-    "a function needs its bracket", **KNOWN, program="N10 R1=SIN 30\nN20 M30", runs="", alarm="bracket-not-opened", at="MAIN N10",
+    "a function needs its bracket", **KNOWN, program="N10 R1=SIN 30\nN20 M30", runs="", alarm="bracket-not-opened", number="12080", at="MAIN N10",
 )
 case(
-    "ATAN2 takes two values", **KNOWN, program="N10 R1=ATAN2(1)\nN20 M30", runs="", alarm="missing-comma", at="MAIN N10",
+    "ATAN2 takes two values", **KNOWN, program="N10 R1=ATAN2(1)\nN20 M30", runs="", alarm="missing-comma", number="12080", at="MAIN N10",
 )
 case(
-    "a value is missing", **KNOWN, program="N10 R1=5+\nN20 M30", runs="", alarm="expression-format", at="MAIN N10",
+    "a value is missing", **KNOWN, program="N10 R1=5+\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10",
 )
 case(
-    "R1 needs =", **KNOWN, program="N10 R1\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10", word="R1",
+    "R1 needs =", **KNOWN, program="N10 R1\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10", word="R1",
 )
 case(
     "other names are not computed", control=ONE, source="policy, nobody says", evidence="inferred",

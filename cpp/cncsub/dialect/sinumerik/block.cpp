@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/text/look_alikes.hpp"
 
@@ -15,8 +16,8 @@ namespace {
 
 constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
 constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
-constexpr std::string_view kAddresses = "ABCFIJKRSTUVWXYZ";    // R: of CR=
-constexpr std::string_view kDropped = "DH";                    // reported, and without effect here
+constexpr std::string_view kAddresses = "ABCDFIJKSTUVWXYZ";
+constexpr std::string_view kDropped = "H";  // reported, and without effect here
 
 /// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
@@ -134,30 +135,30 @@ bool BlockReader::address(Block& block, Words& words) {
   line_.pass(1);
   std::size_t digits = 0;
   while (is_digit(line_.ahead(digits))) ++digits;
-  if (digits > 0 && line_.ahead(digits) == '=') {  // X1=10, M2=3: of an axis, or a spindle
-    line_.pass(digits + 1);
-    return not_computed(block, "an address with a number", at);
+  if (digits > 0 && line_.ahead(digits) == '=' && line_.ahead(digits + 1) != '=') {
+    const std::string name = letter + std::string(line_.take_digits());
+    if (place_of(name) >= 0) return long_address(block, words, name, at);
+    line_.take('=');
+    return numbered(block, words, name, at);
   }
   return word(block, words, letter, at);
 }
 
 bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at) {
+  if ((letter == 'E' || letter == 'Q') && line_.take('=')) return axis_beyond(block, words, at);
   const bool code = letter == 'G' || letter == 'M';
   const bool known = code || kAddresses.find(letter) != std::string_view::npos;
   if (!known && kDropped.find(letter) == std::string_view::npos)
     return refuse(block, Cause::AddressNotUsable,
                   std::string(1, letter) + " cannot be an address of a block", at);
   const bool equals = line_.take('=');
-  if (equals && letter == 'T' && line_.peek() == '"') {  // its number is the machine's affair
-    line_.pass_quoted();
-    words.drops.push_back({0, at, line_.width_from(at)});
-    words.any = true;
-    return true;
-  }
+  if (equals && letter == 'T' && line_.peek() == '"') return tool_by_name(words, at);
   if (equals && definitions_.find(std::string(1, letter)) != nullptr)
     return not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
-  if (equals ? !expression_.value(value) : !expression_.number(value)) return refuse(block);
+  if (equals ? !form(block, at, letter - 'A', words.list.forms, value)
+             : !expression_.number(value) && !refuse(block))
+    return false;
   value.at = at;
   value.width = line_.width_from(at);
   words.any = true;
@@ -169,10 +170,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     words.drops.push_back({0, value.at, value.width});
     return true;
   }
-  if ((words.list.mask & bit(letter)) != 0)
-    return refuse(block, Cause::AddressGivenTwice, "the address is in the block twice", at);
-  words.list.set(letter - 'A', word_of(value), false);
-  return true;
+  return put(block, words, letter - 'A', value);
 }
 
 bool BlockReader::Words::take_group(int group) {
@@ -228,17 +226,22 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string_view written = line_.name();
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
-  if (name == "CR") {
-    line_.pass(name.size());
-    if (line_.peek() != '=') return refuse(block, Cause::MissingEquals, "CR without =", at);
-    return word(block, words, 'R', at);
-  }
+  if (name == "MCALL") return modal_call(block, words, at);
+  if (name == "SETAL") return raise_alarm(block, words, at);
   if (const Definition* const of = definitions_.find(name)) {
     Statement statement;
     if (!expression_.assignment(*of, statement)) return refuse(block);
     words.statements.push_back(statement);
     return true;
   }
+  if (name == "AX") return axis_by_index(block, words, at);
+  if (place_of(name) >= 0) {
+    line_.pass(name.size());
+    return long_address(block, words, name, at);
+  }
+  if (const int code = code_of_word(name); code >= 0)
+    return code_word(block, words, code, name, at);
+  if (is_reported(name)) return report(block, words, name, at);
   if (is_neutral(name)) {
     line_.pass(name.size());
     if (!words.take_group(group_of(name)))
@@ -258,7 +261,7 @@ bool BlockReader::named(Block& block, Words& words) {
   if (!is_not_computed(name) && line_.ahead(behind) != '=' && line_.ahead(behind) != '[')
     return call(block, words, written);
   line_.pass(name.size());
-  if (is_not_computed(name)) return not_computed(block, name, at);
+  if (is_not_computed(name)) return not_computed(block, what_it_needs(name), at);
   return refuse(
       block, Cause::CodeNotComputed,
       name + " is not defined in this program, and global variables are not computed here", at);
@@ -278,7 +281,19 @@ bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
   return true;
 }
 
+/// Let X1=0 name the axis X where its block goes to a reference or a fixed point.
+void BlockReader::name_machine_axes(Words& words) const {
+  for (int i = 0; i < words.list.g_count; ++i) {
+    const double code = words.list.g[static_cast<std::size_t>(i)].value;
+    if (code != 740 && code != 750) continue;
+    for (const auto& [letter, value] : words.machine_axes) words.list.set(letter - 'A', value, false);
+    words.drops.clear();
+  }
+}
+
 bool BlockReader::write(Block& block, Words& words) {
+  name_machine_axes(words);
+  if (words.modal) return write_modal_call(block, words);
   if (words.call) return write_call(block, words, std::move(*words.call));
   for (const Drop& drop : words.drops) to_.drop(drop.at, drop.width);
   if (words.back) return write_return(block, words, *words.back);

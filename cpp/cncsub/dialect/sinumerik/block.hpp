@@ -4,6 +4,7 @@
 #include <bitset>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cncsub/dialect/sinumerik/declarations.hpp"
@@ -55,8 +56,11 @@ class BlockReader {
     std::optional<Print> print;
     std::vector<Drop> drops;
     std::optional<CallRecord> call;
+    std::optional<std::uint32_t> modal;  // where MCALL stands
     std::optional<std::uint32_t> back;  // where M17 or RET stands
     std::bitset<kCodeGroups> groups;    // of the codes so far
+    // X1=0: which axes G74 and G75 move.
+    std::vector<std::pair<char, WordValue>> machine_axes;
     bool any = false;
     bool ends = false;
 
@@ -75,6 +79,16 @@ class BlockReader {
   bool item(Block& block, Words& words);
   bool address(Block& block, Words& words);
   bool word(Block& block, Words& words, char letter, std::uint32_t at);
+  bool put(Block& block, Words& words, int place, const Value& value);
+  bool form(Block& block, std::uint32_t at, int place, WordForms& forms, Value& value);
+  bool numbered(Block& block, Words& words, std::string_view name, std::uint32_t at);
+  bool long_address(Block& block, Words& words, std::string_view name, std::uint32_t at);
+  bool axis_by_index(Block& block, Words& words, std::uint32_t at);
+  bool report(Block& block, Words& words, std::string_view name, std::uint32_t at);
+  bool code_word(Block& block, Words& words, int code, std::string_view name, std::uint32_t at);
+  bool tool_by_name(Words& words, std::uint32_t at);
+  void name_machine_axes(Words& words) const;
+  bool axis_beyond(Block& block, Words& words, std::uint32_t at);
   bool g_code(Block& block, Words& words, const Value& value);
   bool m_code(Block& block, Words& words, const Value& value);
   bool assignment(Block& block, Words& words);
@@ -84,6 +98,9 @@ class BlockReader {
   bool given_values(Block& block, std::vector<ActualParameter>& given);
   bool write(Block& block, Words& words);
   bool write_call(Block& block, const Words& words, CallRecord call);
+  bool modal_call(Block& block, Words& words, std::uint32_t at);
+  bool write_modal_call(Block& block, const Words& words);
+  bool raise_alarm(Block& block, Words& words, std::uint32_t at);
   bool write_return(Block& block, const Words& words, std::uint32_t at);
   void write_beside(Block& block, const Words& words);
 

@@ -178,11 +178,7 @@ bool ExpressionReader::read_operand(int depth) {
   if (c == '(') return read_bracket('(', ')', depth + 1);
   if (is_digit(c) || c == '.') return read_number();
   if (c == '\0') return wrong(Cause::ExpressionFormat, "a value is missing", at);
-  if (c == '$') {
-    line_.pass(1);
-    line_.pass(line_.name().size());
-    return not_computed("a system variable", at);
-  }
+  if (c == '$') return read_system_variable();
   if (c == '"') {
     line_.pass_quoted();
     return not_computed("a text", at);

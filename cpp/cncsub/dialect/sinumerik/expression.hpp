@@ -54,6 +54,7 @@ class ExpressionReader {
   bool read_number();
   bool read_variable(const Definition& of, std::string_view name);
   bool read_parameter(int depth);
+  bool read_system_variable();
   bool read_signed(char sign, std::string_view name, int depth);
   bool read_values(int count, std::uint32_t at, int depth);
   bool read_function(std::string_view name, int depth);

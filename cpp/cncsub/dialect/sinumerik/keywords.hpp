@@ -2,7 +2,11 @@
 // are no names of programs.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
+
+#include "cncsub/code/spelling.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -13,10 +17,22 @@ int group_of(int code);
 /// Return the same for a word such as BRISK.
 int group_of(std::string_view word);
 
+/// Return the place in the mask of a block that holds the value of a long address: of CR, or I1; -1
+/// where it is none.
+int place_of(std::string_view address);
+/// The long addresses, as messages and tools know them.
+extern const std::span<const Spelling::LongAddress> kLongAddresses;
+
+/// Return whether a word with a value, FA[X]=500 or LIMS=3000, only says how fast or how exactly
+/// the machine goes, or turns a spindle: it is reported.
+bool is_reported(std::string_view word);
+
 /// Return whether no path depends on a word, as on how fast an axis starts or what the screen
 /// shows.
 bool is_neutral(std::string_view word);
 /// Return whether a word of the language is not read here.
 bool is_not_computed(std::string_view word);
+/// Return a word that is not computed, with what it would need where that is known.
+std::string what_it_needs(std::string_view word);
 
 }  // namespace cncsub::sinumerik

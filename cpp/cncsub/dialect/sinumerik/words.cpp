@@ -2,8 +2,10 @@
 // an address is one with its expression.
 #include <algorithm>
 
+#include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/sinumerik/expression.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
 
 namespace cncsub {
@@ -74,7 +76,10 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   Scanner ahead{here.data(), here.data() + here.size(), here.data()};
   take_number(ahead, word);
   if (line.ahead(0) == '-' || line.ahead(0) == '+') line.pass(1);
+  const std::string_view digits = line.rest();
   while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
+  if (line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
+    word.address += digits.substr(0, digits.size() - line.rest().size());
   if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
   if (line.peek() != '=') return;
   line.pass(1);
@@ -101,9 +106,11 @@ void pass_word(Line& line, WrittenWord& word) {
   } else if (name.size() > 1 && !is_digit(name[1])) {
     line.pass(name.size());
     if (line.ahead(0) == ':') return line.pass(1);
+    if (code_of_word(capital) >= 0) word.address = capital;
     if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
+    if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
     if (!line.take('=')) return;
-    if (capital == "CR") word.address = capital;
+    if (place_of(capital) >= 0) word.address = capital;
     pass_value(line, word);
     word.known = word.known && !word.address.empty();
   } else if (!name.empty()) {
@@ -126,9 +133,13 @@ void pass_word(Line& line, WrittenWord& word) {
 const std::string_view sinumerik_rules =
     "refuses power_on missing_end g_codes max_sequence_number "
     "self_call caller_call max_repeats zero_repeats too_many_repeats max_nesting max_total_nesting "
+    "modal_locals modal_trigger second_modal_call cancel_alone calls_in_modal "
     "roles main_return end_in_subprogram commons "
     "machine g_meanings rapid_rate max_feed arc_tolerance arc_tolerance_share no_radius "
-    "small_radius negative_radius helix dwell_words "
+    "small_radius negative_radius helix dwell_words arc_angle_words added_turns poles "
+    "machine_move max_extra_systems extra_system_codes max_offset_number tool_edges "
+    "shifts_move_increments length_type rotation_words start_up acute_corner idle_blocks "
+    "missing_radius_offset chamfer_words round_words angle_words angles_on_mills "
     "dwell_turn_words unit_change computed_lengths";
 
 const std::span<const WordUse> sinumerik_word_uses;
@@ -139,6 +150,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .brackets = {"(", ")"},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,
+                                  .long_addresses = sinumerik::kLongAddresses,
                                   .radius = "CR",
                                   .own_m_codes = {100, 999}};
 

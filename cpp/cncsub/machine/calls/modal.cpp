@@ -44,8 +44,9 @@ bool enter_modal(Run& run, std::int32_t index) {
     fault = find_target(*run.code, record, modal.target);
   if (!fault) fault = refused(run, record, modal.target);
   if (fault) {
-    s.pc = s.moved_at;
-    return alarm(run, *fault);
+    // The call stands in another block: what the alarm points at is the move.
+    fault->at = s.pc = s.moved_at;
+    return alarm_of_motion(run, std::move(*fault));
   }
   run.block.arguments = modal.locals;
   if (run.control().macros.call_passes_words.value)

@@ -23,6 +23,7 @@ bool carry_out(Run& run, const ReturnToModes& block, const SavedModes& modes) {
   const bool nothing = block.codes.g_count == 0 && !block.has_feed && !block.has_speed;
   if (nothing) return true;
   const BlockCodes codes(block.codes, *run.meanings);
+  if (run.observer != nullptr && modes.codes_alone) run.observer->restored.push_back(codes);
   NcWords words;
   words.codes = &codes;
   words.at = run.state.pc;

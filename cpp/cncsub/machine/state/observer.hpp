@@ -36,10 +36,11 @@ struct Observer {
   const Print* print = nullptr;
   std::vector<double> printed;  // the values of its fields, in order
   std::optional<Profile> profile;
+  std::vector<BlockCodes> restored;  // codes that a return from a call has put in force again
 
   bool any() const {
     return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words ||
-           !assigned.empty();
+           !assigned.empty() || !restored.empty();
   }
   void forget() {
     words = nullptr;
@@ -50,6 +51,7 @@ struct Observer {
     assigned.clear();
     printed.clear();
     profile.reset();
+    restored.clear();
   }
   /// Keep the words of a block; `of_run` are codes that do not outlive it.
   void keep(const Block& block, const NcWords& decoded, const BlockCodes& of_run) {

@@ -141,7 +141,9 @@ bool print(Run& run, const Print& print) {
   if (print.alarms) {
     Fault fault{Cause::UserAlarm, print.at, 1, line};
     fault.text = std::move(line);
-    return alarm(run, fault);
+    alarm(run, fault);
+    if (run.state.alarm && !print.number.empty()) run.state.alarm->number = print.number;
+    return false;
   }
   say(run, std::move(line));
   return true;

@@ -129,6 +129,10 @@ bool decode(Run& run, const Block& block, Address at, NcWords& words) {
   words.mask = block.mask;
   if (expressions != 0) run.codes_decoded = words.codes;
   const bool fine = decode_words(run, block, cell, expressions, words);
+  if ((block.flags & Block::kHasForms) != 0) {
+    cell += std::popcount(block.mask);
+    words.forms = {cell[0].extra.expressions, cell[0].extra.whole, cell[1].extra.expressions};
+  }
   run.codes_decoded = nullptr;
   return fine;
 }

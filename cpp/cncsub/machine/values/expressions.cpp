@@ -205,8 +205,7 @@ bool evaluate_long(Run& run, Expression e, const Places& places, double& value, 
   return evaluate_keeping(run, e, places, value, of, kept);
 }
 
-bool evaluate_condition(Run& run, Expression e, const Places& places, double& value) {
-  if (!run.options.conditions) return evaluate(run, e, places, value);
+bool evaluate_and_keep(Run& run, Expression e, const Places& places, double& value) {
   KeepsCompared kept(run);
   const bool known = e.form() == Expression::Form::Constant
                          ? evaluate(run, e, places, value)

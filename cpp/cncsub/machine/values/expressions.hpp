@@ -117,8 +117,15 @@ inline bool evaluate(Run& run, std::uint32_t expression, double& value, Address 
   return evaluate(run, run.code->expression(expression), places(run), value, of);
 }
 
+/// Evaluate a condition, and keep what it compares.
+bool evaluate_and_keep(Run& run, Expression e, const Places& places, double& value);
 /// Evaluate a condition, and keep what it compares where the run is asked to.
-bool evaluate_condition(Run& run, Expression e, const Places& places, double& value);
+CNCSUB_ALWAYS_INLINE inline bool evaluate_condition(Run& run, Expression e, const Places& places,
+                                                    double& value) {
+  if (run.options.conditions) [[unlikely]]
+    return evaluate_and_keep(run, e, places, value);
+  return evaluate(run, e, places, value);
+}
 inline bool evaluate_condition(Run& run, std::uint32_t condition, double& value) {
   return evaluate_condition(run, run.code->expression(condition), places(run), value);
 }

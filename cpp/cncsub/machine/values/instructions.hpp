@@ -343,6 +343,9 @@ inline Fallible variable_number(E e, I at, double a) {
   return fails(e, at, Cause::IllegalVariable, "there is no variable of this number");
 }
 inline double level(E e, I) { return static_cast<double>(e.run.state.frames.size() - 1); }
+inline double motion_value(E e, I at) {
+  return read_motion_value(e.run, to_whole<int>(at.value()));
+}
 inline double line_number(E e, I) { return e.run.code->blocks[e.block].line; }
 
 }  // namespace cncsub::instruction

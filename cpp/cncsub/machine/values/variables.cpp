@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cncsub/code/motion_value.hpp"
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/motion/query.hpp"
@@ -274,6 +275,19 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
     return Fault{.cause = Cause::CompensationPosition,
                  .detail = "#" + std::to_string(number) + " is read under radius compensation"};
   return read_at(run, place, number, run.state.level, value);
+}
+
+double read_motion_value(const Run& run, int operand) {
+  const int index = operand % kMotionValues;
+  switch (static_cast<MotionValue>(operand / kMotionValues)) {
+    case MotionValue::ModalCode:
+      return modal_code(run.motion.view(), index);
+    case MotionValue::ModalWord:
+      return active_word(run, static_cast<char>(index));
+    case MotionValue::BlockEnd:
+      return block_end(run.motion.view(), index);
+  }
+  return 0;
 }
 
 std::optional<Fault> read_variable(const Run& run, std::int64_t number, int level, double& value) {

@@ -12,6 +12,8 @@ namespace cncsub {
 /// Read a variable for a program. Every read of the clock moves it on a little, besides the motion,
 /// so that a program that waits for it comes on.
 std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value);
+/// Return a value of the motion, by the operand of Ins::MotionValue; 0 where there is none.
+double read_motion_value(const Run& run, int operand);
 /// Read a variable for somebody else, with the locals of any open level.
 std::optional<Fault> read_variable(const Run& run, std::int64_t number, int level, double& value);
 std::optional<Fault> write_variable(Run& run, std::int64_t number, int level, double value);

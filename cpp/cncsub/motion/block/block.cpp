@@ -70,6 +70,13 @@ Result one_shot(MotionContext& m, BlockWords& block) {
       return straight(m, block, Meaning::Line);
     case Meaning::Local:
       return set_local(m, block);
+    case Meaning::FrameShift:
+    case Meaning::FrameRotation:
+    case Meaning::FrameScale:
+    case Meaning::FrameMirror:
+      return set_frame(m, block, block.meaning(Group::OneShot));
+    case Meaning::Pole:
+      return set_pole(m, block);
     case Meaning::Machine:
       return machine_move(m, block);
     case Meaning::SetCoordinate:
@@ -108,6 +115,17 @@ bool lacks_motion(MotionView m, const BlockWords& block) {
   return m.state.no_motion && (block.words.mask & kAxisWords) != 0 && !block.consumed;
 }
 
+/// Refuse what is not computed where the frame tilts the plane or scales its axes differently.
+Result check_frame(MotionView m, const BlockWords& block, Meaning meaning) {
+  if (keeps_arcs(m.state.frame, plane_axes(m.state.plane))) return std::nullopt;
+  const bool line = meaning == Meaning::Rapid || meaning == Meaning::Line;
+  if (line && side_of(m.state) == 0 && !in_cycle(m.state) && !may_have_corner(m, block))
+    return std::nullopt;
+  return fault(Cause::CodeNotComputed, block,
+               "cncsub computes only lines in a frame that tilts the plane or scales its axes "
+               "differently");
+}
+
 Result make_motion(MotionContext& m, BlockWords& block) {
   // A spline holds for its block; the mode before it stays in force. [rs274 2.9: convert_spline]
   if (block.meaning(Group::Motion) == Meaning::Spline) return spline(m, block);
@@ -117,6 +135,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
   }
   if (lacks_motion(m, block)) return fault(Cause::NoMotionCode, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  if (m.state.frame.turned)
+    if (auto wrong = check_frame(m, block, meaning)) return wrong;
   block.cycle = block.cycle || in_cycle(m.state) || makes_cycle(meaning);
   if (in_cycle(m.state)) return canned_cycle(m, block);
   if (is_simple_cycle(meaning)) return turning_cycle(m, block, meaning);
@@ -210,7 +230,8 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   const Axes before = length ? m.state.length : Axes{};
   if (length)
     if (auto wrong = set_length(m, block)) return wrong;
-  if (block.has(Group::Radius) || (block.words.has('D') && !takes_word(m, block, 'D')))
+  const bool edges = m.facts.control->motion.tool_edges.value;
+  if (block.has(Group::Radius) || (!edges && block.words.has('D') && !takes_word(m, block, 'D')))
     if (auto wrong = set_radius(m, block)) return wrong;
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;
@@ -238,7 +259,10 @@ Result run_block(MotionContext& m, const NcWords& words, std::uint32_t step, boo
   const bool frame = sets_frame(words);
   const bool corner_waits = !m.state.lookahead.corner.empty(),
              angle_waits = m.state.pending_angle.waiting();
+  const bool keeps = m.facts.control->motion.shifts_move_increments.value;
+  const Axes from = keeps ? increments_from(m.state) : Axes{};
   if (auto wrong = begin_block(m, block)) return wrong;
+  if (keeps) keep_increments(m.facts, m.state, from);
   if (auto wrong = set_offsets_and_act(m, block)) return wrong;
   if (auto wrong = check_angle(m, block, angle_waits)) return wrong;
   return end_block(m, block, corner_waits, all_in_range(m.state, frame));

@@ -106,7 +106,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
       bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Units) |
       bit(Group::Return) | bit(Group::Macro) | bit(Group::Surface) | bit(Group::Path) |
       bit(Group::Turret) | bit(Group::Fluctuation) | bit(Group::PolarMilling) | bit(Group::Centre) |
-      bit(Group::Diameter);
+      bit(Group::Diameter) | bit(Group::Corner);
   const bool feed_first =
       block.has(Group::Units) && m.facts.control->motion.feed_unit.value == FeedUnit::BeforeBlock;
   set_feed_mode(m, block);
@@ -130,6 +130,8 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   set_lead(m, block);
   if (auto wrong = set_tool(m, block)) return wrong;  // T1 M06 changes to tool 1 [source 003]
   set_spindle(m, block);
+  if (m.facts.control->motion.tool_edges.value)
+    if (auto wrong = set_edge(m, block)) return wrong;
   if (auto wrong = select_work(m, block)) return wrong;
   if (block.has(Group::Polar)) {
     m.state.modal[at(Group::Polar)] = block.code(Group::Polar);

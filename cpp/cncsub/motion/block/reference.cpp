@@ -13,7 +13,9 @@ namespace {
 /// taken away, except where it shifts the work coordinates.
 double length_left(MotionContext& m, int axis) {
   double& length = m.state.length[static_cast<std::size_t>(axis)];
-  if (m.facts.control->motion.length_type.value == LengthType::Shift) return length;
+  if (m.facts.control->motion.length_type.value == LengthType::Shift ||
+      m.facts.control->motion.machine_move.value == MachineMove::ModalWithTool)
+    return length;
   return length = 0;
 }
 
@@ -37,12 +39,20 @@ Result turned_machine_move(MotionContext& m, BlockWords& block, MoveKind kind) {
 NamedPoint machine_target(MotionContext& m, const BlockWords& block) {
   std::uint32_t named = 0;
   Axes end = m.state.work;
+  // G53 leaves the zero point of all systems in force; the codes that suppress it are variant 1.
+  const Axes basic = block.code(Group::OneShot).variant == 1 ? Axes{} : m.state.tables.zero(0);
   for (int i = 0; i < kAxes; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (!block.words.has(name) || (m.facts.machine == MachineType::LatheA && i > 5)) continue;
     named |= axis_bit(i);
-    end[i] = number(m, block, name) +
-             (m.state.incremental ? end[i] : -m.state.offset[i] - length_left(m, i));
+    const double value = number(m, block, name);
+    m.state.unmoved[i] = 0;
+    if (block.words.forms.is_incremental(bit(name), m.state.incremental))
+      end[i] += value;
+    else if (m.facts.control->motion.machine_move.value == MachineMove::ModalWithTool)
+      end[i] = value - m.state.offset[i] + basic[i];
+    else
+      end[i] = value - m.state.offset[i] - length_left(m, i);
   }
   return {end, named};
 }
@@ -77,7 +87,11 @@ Result reference(MotionContext& m, BlockWords& block, int number_of_point) {
     number_of_point = to_whole<int>(p);
   }
   auto [middle, named] = linear_target(m, block);
-  if (named == 0) {
+  const bool direct = block.code(Group::OneShot).variant == 2;  // the words only name the axes
+  if (direct && named == 0) return std::nullopt;
+  if (direct) {
+    middle = m.state.work;
+  } else if (named == 0) {
     if (block.code(Group::OneShot).variant == 0) return std::nullopt;
     named = m.state.named | 7u;  // all axes go, and no point lies between [rs274 2.9]
   } else if (auto wrong = move(m, block, uncompensated(m, block, MoveKind::Rapid, middle, named))) {

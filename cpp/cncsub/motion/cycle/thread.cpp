@@ -246,15 +246,18 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   const Axes start = m.state.work;
   const auto [end, named] = end_point(m, block);
   if (named == 0) return std::nullopt;
-  if (!block.words.has('K')) return fault_at('K', Cause::ThreadLead, block);
+  const int variant = m.state.modal[at(Group::Motion)].variant;
+  // The lead stands at K, or at the letter of the centre along the axis of the thread.
+  const char lead = variant != 3 || block.words.has('K') ? 'K' : block.words.has('I') ? 'I' : 'J';
+  if (!block.words.has(lead)) return fault_at('K', Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
     return fault(Cause::SpindleStands, block);
   if (compensating(m.state) && radius_value(m) != 0) return fault(Cause::CompensationCode, block);
   Piece piece = make_piece(m, block, MoveKind::Thread, end, named);
-  piece.state.feed = std::fabs(number(m, block, 'K'));
+  piece.state.feed = std::fabs(number(m, block, lead));
   piece.state.feed_mode = FeedMode::PerRevolution;
   if (auto wrong = move(m, block, piece)) return wrong;
-  if (m.state.modal[at(Group::Motion)].variant != 2) return std::nullopt;
+  if (variant != 2) return std::nullopt;
   piece.end = start + piece.offset;
   return move(m, block, piece);
 }

@@ -15,7 +15,7 @@ void hold_zero(MotionState& state) {
 Axes zero_offset(const MotionState& state) {
   const Axes& system = state.zero_is_held ? state.zero : state.tables.zero(system_in_force(state));
   return in_frame(state, state.tables.zero(0) + system) + state.shift + state.local +
-         state.tool_shift;
+         state.tool_shift + state.frame.shift;
 }
 
 double turn_of_system(const MotionState& state, int system) {

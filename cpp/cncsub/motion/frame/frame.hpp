@@ -110,7 +110,28 @@ Axes turned_back(const MotionState& state, Axes point);
 void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane);
 bool mirrored_plane(const MotionState& state);
 
+// The frame of the program, a matrix with a shift.
+
+/// Put a frame in force, or add to the one that there is: shift, rotation, scale or mirror.
+Result set_frame(MotionContext& m, BlockWords& block, Meaning meaning);
+/// Apply the matrix of the frame to a point, and name the axes that move with the named ones.
+void turn_in_frame(const GeneralFrame& frame, Axes& point, std::uint32_t& named);
+Axes turned_back(const GeneralFrame& frame, Axes point);
+/// Return whether arcs of the plane stay arcs of that plane in the frame.
+bool keeps_arcs(const GeneralFrame& frame, const PlaneAxes& plane);
+/// Return the factor of lengths in the plane, negative where the frame mirrors it.
+double factor_in_plane(const GeneralFrame& frame, const PlaneAxes& plane);
+/// Return the point from which increments count, in programmed coordinates.
+Axes increments_from(const MotionState& state);
+/// Let increments count on from a point, whatever has changed since, where the control has it so.
+void keep_increments(const MotionFacts& facts, MotionState& state, const Axes& from);
+/// Set the pole of polar words.
+Result set_pole(MotionContext& m, BlockWords& block);
+
 // Tools: T, H and D.
+
+/// Put the edge D of the tool in the spindle in force, with its length; D1 comes with the tool.
+Result set_edge(MotionContext& m, const BlockWords& block);
 
 Result set_tool(MotionContext& m, BlockWords& block);
 /// Execute G43, G44, G49 and H. A new value counts from this block on, on one axis.

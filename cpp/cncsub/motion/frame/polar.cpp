@@ -1,4 +1,6 @@
 // Polar coordinates, and what transforms written points: rotation, scaling, mirror.
+#include <algorithm>
+
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
@@ -121,7 +123,65 @@ void polar_target(MotionContext& m, const BlockWords& block, bool incremental, A
   named |= axis_bit(plane.a) | axis_bit(plane.b);
 }
 
+Result set_pole(MotionContext& m, BlockWords& block) {
+  const MotionState& s = m.state;
+  const PlaneAxes plane = plane_axes(s.plane);
+  std::array<double, 3> pole{};
+  if (const int from = block.code(Group::OneShot).variant; from == 1) {
+    const Axes point = is_turned(s) ? turned_back(s, s.work) : s.work;
+    std::copy(point.begin(), point.begin() + 3, pole.begin());
+  } else if (from == 3) {
+    pole = s.pole;
+  }
+  for (std::size_t i = 0; i < pole.size(); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name)) pole[i] += number(m, block, name);
+  if (block.words.has_place(kRadius)) {
+    const double radius = block.words.value[kRadius] * s.unit;
+    const double angle = block.words.value[kAngle] * kPi / 180;  // 0 where it is not given
+    pole[static_cast<std::size_t>(plane.a)] += radius * std::cos(angle);
+    pole[static_cast<std::size_t>(plane.b)] += radius * std::sin(angle);
+  }
+  m.state.pole = pole;
+  block.consumed = true;
+  return std::nullopt;
+}
+
+namespace {
+
+/// Set the end by polar words about the pole. A word that is missing keeps its value.
+void words_about_pole(MotionView m, const BlockWords& block, bool incremental, Axes& end,
+                      std::uint32_t& named) {
+  const NcWords& w = block.words;
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  const double pole_a = m.state.pole[static_cast<std::size_t>(plane.a)],
+               pole_b = m.state.pole[static_cast<std::size_t>(plane.b)];
+  double radius = std::hypot(end[plane.a] - pole_a, end[plane.b] - pole_b);
+  double angle =
+      radius < kStanding ? 0 : std::atan2(end[plane.b] - pole_b, end[plane.a] - pole_a);
+  const auto adds = [&](int place) {
+    return w.forms.is_incremental(1u << place, incremental);
+  };
+  if (w.has_place(kRadius))
+    radius = w.value[kRadius] * m.state.unit + (adds(kRadius) ? radius : 0);
+  if (w.has_place(kAngle)) angle = w.value[kAngle] * kPi / 180 + (adds(kAngle) ? angle : 0);
+  end[plane.a] = pole_a + radius * std::cos(angle);
+  end[plane.b] = pole_b + radius * std::sin(angle);
+  named |= axis_bit(plane.a) | axis_bit(plane.b);
+}
+
+/// Refuse coordinates of the plane beside polar words.
+Result check_about_pole(MotionView m, const BlockWords& block) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  for (const int axis : {plane.a, plane.b})
+    if (const char name = kAxisNames[static_cast<std::size_t>(axis)]; block.words.has(name))
+      return fault_at(name, Cause::PolarWord, block);
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result check_polar_words(MotionView m, const BlockWords& block) {
+  if (m.facts.control->motion.poles.value) return check_about_pole(m, block);
   const NcWords& w = block.words;
   const bool moves = block.meaning(Group::OneShot) == Meaning::None || leaves_axes(m.facts, block);
   const bool incremental = block.has(Group::Distance)
@@ -139,6 +199,8 @@ Result check_polar_words(MotionView m, const BlockWords& block) {
 
 void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& end,
                  std::uint32_t& named) {
+  if (m.facts.control->motion.poles.value)
+    return words_about_pole(m, block, incremental, end, named);
   const NcWords& w = block.words;
   double radius = std::hypot(end[0], end[1]);
   double angle = radius < kStanding ? 0 : std::atan2(end[1], end[0]);
@@ -173,6 +235,7 @@ void turn_point(const MotionState& state, Axes& point, std::uint32_t& named) {
     if (t.mirror && (t.mirrored >> i & 1) != 0) point[i] = 2 * t.mirror_at[i] - point[i];
     if (t.scaling) point[i] = t.scale_centre[i] + (point[i] - t.scale_centre[i]) * t.scale[i];
   }
+  if (state.frame.turned) turn_in_frame(state.frame, point, named);
   if (!t.rotation) return;
   const PlaneAxes plane = plane_axes(t.plane);
   double a = point[plane.a], b = point[plane.b];
@@ -193,6 +256,7 @@ Axes turned_back(const MotionState& state, Axes point) {
     point[plane.a] = a + (t.frame ? 0 : t.centre[plane.a]);
     point[plane.b] = b + (t.frame ? 0 : t.centre[plane.b]);
   }
+  if (state.frame.turned) point = turned_back(state.frame, point);
   for (int i = 0; i < 3; ++i) {
     if (t.scaling) point[i] = t.scale_centre[i] + (point[i] - t.scale_centre[i]) / t.scale[i];
     if (t.mirror && (t.mirrored >> i & 1) != 0) point[i] = 2 * t.mirror_at[i] - point[i];
@@ -205,6 +269,12 @@ void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes
   if (t.mirror && (t.mirrored >> plane.a & 1) != 0) a = -a;
   if (t.mirror && (t.mirrored >> plane.b & 1) != 0) b = -b;
   if (t.scaling) a *= t.scale[plane.a], b *= t.scale[plane.b];
+  if (state.frame.turned) {
+    const GeneralFrame& f = state.frame;
+    const double from = a;
+    a = f(plane.a, plane.a) * from + f(plane.a, plane.b) * b;
+    b = f(plane.b, plane.a) * from + f(plane.b, plane.b) * b;
+  }
   if (t.rotation && t.plane == state.plane) rotate(a, b, rotation_angle(t));
 }
 
@@ -215,7 +285,7 @@ bool mirrored_plane(const MotionState& state) {
     if (state.transform.scaling && state.transform.scale[static_cast<std::size_t>(i)] < 0)
       odd = !odd;
   }
-  return odd;
+  return odd != (state.frame.turned && factor_in_plane(state.frame, plane) < 0);
 }
 
 }  // namespace cncsub

@@ -38,6 +38,17 @@ void add_increments(MotionContext& m, const BlockWords& block, Axes& end, std::u
   }
 }
 
+/// Return where a rotary axis ends that goes to an angle by the shorter way, or in one direction.
+double on_way(const WordForms& forms, std::size_t axis, double from, double angle) {
+  if (forms.rotary == 0 || !is_rotary(static_cast<int>(axis))) return angle;
+  const auto asks = [&](unsigned first) { return (forms.rotary >> (axis - 3 + first) & 1) != 0; };
+  const double way = angle - from, nearest = std::remainder(way, 360);
+  const double up = nearest < 0 ? nearest + 360 : nearest;
+  if (asks(0)) return from + nearest;
+  if (asks(8)) return from + up;
+  return asks(16) ? from + (up > 0 ? up - 360 : 0) : angle;
+}
+
 // The letters of axes, and those that may be a corner or an angle instead.
 constexpr std::uint32_t kCornerAxes = bit('A') | bit('C') | bit('U');
 constexpr std::uint32_t kAxesOfA = kEndWords | bit('A') | bit('B') | bit('C');
@@ -51,7 +62,8 @@ NamedPoint target(MotionContext& m, const BlockWords& block) {
 
 NamedPoint target(MotionContext& m, const BlockWords& block, const PointForm& form) {
   std::uint32_t named = 0;
-  Axes end = is_transformed(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
+  const bool turned = is_turned(m.state);
+  Axes end = turned ? turned_back(m.state, m.state.work) : m.state.work;
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
   const bool corners = (block.words.mask & kCornerAxes) != 0 && has_corners(m.state, block);
   std::uint32_t letters = block.words.mask & (lathe_a ? kAxesOfA : kAllAxes);
@@ -60,12 +72,17 @@ NamedPoint target(MotionContext& m, const BlockWords& block, const PointForm& fo
     if (corners && corner_address(m, name)) continue;
     const auto i = static_cast<std::size_t>(axis_of(name));
     named |= axis_bit(static_cast<int>(i));
-    end[i] = number(m, block, name) + (form.incremental ? end[i] : 0);
+    const double value = number(m, block, name);
+    if (block.words.forms.is_incremental(bit(name), form.incremental))
+      end[i] += value + m.state.unmoved[i];
+    else
+      end[i] = on_way(block.words.forms, i, end[i], value);
+    m.state.unmoved[i] = 0;
   }
   if (lathe_a && (block.words.mask & kIncrementWords) != 0) add_increments(m, block, end, named);
   if ((block.words.mask & kPolarWords) != 0) polar_words(m, block, form.incremental, end, named);
   if (form.polar) polar_target(m, block, form.incremental, end, named);
-  if (is_transformed(m.state)) turn_point(m.state, end, named);
+  if (turned) turn_point(m.state, end, named);
   return {end, named};
 }
 

@@ -147,6 +147,56 @@ Result set_tool(MotionContext& m, BlockWords& block) {
   return std::nullopt;
 }
 
+namespace {
+
+/// Return the radius of the tool in the spindle.
+double radius_of_edge(const MotionState& state) {
+  if (state.tool <= 0) return 0;
+  if (const double own = state.tables.tool(state.tool).radius; own != 0) return own;
+  const bool listed = static_cast<std::size_t>(state.tool) < state.tables.radius->size();
+  return listed ? state.tables.radius_of(state.tool) : 0;
+}
+
+/// Return the length of the edge in force on all axes: that of the setup's table of tools, or the
+/// one by its number along the axis across the plane.
+Axes length_of_edge(const MotionState& state) {
+  if (state.d == 0 || state.tool <= 0) return {};
+  const Axes& own = state.tables.tool(state.tool).value;
+  if (own != Axes{}) return own;
+  Axes length{};
+  length[static_cast<std::size_t>(plane_axes(state.plane).across)] =
+      static_cast<std::size_t>(state.tool) < state.tables.length->size()
+          ? state.tables.length_of(state.tool)
+          : 0;
+  return length;
+}
+
+}  // namespace
+
+Result set_edge(MotionContext& m, const BlockWords& block) {
+  MotionState& s = m.state;
+  if (block.words.has(Role::ToolChange)) s.d = 1;
+  if (block.words.has('D')) {
+    const double edge = counted(m, block.words, 'D');
+    if (edge < 0 || edge > m.facts.control->motion.max_offset_number.value)
+      return fault_at('D', Cause::OffsetNumber, block);
+    s.d = to_whole<int>(edge);
+  }
+  const Axes length = length_of_edge(s);
+  if (s.d > 1 && (length != Axes{} || radius_of_edge(s) != 0))
+    return fault_at('D', Cause::CodeNotComputed, block,
+                    "cncsub does not compute a second edge of a tool: its setup has one");
+  if (length == s.length) return std::nullopt;
+  if (moves_wait(s))
+    return fault_at('D', Cause::CodeNotComputed, block,
+                    "cncsub does not compute a change of the tool length while a radius is "
+                    "compensated or a corner waits");
+  s.work = s.work + (s.length - length);
+  s.length = length;
+  s.row_moves = nullptr;
+  return std::nullopt;
+}
+
 Result set_length(MotionContext& m, BlockWords& block) {
   const Axes before = m.state.length;
   if (auto wrong = take_length(m, block)) return wrong;
@@ -159,6 +209,7 @@ double radius_value(MotionView m) {
   if (m.facts.lathe()) return m.state.tables.tool(m.state.tool_offset).radius;
   if (m.state.modal[at(Group::Radius)].variant == 1) return m.state.given_radius;
   if (m.state.d == 0) return 0;
+  if (m.facts.control->motion.tool_edges.value) return radius_of_edge(m.state);
   const double offset = m.state.tables.radius_of(m.state.d);
   return m.facts.control->motion.radius_offset_diameter.value ? offset / 2 : offset;
 }

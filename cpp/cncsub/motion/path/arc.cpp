@@ -54,6 +54,8 @@ Result arc_by_radius(MotionView m, const BlockWords& block, Piece& piece) {
   double radius = number(m, block, 'R');
   if (m.state.transform.scaling)
     radius *= std::fabs(m.state.transform.scale[static_cast<std::size_t>(plane.a)]);
+  if (m.state.frame.turned)
+    radius *= std::fabs(factor_in_plane(m.state.frame, plane_axes(piece.plane)));
   if (radius < 0 && !takes_negative_radius(m.facts))
     return fault_at('R', Cause::NegativeRadius, block);
   const Axes start = m.state.work + piece.offset;
@@ -116,16 +118,29 @@ Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Poin
   return wrong;
 }
 
+/// Read the words of a centre as its way from the start.
+void centre_words(MotionView m, const BlockWords& block, const Piece& piece, double& i, double& j) {
+  const PlaneAxes plane = axes_of(piece);
+  const Axes programmed = is_turned(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
+  const auto word = [&](int axis) {
+    const char name = centre_name(axis);
+    if (!block.words.has(name)) return 0.0;
+    const bool own = (block.words.forms.absolute & bit(name)) != 0;
+    const double zero = own                           ? programmed[static_cast<std::size_t>(axis)]
+                        : centre_is_absolute(m.state) ? m.state.work[axis]
+                                                      : 0;
+    return number(m, block, name) - zero;
+  };
+  i = word(plane.a);
+  j = word(plane.b);
+  turn_vector(m.state, i, j, plane_axes(piece.plane));
+}
+
 Result arc_by_centre(MotionView m, const BlockWords& block, Piece& piece) {
   const Control& c = *m.facts.control;
   const PlaneAxes plane = axes_of(piece);
-  const auto word = [&](int axis) {
-    const char name = centre_name(axis);
-    const double zero = centre_is_absolute(m.state) ? m.state.work[axis] : 0;
-    return block.words.has(name) ? number(m, block, name) - zero : 0.0;
-  };
-  double i = word(plane.a), j = word(plane.b);
-  turn_vector(m.state, i, j, plane_axes(piece.plane));
+  double i = 0, j = 0;
+  centre_words(m, block, piece, i, j);
   if (double& arm = i != 0 ? i : j; block.axis_extension != 0)
     arm += arm < 0 ? -block.axis_extension : block.axis_extension;
   const Axes start = m.state.work + piece.offset;
@@ -205,8 +220,20 @@ bool lacks_centre(MotionView m, const BlockWords& block) {
          !block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
 }
 
+/// Add the full turns that an arc makes besides.
+Result add_turns(MotionView m, const BlockWords& block, Piece& piece) {
+  for (const char name : m.facts.control->motion.added_turns.value) {
+    if (!block.words.has(name)) continue;
+    const double turns = std::round(block.words[name]);
+    if (turns < 0 || turns > kMostMoves) return fault_at(name, Cause::ValueOutOfRange, block);
+    piece.turn += std::copysign(2 * kPi * turns, piece.turn);
+  }
+  return std::nullopt;
+}
+
 /// Add the full turns that P asks of an arc.
 Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
+  if (auto wrong = add_turns(m, block, piece)) return wrong;
   if (m.facts.control->motion.helix.value != Helix::AllAxes || !block.words.has('P'))
     return std::nullopt;
   const double turns = std::round(block.words['P']);
@@ -214,6 +241,42 @@ Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
     return fault_at('P', Cause::ValueOutOfRange, block);
   if (piece.turn != 0) piece.turn += std::copysign(2 * kPi * (turns - 1), piece.turn);
   return std::nullopt;
+}
+
+/// Return the address of the angle of an arc that a block has; none where it has none.
+char angle_name(MotionView m, const BlockWords& block) {
+  for (const char name : m.facts.control->motion.arc_angle_words.value)
+    if (block.words.has(name)) return name;
+  return '\0';
+}
+
+/// Find the centre of an arc from its end and its angle, or its end from its centre and the angle.
+Result arc_by_angle(MotionView m, const BlockWords& block, char name, bool centre, Piece& piece) {
+  const PlaneAxes plane = axes_of(piece);
+  const double angle = block.words[name] * kPi / 180;
+  if (!(angle > 0 && angle < 2 * kPi)) return fault_at(name, Cause::ValueOutOfRange, block);
+  const bool clockwise = piece.kind == MoveKind::Cw;
+  const PlaneView view{plane, m.facts.share(0)};
+  const Axes start = m.state.work + piece.offset;
+  const Point from = view.point(start);
+  if (!centre) {
+    const Point way = view.point(piece.end) - from;
+    if (size(way) < kStanding) return fault_at(name, Cause::NoArcTravel, block);
+    const double radius = size(way) / 2 / std::sin(angle / 2);
+    const Point to_centre = centre_by_radius(way, angle > kPi ? -radius : radius, clockwise);
+    view.set(piece.centre, from + to_centre);
+  } else {
+    double i = 0, j = 0;
+    centre_words(m, block, piece, i, j);
+    const Point middle = from + Point{i, j}, arm = from - middle;
+    const double turn = clockwise ? -angle : angle;
+    view.set(piece.centre, middle);
+    view.set(piece.end, middle + Point{arm.a * std::cos(turn) - arm.b * std::sin(turn),
+                                       arm.a * std::sin(turn) + arm.b * std::cos(turn)});
+    piece.named |= axis_bit(plane.a) | axis_bit(plane.b);
+  }
+  piece.turn = clockwise ? -angle : angle;
+  return add_turns(m, block, piece);
 }
 
 /// Find the centre and the angle of an arc, by R or by the words of its centre.
@@ -271,6 +334,7 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const Axes end = block.axis_extension == 0 ? written : lengthened(m, block, written, named);
   const bool centre = has_centre(block, plane);
   const bool radius = has_radius(block);
+  const char angle = angle_name(m, block);
   if (auto wrong = check_form(m, block)) return wrong;
   if (named == 0 && !centre && !radius) return bare_arc(m, block);
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
@@ -281,7 +345,10 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   piece.state.parallel = parallel_axes(m, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   if (auto wrong = check_parallel(m, block, piece)) return wrong;
-  if (auto wrong = find_centre(m, block, radius, centre, piece, m.outcome)) return wrong;
+  if (auto wrong = angle != 0
+                       ? arc_by_angle(m, block, angle, centre, piece)
+                       : find_centre(m, block, radius, centre, piece, m.outcome))
+    return wrong;
   // R with the end at the start is no arc: only the move across the plane is left. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;
   if (piece.corner != 0 && goes_across && m.facts.refuses(Cause::CornerHelix))
@@ -295,6 +362,27 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   return move(m, block, piece);
 }
 
+/// Read the point between, whose words are coordinates or increments as those of the end are.
+static Result point_between(MotionView m, const BlockWords& block, Axes& middle) {
+  const MotionState& s = m.state;
+  const Axes start = is_turned(s) ? turned_back(s, s.work) : s.work;
+  middle = start;
+  std::uint32_t named = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const char name = kCentreNames[i];
+    if (!block.words.has(name)) continue;
+    named |= axis_bit(static_cast<int>(i));
+    const bool adds = block.words.forms.is_incremental(bit(name), s.incremental);
+    middle[i] = number(m, block, name) + (adds ? start[i] : 0);
+  }
+  const auto across = static_cast<std::size_t>(plane_axes(s.plane).across);
+  if (std::fabs(middle[across] - start[across]) > kStanding)
+    return fault_at(kCentreNames[across], Cause::CodeNotComputed, block,
+                    "cncsub computes an arc through a point only in the plane");
+  if (is_turned(s)) turn_point(s, middle, named);
+  return std::nullopt;
+}
+
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   const auto [end, named] = target(m, block);
@@ -303,17 +391,27 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (!has_centre(block, plane))
     return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block,
                     "the arc has neither I nor K");
+  const auto across = static_cast<std::size_t>(plane.across);
+  const bool by_mode = m.state.modal[at(Group::Motion)].variant == 1;
+  if (by_mode && std::fabs(end[across] - m.state.work[across]) > kStanding)
+    return fault_at(kAxisNames[across], Cause::CodeNotComputed, block,
+                    "cncsub computes an arc through a point only in the plane");
   Piece piece = make_piece(m, block, MoveKind::Cw, end, named);
   const PlaneView view{plane, m.facts.share(0)};
   const Axes start = m.state.work + piece.offset;
   Axes middle = start;
-  for (const int axis : {plane.a, plane.b}) {
-    const char name = kCentreNames[static_cast<std::size_t>(axis)];
-    const double value = block.words.has(name) ? number(m, block, name) : 0;
-    if (meaning == Meaning::ThreePointsAbsolute)
-      middle[axis] = value + piece.offset[axis];
-    else
-      middle[axis] += value / m.facts.share(axis);
+  if (by_mode) {
+    if (auto wrong = point_between(m, block, middle)) return wrong;
+    middle = middle + piece.offset;
+  } else {
+    for (const int axis : {plane.a, plane.b}) {
+      const char name = kCentreNames[static_cast<std::size_t>(axis)];
+      const double value = block.words.has(name) ? number(m, block, name) : 0;
+      if (meaning == Meaning::ThreePointsAbsolute)
+        middle[axis] = value + piece.offset[axis];
+      else
+        middle[axis] += value / m.facts.share(axis);
+    }
   }
   const Point p = view.point(start), u = view.point(middle) - p, v = view.point(piece.end) - p;
   const double area = 2 * cross(u, v);

@@ -56,7 +56,7 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   if (chamfer >= 0 && round >= 0)
     return fault_at({.addresses = 1u << round}, Cause::CornerFormat, block);
   piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
-  if (piece.corner_size != 0) piece.corner = chamfer >= 0 ? 'C' : 'R';
+  if (piece.corner_size != 0) piece.corner = chamfer == kCommaD ? 'L' : chamfer >= 0 ? 'C' : 'R';
   return std::nullopt;
 }
 
@@ -81,13 +81,16 @@ Result wait_for_corner(MoveSink& sink, const Piece& piece, const Axes& from) {
 /// Cut the corner between the move that waited and this one.
 Result end_corner(MoveSink& sink, const Piece& piece) {
   LookaheadQueue& lookahead = sink.state.lookahead;
-  const Piece first = lookahead.corner.back();
+  Piece first = lookahead.corner.back();
+  const bool by_length = first.corner == 'L';  // its number is the length of the chamfer
+  if (by_length) first.corner = 'C';
   lookahead.corner.clear();
   if (piece.kind != MoveKind::Feed && piece.kind != MoveKind::Cw && piece.kind != MoveKind::Ccw)
     return fault_at({}, Cause::CornerNextMove, piece.at);
   CornerPieces corner;
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
-  const bool chamfer_side = sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
+  const bool chamfer_side =
+      by_length || sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, lookahead.corner_from, first, piece, chamfer_side, corner))
     return corner.second_short && sink.facts.refuses(Cause::CornerNextShort)
                ? fault_at({.addresses = kAxisWords}, Cause::CornerNextShort, piece.at)

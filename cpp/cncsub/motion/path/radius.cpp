@@ -21,6 +21,10 @@ double sharpness(Point u, Point v) { return dot(u, v) < 0 ? 1 : std::fabs(cross(
 /// The most moves that wait because they are too short.
 constexpr std::size_t kReadAhead = 8;
 
+/// Around a corner by more than this the tool goes in an arc, also where a code lets the moved
+/// paths meet: as DISC=0 has it. [general knowledge of the SINUMERIK 840D]
+constexpr double kLeastMeeting = 100 * kPi / 180;
+
 }  // namespace
 
 /// Set the start of a move to the end of the last one in the plane, where the increment cannot tell
@@ -54,7 +58,9 @@ void RadiusPath::go_around(const Curve& a, const Curve& b, Point u, Point v, dou
   };
   const double cosine = dot(u, v);
   const AcuteCorner corner = sink.facts.control->motion.acute_corner.value;
-  if (cosine >= -1e-9) {
+  const bool by_code = corner == AcuteCorner::ByCode;
+  const bool meets = sink.state.modal[at(Group::Corner)].meaning == Meaning::CornerMeet;
+  if (by_code ? meets && cosine > std::cos(kLeastMeeting) : cosine >= -1e-9) {
     go_on(reach * std::fabs(cross(u, v)) / (1 + cosine));
     if (!b.straight()) join.go_by(nb);
     return;

@@ -25,6 +25,9 @@ int place_of(CornerLetters::Entry word, bool lathe) {
 
 }  // namespace
 
+/// The extra system of the code that leaves the work systems.
+constexpr int kNoSystem = 100;
+
 void fill(Axes& axes, const std::map<char, double>& values) {
   for (const auto& [name, value] : values)
     if (const int axis = axis_of(name); axis >= 0) axes[static_cast<std::size_t>(axis)] = value;
@@ -34,6 +37,12 @@ int system_of(const std::string& name) {
   if (name == "EXT") return 0;
   if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
     return name[2] - '3';
+  if (name.size() == 4 && name.rfind("G5", 0) == 0) {  // G505 to G599, and G500
+    int extra = 0;
+    const auto read = std::from_chars(name.data() + 2, name.data() + name.size(), extra);
+    if (read.ec != std::errc() || read.ptr != name.data() + name.size()) return -1;
+    return 6 + (extra == 0 ? kNoSystem : extra);
+  }
   const auto p = name.find('P');
   if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
   int number = 0;

@@ -31,6 +31,10 @@ inline bool centre_is_absolute(const MotionState& state) {
 inline bool is_transformed(const MotionState& state) {
   return state.transform.rotation || state.transform.scaling || state.transform.mirror;
 }
+/// Return whether programmed points differ from work coordinates.
+inline bool is_turned(const MotionState& state) {
+  return is_transformed(state) || state.frame.turned;
+}
 inline bool is_by_own_normal(const MotionFacts& facts) {
   return facts.control->motion.start_up.value == StartUp::OwnNormal;
 }

@@ -30,7 +30,7 @@ struct Piece {
   int side = 0;        // radius compensation: -1 left, 1 right, 0 off
   double radius = 0;
   std::array<double, 3> tip{};  // of a lathe: from the nose centre to the imaginary tip
-  char corner = 0;              // 'C' or 'R' between this piece and the next
+  char corner = 0;              // 'C', 'L' (by the chamfer's length) or 'R' between this piece and the next
   double corner_size = 0;
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;
@@ -157,6 +157,19 @@ struct Transform {  // rotation, scaling and mirror
   bool operator==(const Transform&) const = default;
 };
 
+/// A frame that a program lays over its work system: points are turned, scaled and mirrored by a
+/// matrix, then shifted.
+struct GeneralFrame {
+  std::array<double, 9> matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};  // of X, Y and Z, row by row
+  Axes shift{};
+  bool turned = false;  // the matrix is not that of a shift alone
+
+  double operator()(int row, int column) const {
+    return matrix[static_cast<std::size_t>(3 * row + column)];
+  }
+  bool operator==(const GeneralFrame&) const = default;
+};
+
 /// The numbers of the modal state. A copy is one of bytes.
 struct ModalValues {
   // The fast path of lines and arcs reads and writes these.
@@ -232,6 +245,10 @@ struct ModalValues {
   int cycle_before = -1;    // ten times the code of the cycle that was in force before it
   MultipleData multiple;
   Transform transform;
+  GeneralFrame frame;
+  // The changes of offsets that no move along their axes has made yet, where increments make them.
+  Axes unmoved{};
+  std::array<double, 3> pole{};  // from which polar words count, in programmed coordinates
   StrokeArea area;
 
   bool operator==(const ModalValues&) const = default;
