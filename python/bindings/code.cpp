@@ -53,7 +53,8 @@ std::vector<std::size_t> duplicates(const Code& code) {
 
 std::optional<std::size_t> first_of_memory(const Code& code) {
   for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (const SourceFile& file = code.files[code.programs[i].file]; !file.external && !file.system)
+    if (const SourceFile& file = code.files[code.programs[i].file];
+        !file.external && !file.system && !defines_for_all(*code.spelling, file))
       return i;
   return std::nullopt;
 }

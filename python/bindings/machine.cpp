@@ -181,6 +181,47 @@ py::object get_variable(Live& live, std::int64_t number, int level) {
   return value_or_none(value);
 }
 
+/// Return one value of a variable that has a name, as its type is in Python.
+py::object named_value(const Machine& machine, DefinedVariable::Type type, double value) {
+  if (is_vacant(value)) value = 0;
+  const auto whole = to_whole<std::int64_t>(value);
+  switch (type) {
+    case DefinedVariable::Type::Real:
+      break;
+    case DefinedVariable::Type::Int:
+    case DefinedVariable::Type::Char:
+      return py::int_(whole);
+    case DefinedVariable::Type::Bool:
+      return py::bool_(value != 0);
+    case DefinedVariable::Type::Text:
+      return py::str(machine.text(value));
+    case DefinedVariable::Type::Axis:
+      return py::str(whole >= 1 && whole <= kAxes ? std::string(1, "XYZABCUVW"[whole - 1]) : "");
+  }
+  return py::float_(value);
+}
+
+/// Return an array as lists in each other, from `at` on, which goes past it.
+py::object named_array(const Machine& machine, const DefinedVariable& of, std::size_t dimension,
+                       const double*& at) {
+  if (dimension == of.extents.size()) return named_value(machine, of.type, *at++);
+  py::list list;
+  for (std::int32_t i = 0; i < of.extents[dimension]; ++i)
+    list.append(named_array(machine, of, dimension + 1, at));
+  return list;
+}
+
+py::dict named_variables(Live& live, int level) {
+  const Look machine(live);
+  py::dict named;
+  for (const NamedValues& of : machine->named(level_or_present(*machine, level))) {
+    const double* at = of.values;
+    const py::str name(of.variable->name);
+    if (!named.contains(name)) named[name] = named_array(*machine, *of.variable, 0, at);
+  }
+  return named;
+}
+
 void set_variable(Live& live, std::int64_t number, std::optional<double> value, int level) {
   const Work machine(live);
   if (auto fault =
@@ -260,6 +301,7 @@ void add_variables(Class& machine) {
             return dict_of(machine->variables(level_or_present(*machine, level)));
           },
           py::arg("level") = -1)
+      .def("named_variables", &named_variables, py::arg("level") = -1)
       .def("get_variable", &get_variable, py::arg("number"), py::arg("level") = -1)
       .def("set_variable", &set_variable, py::arg("number"), py::arg("value"),
            py::arg("level") = -1)

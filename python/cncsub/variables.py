@@ -39,6 +39,19 @@ class Variables(NotPicklable, Mapping[int, float | None]):
         except (TypeError, LookupError) as error:
             raise _no_variable(number, error) from None
 
+    @property
+    def named(self) -> dict[str, Any]:
+        """The variables that the program of the level defines, and those of all programs, by name
+        in capitals: a number, a text, an axis, or lists for an array.
+
+        >>> import cncsub
+        >>> text = 'DEF INT SIDES[2]=SET(3,4)\\nDEF STRING[8] NAME="A"<<SIDES[1]\\nM30\\n'
+        >>> run = cncsub.loads(text, control="siemens-one").run()
+        >>> run.variables.named
+        {'SIDES': [3, 4], 'NAME': 'A4'}
+        """
+        return self._core.named_variables(self._level)
+
     def __iter__(self) -> Iterator[int]:
         return (number for number, value in self._set().items() if value is not None)
 
@@ -68,7 +81,9 @@ class Variables(NotPicklable, Mapping[int, float | None]):
         return variables_html(self)
 
     def __repr__(self) -> str:
-        return "{" + ", ".join(f"{number}: {self[number]:g}" for number in self) + "}"
+        numbered = (f"{number}: {self[number]:g}" for number in self)
+        named = (f"{name}: {value!r}" for name, value in self.named.items())
+        return "{" + ", ".join((*numbered, *named)) + "}"
 
 
 def _no_variable(number: object, error: Exception) -> KeyError:

@@ -12,6 +12,8 @@
 
 namespace cncsub {
 
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);  // TEMP
+
 namespace {
 
 constexpr std::int32_t kFirstNamed = 1 << 30;  // plus its place: a variable with a name
@@ -52,11 +54,11 @@ Bits VariableUses::bit_of(std::int64_t number, std::vector<std::int32_t>& to) co
 Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>& to,
                           bool& any) const {
   if (!of.computed && of.number >= 0) return bit_of(of.number, to);
-  const auto& places = c_.code.named_places;
-  const auto found = of.computed ? places.end() : places.find(of.name);
-  any = any || found == places.end();
-  if (found == places.end()) return 0;
-  to.push_back(kFirstNamed + static_cast<std::int32_t>(found->second));
+  const std::optional<std::uint32_t> found =
+      of.computed ? std::nullopt : place_of_name(c_.code, of.name);
+  any = any || !found;
+  if (!found) return 0;
+  to.push_back(kFirstNamed + static_cast<std::int32_t>(*found));
   return local_bit(named_variable(to.back()));
 }
 

@@ -149,7 +149,7 @@ struct Assigned {
 
   static constexpr std::uint32_t kMostIndex = (1U << 14) - 1, kMostPlace = 255;
   bool fits() const {
-    return target != Statement::Target::None && index <= kMostIndex && at <= kMostPlace &&
+    return target != Statement::Target::None && target <= Statement::Target::Indirect && index <= kMostIndex && at <= kMostPlace &&
            width <= kMostPlace;
   }
 

@@ -53,7 +53,7 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
 }
 
 struct Argument {
-  std::int16_t variable = 0;  // the local it sets
+  std::int32_t variable = 0;  // the local it sets
   char address = 0;
   Operand operand;
 };
@@ -82,8 +82,8 @@ struct JumpRecord {
 
 /// A value in the brackets of a call, in the order of the called program's parameters.
 struct ActualParameter {
-  Operand operand;       // absent: left out, or a text
-  bool is_text = false;  // a text, which is not computed
+  Operand operand;       // absent: left out
+  bool is_text = false;
   Statement variable;    // its target is the variable that stands there and nothing else, if any
 };
 

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "cncsub/code/block.hpp"
@@ -28,6 +29,7 @@
 #include "cncsub/code/program.hpp"
 #include "cncsub/code/spelling.hpp"
 #include "cncsub/code/statement.hpp"
+#include "cncsub/code/texts.hpp"
 #include "cncsub/code/word_uses.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/system/kept_memory.hpp"
@@ -103,6 +105,7 @@ struct Code {
   std::int32_t locals = 34;            // the locals of one level, #0 included
   std::int32_t locals_per_level = 33;  // as a level's image counts them
   std::int32_t commons = 0;
+  std::int32_t elements = 0;  // of the arrays of one level
   std::vector<SourceFile> files;
   LargeVector<Program> programs;
   LargeVector<Block> blocks;
@@ -126,6 +129,10 @@ struct Code {
   std::array<std::unordered_map<std::int32_t, std::uint32_t>, 2>
       named_at;                // locals, commons by index
   std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
+  std::vector<DefinedVariable> defined_variables;  // one program's after the other's
+  std::vector<DefinedVariable> shared_variables;   // of all programs
+  std::vector<std::pair<std::int32_t, double>> first_values;  // of commons, when a run begins
+  Texts texts;                                                // the first is empty
   std::vector<cncsub::ParallelAssign> parallel_assigns;
   std::vector<Print> prints;
   std::vector<Select> selects;

@@ -210,7 +210,8 @@ struct Joint {
 bool Joint::can_join(Builder& to, const Joined& of) {
   const Code& part = of.code;
   const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.o_words.empty() ||
-                         !part.heads.empty() || !part.named_variables.empty() || part.returned >= 0;
+                         !part.heads.empty() || !part.named_variables.empty() ||
+                         part.returned >= 0 || part.texts.size() > 1;
   const bool looks_at_file = of.goes_on && !part.h_codes.empty();
   return !own_names && !looks_at_file && part.parallel_assigns.empty() &&
          list_codes(to.code_, part, of.lists);

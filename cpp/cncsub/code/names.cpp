@@ -5,6 +5,8 @@
 
 namespace cncsub {
 
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);  // TEMP
+
 std::uint32_t Names::label(const std::string& name) {
   const auto place = static_cast<std::uint32_t>(code_.labels.size());
   const auto [found, is_new] = code_.label_places.try_emplace(name, place);
@@ -18,9 +20,24 @@ void Names::sort_heads() {
   });
 }
 
+namespace {
+
+/// Return the key of a variable among the names: a local and a common may have one name.
+std::string key_of(const std::string& name, bool common) { return common ? name + '\n' : name; }
+
+}  // namespace
+
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name) {
+  for (const bool common : {false, true})
+    if (const auto found = code.named_places.find(key_of(name, common));
+        found != code.named_places.end())
+      return found->second;
+  return std::nullopt;
+}
+
 std::uint32_t Names::variable(const std::string& name, bool common) {
   const auto place = static_cast<std::uint32_t>(code_.named_variables.size());
-  const auto [found, is_new] = code_.named_places.try_emplace(name, place);
+  const auto [found, is_new] = code_.named_places.try_emplace(key_of(name, common), place);
   if (is_new) {
     const std::int32_t index = common ? code_.commons++ : code_.locals++;
     code_.named_variables.push_back({name, common, index});
@@ -35,6 +52,25 @@ std::int32_t Names::returned() {
     code_.commons += 2;
   }
   return code_.returned;
+}
+
+std::int32_t Names::commons(std::int32_t count) {
+  code_.commons += count;
+  return code_.commons - count;
+}
+
+void Names::first_value(std::int32_t common, double value) {
+  code_.first_values.emplace_back(common, value);
+}
+
+void Names::elements(std::int32_t count) { code_.elements = std::max(code_.elements, count); }
+
+void Names::defined(DefinedVariable variable, bool shared) {
+  if (shared) return code_.shared_variables.push_back(std::move(variable));
+  Program& program = code_.programs.back();
+  if (program.defined++ == 0)
+    program.first_defined = static_cast<std::uint32_t>(code_.defined_variables.size());
+  code_.defined_variables.push_back(std::move(variable));
 }
 
 std::uint32_t Names::text(std::string name) {

@@ -23,6 +23,16 @@ class Names {
   /// Return the first of two commons that hold what the last subprogram returned, and whether it
   /// did.
   std::int32_t returned();
+  /// Return the first of so many commons that nothing else uses.
+  std::int32_t commons(std::int32_t count);
+  /// Make a common have a value when a run begins.
+  void first_value(std::int32_t common, double value);
+  /// Make room for the arrays of a level: so many elements.
+  void elements(std::int32_t count);
+  /// Return the number of a text that stands in a program.
+  std::uint32_t constant_text(const std::string& text) { return code_.texts.number_of(text); }
+  /// Record how a variable is shown, of the program that was begun last or, `shared`, of all.
+  void defined(DefinedVariable variable, bool shared);
   /// Return the place in Code::names of a name that a variable is given, or used by.
   std::uint32_t text(std::string name);
 

@@ -19,7 +19,7 @@ std::optional<Fault> refused(const FormalParameter& formal, const ActualParamete
   if (actual.is_text != formal.is_text)
     return fault(actual, Cause::StatementFormat,
                  formal.is_text ? "the parameter takes a text" : "the parameter takes no text");
-  if (formal.by_reference && !formal.is_text && actual.variable.target == Statement::Target::None)
+  if (formal.by_reference && actual.variable.target == Statement::Target::None)
     return fault(actual, Cause::StatementFormat,
                  "the parameter takes a variable, whose value the return changes");
   return std::nullopt;
@@ -27,7 +27,7 @@ std::optional<Fault> refused(const FormalParameter& formal, const ActualParamete
 
 void add_argument(Code& code, CallRecord& call, std::int32_t variable, const Operand& value) {
   Argument argument;
-  argument.variable = static_cast<std::int16_t>(variable);
+  argument.variable = variable;
   argument.operand = value;
   code.arguments.push_back(argument);
   ++call.arguments;
@@ -66,7 +66,7 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
       value = given[i].operand;
       if (formal.by_reference) extras->back.push_back({formal.variable, given[i].variable});
     }
-    if (!formal.is_text) add_argument(code, call, formal.variable, value);
+    add_argument(code, call, formal.variable, value);
   }
   return std::nullopt;
 }

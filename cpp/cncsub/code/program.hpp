@@ -38,7 +38,22 @@ struct FormalParameter {
   std::int32_t variable = 0;  // the local that takes the value of a call
   double otherwise = 0;       // its value where a call leaves it out
   bool by_reference = false;  // at the return the caller's variable takes its value
-  bool is_text = false;       // takes a text, which is not computed
+  bool is_text = false;       // takes a text
+};
+
+/// A variable that a program defines by a name, or that all programs share, as it is shown.
+struct DefinedVariable {
+  enum class Type : std::uint8_t { Real, Int, Bool, Char, Text, Axis } type = Type::Real;
+  bool common = false;
+  std::int32_t index = 0;              // of the variable, or of the first element
+  std::vector<std::int32_t> extents;   // of an array
+  std::string name;
+
+  std::int32_t size() const {
+    std::int32_t elements = 1;
+    for (const std::int32_t extent : extents) elements *= extent;
+    return elements;
+  }
 };
 
 /// A program of the memory. Its name and its comment stand in the text: Code::name_of, comment_of.
@@ -61,6 +76,7 @@ struct Program {
   std::int32_t inside = kNoProgram;                   // the program whose blocks it is a part of
   bool keeps_modes = false;                           // its return restores the modes of its caller
   std::uint32_t first_parameter = 0, parameters = 0;  // in Code::formal_parameters
+  std::uint32_t first_defined = 0, defined = 0;       // in Code::defined_variables
   std::uint32_t opening = 0;  // of a file that begins with a %: its place plus 1
 };
 

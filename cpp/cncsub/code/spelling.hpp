@@ -46,6 +46,8 @@ struct Spelling {
   // `signs_by_rule`: only those that take no minus sign on the control.
   std::string_view unsigned_words{};
   bool signs_by_rule = false;
+  // How the name of a file ends that defines variables for the programs of all others.
+  std::string_view definitions{};
   bool small_letters = true;   // small letters are as good as capitals
   bool ignores_words = false;  // words may be ignored; else one that is dropped is obeyed, and
                                // a run goes on without it

@@ -20,12 +20,15 @@ struct Statement {
     Local,
     Common,
     Variable,
-    Indirect
+    Indirect,
+    Element,       // of an array: `variable` gives its place from `index` on, of `number` elements;
+    CommonElement  // `count` elements from it on take the value, 0: all
   } target = Target::None;
   std::int32_t index = 0;   // Local, Common: the place; Variable: the number
   Address to = kNowhere;    // where a jump goes, when known
   Address end = kNowhere;   // Do, While: the address of the END; a jump: another block of its label
   std::int32_t number = 0;  // DO m, GOTO n, Hm of G65
+  std::int32_t count = 1;
   std::uint32_t at = 0, width = 1;
   std::uint32_t variable_at = 0, variable_width = 1;
   std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
@@ -45,6 +48,7 @@ struct PrintField {
   std::uint32_t expression = 0;
   int whole_digits = 0;
   int decimals = 0;
+  bool is_text = false;  // the value is a text
 };
 
 struct Print {

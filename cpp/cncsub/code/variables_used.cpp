@@ -100,6 +100,10 @@ void VariablesUsed::written(const Statement& statement) {
     case Target::Common:
       to = variable(statement.target == Target::Common, statement.index, place);
       break;
+    case Target::Element:
+    case Target::CommonElement:
+      reads(statement.variable);
+      return;
     case Target::Variable:
       to.number = statement.index;
       break;

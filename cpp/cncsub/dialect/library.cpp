@@ -91,6 +91,7 @@ void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& 
   code.read_word = dialect.read_word;
   code.spelling = dialect.spelling;
   code.word_uses = dialect.word_uses;
+  code.texts.number_of("");  // the value 0, of a text that was given nothing
   number_variables(code);
   list_codes(code);
 }
@@ -244,6 +245,13 @@ bool begin_with(const std::vector<SourceFile>& files, char mark) {
 
 }  // namespace
 
+bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
+  const std::string_view ending = spelling.definitions, name = file.name;
+  return !ending.empty() && name.size() >= ending.size() &&
+         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
+                    [](char a, char b) { return a == upper(b); });
+}
+
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted,
@@ -253,6 +261,9 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
   code->external_device = external_device;
   const Dialect& dialect = dialect_of(*control);
   prepare(*code, std::move(control), dialect);
+  std::stable_partition(files.begin(), files.end(), [&](const SourceFile& file) {
+    return defines_for_all(*code->spelling, file);
+  });
   Reading reading(*code, interrupted);
   std::size_t bytes = 0;
   for (const SourceFile& file : files) bytes += file.text.size();

@@ -360,6 +360,10 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
       continue;
     }
     const double value = observer_.printed[printed++];
+    if (field.is_text) {
+      for (const char c : machine_.text(value)) statement += c == ' ' ? '*' : c;
+      continue;
+    }
     const auto local = static_cast<std::int64_t>(printed);
     if (!code.place(local).is_local())
       return refuse("what is printed has more values than there are local variables");

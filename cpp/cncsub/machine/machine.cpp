@@ -39,7 +39,7 @@ void set_own_parameters(Run& run) {
   const Program& main = run.code->programs[static_cast<std::size_t>(run.state.frames[0].program)];
   for (std::uint32_t i = 0; i < main.parameters; ++i) {
     const FormalParameter& of = run.code->formal_parameters[main.first_parameter + i];
-    if (!of.is_text) run.state.locals[run.local_at(0, of.variable)] = of.otherwise;
+    run.state.locals[run.local_at(0, of.variable)] = of.otherwise;
   }
 }
 

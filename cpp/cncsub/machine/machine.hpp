@@ -14,6 +14,8 @@
 #include "cncsub/machine/state/context.hpp"
 #include "cncsub/machine/state/options.hpp"
 #include "cncsub/machine/state/state.hpp"
+#include "cncsub/machine/values/texts.hpp"
+#include "cncsub/machine/values/variables.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/trace/trace.hpp"
 
@@ -77,6 +79,10 @@ class Machine {
   /// Return every variable that is not vacant or was ever written: commons and the locals of a
   /// level.
   std::map<std::int32_t, double> variables(int level) const;
+  /// Return the variables that have a name, those of a level and those of all programs.
+  std::vector<NamedValues> named(int level) const { return named_variables(run_, level); }
+  /// Return the text that a value of a variable stands for.
+  const std::string& text(double value) const { return text_of(run_, value); }
   /// Read or write a variable. A fault says why it has no value, or takes none. Locals are those of
   /// an open level, 0 to State::level.
   std::optional<Fault> read(std::int64_t number, int level, double& value) const;

@@ -93,6 +93,29 @@ void parameters(Control& c) {
   c.variables.push_back({0, 99, VariableKind::Kept, Access::ReadWrite, 0, kKnown, Inferred});
 }
 
+/// Add the system variables that a run knows, at numbers that no R reaches: the language names
+/// them.
+void system_variables(Control& c) {
+  constexpr const char* kPositions = "NCI, actual_position.mpf";
+  const auto add = [&c](std::int32_t first, std::int32_t count, VariableKind kind, char address,
+                        const char* source, Evidence evidence) {
+    constexpr std::int32_t kFirst = 2'000'000'000;
+    c.variables.push_back({kFirst + first, kFirst + first + count - 1, kind, Access::ReadOnly,
+                           address, source, evidence});
+  };
+  add(1001, 1024, VariableKind::Input, 0, kKnown, Inferred);
+  add(3001, 1024, VariableKind::Output, 0, kKnown, Inferred);
+  add(5001, 9, VariableKind::WorkPosition, 0, kPositions, Secondary);
+  add(5021, 9, VariableKind::MachinePosition, 0, kPositions, Secondary);
+  add(5041, 9, VariableKind::BlockEnd, 0, kKnown, Inferred);
+  add(5061, 1, VariableKind::ActiveWord, 'T', kKnown, Inferred);
+  add(5062, 1, VariableKind::ActiveWord, 'F', kKnown, Inferred);
+  add(5101, 22, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
+  add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
+  add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
+  add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
+}
+
 }  // namespace
 
 Control family() {
@@ -105,6 +128,7 @@ Control family() {
                              "general knowledge of the SINUMERIK alarms", Inferred};
   modal_calls(c);
   standard_cycles(c);
+  system_variables(c);
   return c;
 }
 

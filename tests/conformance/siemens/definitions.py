@@ -113,28 +113,21 @@ case(
     "the definition of a text runs", **POLICY,
     program='N10 DEF STRING[20] NOTE="A ; B", OTHER\nN20 G0 X1\nN30 M30', runs="N10 N20 N30",
 )
-for type_name, value in (("STRING[8]", '"A"'), ("AXIS", "X"), ("FRAME", "CTRANS(X,5)")):
-    for use in (f"N20 SOME={value}", "N20 R1=SOME"):
-        case(
-            f"{use[4:]} is not computed where SOME is a variable of type {type_name}", **POLICY,
-            program=f"N10 DEF {type_name} SOME={value}\n{use}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
-        )
-case(
-    "the definition of an array runs", **POLICY,
-    program="N10 DEF REAL FIELD[10,3]=SET(0,,1), NEXT[2]=REP(5), PLAIN=4\nN20 R1=PLAIN\nN30 M30", vars={1: 4},
-)
-case(
-    "its elements are not computed", **POLICY,
-    program="N10 DEF REAL FIELD[10]\nN20 FIELD[1]=5\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
-)
-case(
-    "nor are they read", **POLICY,
-    program="N10 DEF REAL FIELD[10]\nN20 R1=FIELD[1]\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
-)
+for use in ("N20 SOME=CTRANS(X,5)", "N20 R1=SOME"):
+    case(
+        f"{use[4:]} is not computed where SOME is a variable of type FRAME", **POLICY,
+        program=f"N10 DEF FRAME SOME=CTRANS(X,5)\n{use}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+    )
 for area in ("NCK", "CHAN"):
     case(
-        f"global user data, DEF {area}, are not computed", **POLICY,
+        f"global user data, DEF {area}, stand in files of definitions", **POLICY,
         program=f"N10 DEF {area} REAL DEPTH\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=area,
+    )
+    case(
+        f"a variable of DEF {area} is that of all programs", control=ONE, source="840Da p.133, defining user data", evidence="secondary",
+        files={"MAIN.MPF": "N10 R1=DEPTH\nN20 DEPTH=7\nN30 PART\nN40 R3=DEPTH\nN50 M30\n", "PART.SPF": "N60 R2=DEPTH DEPTH=9\nN70 M17\n",
+               "UGUD.DEF": f"DEF {area} REAL DEPTH=2.5 ; of the machine\nM30\n"},
+        vars={1: 2.5, 2: 7, 3: 9},
     )
 case(
     "a name that nothing defines is not computed", **POLICY,
@@ -144,4 +137,43 @@ case(
     "EXTERN runs, for it says what a PROC says", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
     program="%_N_MAIN_MPF\nN10 EXTERN PART(REAL, INT)\nN20 PART(2,3)\nN30 M30\n%_N_PART_SPF\nN40 PROC PART(REAL WIDE, INT HIGH)\nN50 R1=WIDE R2=HIGH\nN60 M17",
     vars={1: 2, 2: 3},
+)
+for word in ("LLI", "ULI"):
+    case(
+        f"{word}, a limit of a variable, is not computed", control=ONE, source="SONE p.409, limit values of variables", evidence="maker's manual",
+        program=f"N10 DEF REAL {word} 5.0 DEPTH\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
+    )
+for value in ("2147483648", "-2147483649", "1EX10"):
+    case(
+        f"an INT has 32 bits and does not hold {value}", **RANGE,
+        program=f"N10 DEF INT COUNT\nN20 COUNT={value}\nN30 M30", runs="N10", alarm="value-out-of-range", at="MAIN N20",
+    )
+    case(
+        f"nor does one that is computed, {value}", **RANGE,
+        program=f"N10 DEF INT COUNT\nN15 R1={value}\nN20 COUNT=R1\nN30 M30", runs="N10 N15", alarm="value-out-of-range", at="MAIN N20",
+    )
+case(
+    "an INT holds what 32 bits hold", **RANGE,
+    program="N10 DEF INT COUNT=2147483647, LOW=-2147483648\nN20 R1=COUNT R2=LOW\nN30 M30", vars={1: 2147483647, 2: -2147483648},
+)
+case(
+    "a CHAR that is computed is not above 255", **RANGE,
+    program="N10 DEF CHAR MARK\nN20 R1=255\nN30 MARK=R1\nN40 MARK=R1+1\nN50 M30", runs="N10 N20 N30", alarm="value-out-of-range", at="MAIN N40",
+)
+DATA = {"control": ONE, "source": "840Da p.133, defining user data", "evidence": "secondary"}
+case(
+    "arrays and texts of all programs have their first values", **DATA,
+    files={"MAIN.MPF": 'N10 R1=KEEP[1] R2=KEEP[2] KEEP[0]=5\nN20 MSG(NAME<<KEEP[0]<<OTHER)\nN30 NAME="Z"\nN40 MSG(NAME)\nN50 M30\n',
+           "GUD4.DEF": '%_N_GUD4_DEF\n;$PATH=/_N_DEF_DIR\nDEF CHAN SYNR REAL KEEP[3]=SET(1,2,3)\nDEF NCK STRING[8] NAME="AB", OTHER\nM17\n'},
+    vars={1: 2, 2: 3}, messages=["AB5", "Z"],
+)
+case(
+    "a variable of the program comes before one of all programs", **POLICY,
+    files={"MAIN.MPF": "N10 DEF REAL DEPTH=1\nN20 R1=DEPTH\nN30 DEPTH=4\nN40 PART\nN50 M30\n", "UGUD.DEF": "DEF NCK REAL DEPTH=9\nM30\n", "PART.SPF": "N60 R2=DEPTH\nN70 M17\n"},
+    vars={1: 1, 2: 9},
+)
+case(
+    "a name of all programs is defined once", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    files={"UGUD.DEF": "N10 DEF NCK REAL DEPTH=9\nN20 DEF CHAN INT DEPTH\nM30\n"}, main="UGUD",
+    runs="N10", alarm="variable-given-twice", number="12170", at="UGUD N20", word="DEPTH",
 )

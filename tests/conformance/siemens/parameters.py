@@ -97,9 +97,9 @@ case(
     program=_call("PART(5.5)", "(REAL X)", "N50 G0 X=5\n"), runs="N20 N40", alarm="code-not-computed", at="PART N50",
 )
 case(
-    "a text is passed to a STRING, which is not computed where it is used", **POLICY,
-    program=_call('PART("A, B", 4)', "(STRING[20] NOTE, REAL WIDE)", "N50 R1=WIDE\nN55 NOTE=NOTE\n"),
-    vars={1: 4}, runs="N20 N40 N50", alarm="code-not-computed", at="PART N55",
+    "a text is passed to a STRING, cut at its length", **KNOWN,
+    program=_call('PART("A, BC", 4)', "(STRING[4] NOTE, REAL WIDE)", "N50 R1=WIDE\nN55 MSG(NOTE)\n"),
+    vars={1: 4}, runs="N20 N40 N50 N55 N60 N30", messages=["A, B"],
 )
 case(
     "a number is no text", **KNOWN,

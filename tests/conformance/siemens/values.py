@@ -80,3 +80,57 @@ case(
     "other names are not computed", control=ONE, source="policy, nobody says", evidence="inferred",
     program="N10 R1=DEPTH+1\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
 )
+SONE = {"control": ONE, "source": "SONE p.444, priority of the operations", "evidence": "maker's manual"}
+case(
+    "B_AND comes before B_XOR, that before B_OR, and those before AND", **SONE,
+    program="N10 R1=6 B_AND 3 R2=6 B_OR 3 B_AND 1 R3=6 B_XOR 3 R4=1 B_OR 6 B_XOR 2 R5=1+2 B_AND 2 R6=4 AND 4 B_AND 3\nN20 M30",
+    vars={1: 2, 2: 7, 3: 5, 4: 5, 5: 2, 6: 0},
+)
+case(
+    "B_NOT inverts every bit and binds as NOT", **SONE,
+    program="N10 R1=B_NOT 5 R2=B_NOT 0 B_AND 12 R3=B_NOT -1\nN20 M30", vars={1: -6, 2: 12, 3: 0},
+)
+case(
+    "<< binds less than OR and more than ==", **SONE,
+    program='N10 R1="10"==1 OR 0<<0\nN20 M30', vars={1: 1},
+)
+BASES = {"control": ONE, "source": "840Dg p.94, DEF INT INT_VAR='HA5B8'", "evidence": "secondary"}
+case(
+    "'H...' counts to the base 16, 'B...' to the base 2", **BASES,
+    program="N10 R1='HA5B8' R2='B101' R3='hff' R4='HFFFFFFFF'\nN20 M30", vars={1: 42424, 2: 5, 3: 255, 4: -1},
+)
+for wrong in ("'H5", "'HG'", "'B12'", "'X1'", "''"):
+    case(
+        f"{wrong} is no number", **BASES,
+        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="expression-format", at="MAIN N10",
+    )
+LIMITS = {"control": ONE, "source": "828Dj p.70, MINVAL, MAXVAL and BOUND", "evidence": "secondary"}
+case(
+    "MINVAL and MAXVAL are the smaller and the larger value", **LIMITS,
+    program="N10 R1=MINVAL(3,-2) R2=MAXVAL(3,-2)\nN15 R3=MINVAL(R1,R2)+1\nN20 M30", vars={1: -2, 2: 3, 3: -1},
+)
+case(
+    "BOUND keeps a value between two others", **LIMITS,
+    program="N10 R1=BOUND(-1,4,2) R2=BOUND(-1,4,9) R3=BOUND(-1,4,-9) R4=BOUND(0,1,0.5)*10\nN20 M30", vars={1: 2, 2: 4, 3: -1, 4: 5},
+)
+case(
+    "ROUNDUP goes to the next whole number above", control=ONE, source="840slj p.84, ROUNDUP", evidence="secondary",
+    program="N10 R1=ROUNDUP(3.1) R2=ROUNDUP(3.6) R3=ROUNDUP(-3.1) R4=ROUNDUP(-3.6) R5=ROUNDUP(3)\nN20 M30",
+    vars={1: 4, 2: 4, 3: -3, 4: -3, 5: 3},
+)
+case(
+    "EXP is the power of e", **KNOWN, program="N10 R1=EXP(0) R2=ROUND(EXP(1)*1000) R3=LN(EXP(2))\nN20 M30", vars={1: 1, 2: 2718, 3: 2},
+)
+case(
+    "two whole numbers have a quotient with a fraction, and DIV has none", control=ONE, source="NCI, basic_math.mpf", evidence="secondary",
+    program="N10 DEF INT AA=1, BB=3\nN20 R1=3*(AA/BB) R2=7 DIV 3 R3=3*(7/3) R4=3 MOD 4 R5=7 MOD 4.1 R6=7 DIV 4.1 R7=7 DIV 0.4 R8=1+1-1+-1\nN30 M30",
+    vars={1: 1, 2: 2, 3: 7, 4: 3, 5: 2.9000000000000004, 6: 1, 7: 17, 8: 0},
+)
+case(
+    "an axis is no number", **KNOWN, program="N10 R1=Y\nN20 M30", runs="", alarm="expression-format", at="MAIN N10", word="R1=Y",
+)
+for function in ("MINVAL(1)", "BOUND(1,2)", "SUBSTR(\"A\")"):
+    case(
+        f"{function} lacks a value", **KNOWN,
+        program=f"N10 R1={function}\nN20 M30", runs="", alarm="missing-comma", at="MAIN N10",
+    )

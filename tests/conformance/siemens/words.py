@@ -126,7 +126,6 @@ case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", r
 for text, word in (
     ("DEF CHAN REAL DEPTH", "CHAN"),
     ("R1=$P_UIFR", "R1=$P_UIFR"), ("DEPTH = 5", "DEPTH"),
-    ("R1=6 B_AND 3", "R1=6 B_AND 3"), ('MSG("a"<<R1)', 'MSG("a"'),
 ):
     case(
         f"{text} is not computed, and says so", **POLICY,

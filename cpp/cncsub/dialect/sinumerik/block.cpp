@@ -119,8 +119,10 @@ bool BlockReader::item(Block& block, Words& words) {
   const std::string_view character = first_character(line_.rest());
   line_.pass(character.size());
   if (system) {
-    line_.pass(line_.name().size());
-    return not_computed(block, "a system variable", at);
+    const std::string named = capitals(line_.name());
+    line_.pass(named.size());
+    return refuse(block, Cause::CodeNotComputed, "a run does not know what $" + named + " changes",
+                  at);
   }
   return refuse(block, Cause::IllegalCharacter,
                 "no word begins with this character" + full_width_of(character), at);
@@ -229,10 +231,7 @@ bool BlockReader::named(Block& block, Words& words) {
   if (name == "MCALL") return modal_call(block, words, at);
   if (name == "SETAL") return raise_alarm(block, words, at);
   if (const Definition* const of = definitions_.find(name)) {
-    Statement statement;
-    if (!expression_.assignment(*of, statement)) return refuse(block);
-    words.statements.push_back(statement);
-    return true;
+    return expression_.assignments(*of, words.statements) || refuse(block);
   }
   if (name == "AX") return axis_by_index(block, words, at);
   if (place_of(name) >= 0) {
@@ -262,21 +261,27 @@ bool BlockReader::named(Block& block, Words& words) {
     return call(block, words, written);
   line_.pass(name.size());
   if (is_not_computed(name)) return not_computed(block, what_it_needs(name), at);
-  return refuse(
-      block, Cause::CodeNotComputed,
-      name + " is not defined in this program, and global variables are not computed here", at);
+  return refuse(block, Cause::CodeNotComputed,
+                name + " is not defined in this program, nor in a file of definitions", at);
 }
 
-/// Read MSG("text"), or MSG(), which takes the message away.
+/// Read MSG("text" << R1), or MSG(), which takes the message away. A second value says when it
+/// shows.
 bool BlockReader::message(Block& block, Words& words, std::uint32_t at) {
   line_.pass(3);
   if (!line_.take('(')) return refuse(block, Cause::BracketNotOpened, "( is missing", at);
-  std::string text;
-  if (line_.take('"') && !line_.take_up_to('"', text))
-    return refuse(block, Cause::StatementFormat, "the quote is not closed", at);
-  if (!line_.take(')')) return not_computed(block, "a message of several parts", at);
+  PrintField field;
+  if (line_.peek() != ')') {
+    Value text, when;
+    if (!expression_.text(text)) return refuse(block);
+    if (line_.take(',') && !expression_.value(when)) return refuse(block);
+    field.is_variable = field.is_text = text.computed;
+    field.expression = text.expression;
+    if (!text.computed) field.text = to_.code().texts.at(to_whole<std::size_t>(text.number));
+  }
+  if (!line_.take(')')) return refuse(block, Cause::BracketNotClosed, ") is missing", at);
   words.print.emplace();
-  words.print->fields.push_back({.text = std::move(text)});
+  words.print->fields.push_back(std::move(field));
   words.print->at = at;
   return true;
 }

@@ -1,6 +1,7 @@
 #include "cncsub/dialect/sinumerik/declarations.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -13,31 +14,48 @@ constexpr std::size_t kLongestName = 31;  // [SONE p.383, naming rules]
 struct TypeName {
   std::string_view word;
   Type type;
-  const char* uncomputed;
 };
 constexpr TypeName kTypes[] = {
-    {"INT", Type::Int, nullptr},          {"REAL", Type::Real, nullptr},
-    {"BOOL", Type::Bool, nullptr},        {"CHAR", Type::Char, nullptr},
-    {"STRING", Type::String, "a STRING"}, {"AXIS", Type::Axis, "an AXIS"},
-    {"FRAME", Type::Frame, "a FRAME"}};
+    {"INT", Type::Int},       {"REAL", Type::Real}, {"BOOL", Type::Bool},  {"CHAR", Type::Char},
+    {"STRING", Type::String}, {"AXIS", Type::Axis}, {"FRAME", Type::Frame}};
+
+constexpr std::int32_t kMostElements = 100'000;  // of the arrays of a program
+
+// Words between DEF and the type that say who may read and write, and when the control reads ahead.
+constexpr std::string_view kAccess[] = {"SYNR", "SYNW", "SYNRW", "PHU",  "APR",   "APW",
+                                        "APRP", "APWP", "APRB",  "APWB", "INIPO", "INIRE"};
 
 // Words after the list of PROC. Only SAVE changes what runs.
 constexpr std::string_view kAttributes[] = {"SAVE",  "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
                                             "SBLON", "PREPRO",  "ICYCOF",  "ICYCON"};
 
 /// Pass over brackets, from the first one on, to the one that closes it.
-bool pass_brackets(Line& line, char open, char close) {
+bool pass_brackets(Line& line) {
   int depth = 0;
   for (char c = line.peek(); c != '\0'; c = line.peek()) {
-    if (c == '"') {
-      line.pass_quoted();
-      continue;
-    }
     line.pass(1);
-    depth += c == open ? 1 : c == close ? -1 : 0;
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     if (depth == 0) return true;
   }
   return false;
+}
+
+/// Return the type under which a variable is shown.
+DefinedVariable::Type shown_type(Type type) {
+  switch (type) {
+    case Type::Int:
+      return DefinedVariable::Type::Int;
+    case Type::Bool:
+      return DefinedVariable::Type::Bool;
+    case Type::Char:
+      return DefinedVariable::Type::Char;
+    case Type::String:
+      return DefinedVariable::Type::Text;
+    case Type::Axis:
+      return DefinedVariable::Type::Axis;
+    default:
+      return DefinedVariable::Type::Real;
+  }
 }
 
 }  // namespace
@@ -46,13 +64,6 @@ std::optional<Type> type_named(std::string_view word) {
   for (const TypeName& of : kTypes)
     if (of.word == word) return of.type;
   return std::nullopt;
-}
-
-const char* Definition::uncomputed() const {
-  if (array) return "an array";
-  for (const TypeName& of : kTypes)
-    if (of.type == type) return of.uncomputed;
-  return nullptr;
 }
 
 bool DeclarationReader::refuse(Block& block, Cause cause, std::string detail, std::uint32_t at) {
@@ -118,9 +129,12 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
     formal.by_reference = true;
   }
   Declared declared;
-  if (!type(block, declared.definition.type)) return false;
-  if (!this->declared(block, declared, 1)) return false;
   const Definition& definition = declared.definition;
+  if (!type(block, declared.definition)) return false;
+  if (!this->declared(block, declared, 1)) return false;
+  if (definition.is_array())
+    return refuse(block, Cause::CodeNotComputed, "an array as a parameter is not computed here",
+                  declared.at);
   formal.variable = definition.local;
   formal.is_text = definition.type == Type::String;
   if (declared.value && declared.value->computed)
@@ -131,8 +145,7 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
   if (definition.type == Type::Real || definition.uncomputed() != nullptr) return true;
   Statement conversion = assignment_of(declared);
   to_.expressions().begin();
-  expression_.push(definition);
-  expression_.convert(definition.type);
+  expression_.push_converted(definition);
   conversion.expression = to_.expressions().end(declared.at, declared.width);
   conversions.push_back(conversion);
   return true;
@@ -154,101 +167,215 @@ bool DeclarationReader::attributes(Block& block) {
 
 /// Read DEF INT COUNT=1, LAST. A variable without a value is 0.
 bool DeclarationReader::def(Block& block) {
-  const std::uint32_t at = line_.offset();
-  const std::string first = capitals(line_.name());
-  if (first == "NCK" || first == "CHAN") {
-    line_.pass(first.size());
-    return refuse(block, Cause::CodeNotComputed,
-                  "DEF " + first + ", global user data, is not computed here", at);
-  }
-  Type of{};
-  if (!type(block, of)) return false;
+  Definition of;
+  if (!is_global(block, of.global) || !type(block, of)) return false;
   std::vector<Statement> statements;
   do {
     Declared declared;
-    declared.definition.type = of;
+    declared.definition = of;
     if (!this->declared(block, declared, 2)) return false;
-    if (declared.definition.uncomputed() == nullptr) statements.push_back(assignment_of(declared));
+    if (!add(block, declared, statements)) return false;
   } while (line_.take(','));
   if (lacks_end(block)) return false;
   return write(block, statements), true;
 }
 
+/// Read NCK or CHAN, and who may read and write. Files of definitions say them. [840Da p.133]
+bool DeclarationReader::is_global(Block& block, bool& global) {
+  const std::uint32_t at = line_.offset();
+  const std::string first = capitals(line_.name());
+  global = first == "NCK" || first == "CHAN";
+  if (!global) return true;
+  line_.pass(first.size());
+  const std::string file = capitals(to_.code().files[to_.program().file].name);
+  if (!file.ends_with(".DEF") && !capitals(to_.code().name_of(to_.program())).ends_with("_DEF"))
+    return refuse(block, Cause::CodeNotComputed,
+                  "DEF " + first + " outside of a file of definitions is not computed here", at);
+  for (std::string word = capitals(line_.name());
+       std::find(std::begin(kAccess), std::end(kAccess), word) != std::end(kAccess);
+       word = capitals(line_.name())) {
+    line_.pass(word.size());
+    if (is_digit(line_.peek())) line_.take_digits();
+  }
+  return true;
+}
+
+/// Add what gives a variable its first value when its definition runs, or when a run begins.
+bool DeclarationReader::add(Block& block, Declared& declared, std::vector<Statement>& statements) {
+  const Definition& definition = declared.definition;
+  if (definition.uncomputed() != nullptr) return true;
+  if (definition.global) return first_value(block, declared);
+  if (!definition.is_array()) {
+    statements.push_back(assignment_of(declared));
+    return true;
+  }
+  Statement all = assignment_of(declared);
+  all.count = 0;
+  statements.push_back(all);
+  statements.insert(statements.end(), declared.elements.begin(), declared.elements.end());
+  return true;
+}
+
+/// Keep the first value of a variable of all programs, or of its elements.
+bool DeclarationReader::first_value(Block& block, const Declared& declared) {
+  const auto refused = [&] {
+    return refuse(block, Cause::CodeNotComputed,
+                  "a computed first value of " + declared.name + " is not computed here",
+                  declared.at);
+  };
+  if (declared.value && declared.value->computed) return refused();
+  if (declared.value) to_.names().first_value(declared.definition.local, declared.value->number);
+  for (const Statement& of : declared.elements) {
+    const Expression value = to_.code().expression(of.expression);
+    if (value.form() != Expression::Form::Constant) return refused();
+    const int count = of.count == 0 ? of.number : of.count;
+    for (int i = 0; i < count; ++i) to_.names().first_value(of.index + i, value.cells()[0].value());
+  }
+  return true;
+}
+
 // ---- both ----
 
 /// Read a type, and the length of a STRING.
-bool DeclarationReader::type(Block& block, Type& type) {
+bool DeclarationReader::type(Block& block, Definition& definition) {
   const std::uint32_t at = line_.offset();
   const std::string word = capitals(line_.name());
   const std::optional<Type> found = type_named(word);
   line_.pass(word.size());
   if (!found) return refuse(block, Cause::StatementFormat, "a type is missing: INT, REAL, ...", at);
-  type = *found;
-  if (type == Type::String && line_.peek() == '[' && !pass_brackets(line_, '[', ']'))
-    return refuse(block, Cause::BracketNotClosed, "] is missing", at);
+  definition.type = *found;
+  if (*found != Type::String || !line_.take('[')) return true;
+  Value length;
+  if (line_.peek() == ']') return line_.take(']');  // of a parameter: as long as the text
+  if (!expression_.value(length)) return refuse(block);
+  if (!line_.take(']')) return refuse(block, Cause::BracketNotClosed, "] is missing", at);
+  if (length.computed || length.number < 1 || length.number > kLongestText)
+    return refuse(block, Cause::ValueOutOfRange, "a STRING has 1 to 200 characters", at);
+  definition.length = to_whole<std::int32_t>(length.number);
   return true;
 }
 
-/// Read a name, of at least so many characters, and its value. The name is defined from here on.
-bool DeclarationReader::declared(Block& block, Declared& declared, std::size_t shortest) {
+/// Read a name of at least so many characters.
+bool DeclarationReader::name(Block& block, Declared& declared, std::size_t shortest) {
   declared.at = line_.offset();
   const std::string_view name = line_.name();
   declared.name = capitals(name);
   line_.pass(name.size());
+  if (declared.name == "LLI" || declared.name == "ULI")  // [SONE p.409, limit values]
+    return refuse(block, Cause::CodeNotComputed, "limits of a variable are not computed here",
+                  declared.at);
   declared.width = line_.width_from(declared.at);
   if (name.size() < shortest || name.size() > kLongestName ||
       (name.size() > 1 && is_digit(name[1])))
     return refuse(block, Cause::IllegalVariableName,
                   "a name has 2 to 31 characters, the first two are letters or _", declared.at);
-  if (definitions_.find(declared.name) != nullptr)
-    return refuse(block, Cause::VariableGivenTwice, declared.name + " is defined already",
-                  declared.at);
+  if (!definitions_.defines(declared.name, declared.definition.global)) return true;
+  return refuse(block, Cause::VariableGivenTwice, declared.name + " is defined already",
+                declared.at);
+}
+
+/// Read the extents of an array, whose bracket stands here.
+bool DeclarationReader::extents(Block& block, Declared& declared) {
+  const std::uint32_t at = line_.offset();
   Definition& definition = declared.definition;
-  definition.array = line_.peek() == '[';
-  if (definition.array && !pass_brackets(line_, '[', ']'))
-    return refuse(block, Cause::BracketNotClosed, "] is missing", declared.at);
+  line_.take('[');
+  double elements = 1;
+  do {
+    Value extent;
+    if (line_.peek() == ']' || line_.peek() == ',')
+      return refuse(block, Cause::CodeNotComputed, "an array of any size is not computed here", at);
+    if (!expression_.value(extent)) return refuse(block);
+    if (extent.computed)
+      return refuse(block, Cause::CodeNotComputed, "a computed size is not computed here", at);
+    if (definition.dimensions == Definition::kMostDimensions)
+      return refuse(block, Cause::StatementFormat, "an array has at most three dimensions", at);
+    const double whole = std::round(extent.number);
+    if (!(whole >= 1)) return refuse(block, Cause::ValueOutOfRange, "an array has elements", at);
+    elements *= whole;
+    if (definitions_.elements + elements > kMostElements)
+      return refuse(block, Cause::CodeNotComputed,
+                    "cncsub holds 100,000 elements of the arrays of a program", at);
+    definition.extents[definition.dimensions++] = to_whole<std::int32_t>(whole);
+  } while (line_.take(','));
+  return line_.take(']') || refuse(block, Cause::BracketNotClosed, "] is missing", at);
+}
+
+/// Read a name, of at least so many characters, and its value. The name is defined from here on.
+bool DeclarationReader::declared(Block& block, Declared& declared, std::size_t shortest) {
+  if (!name(block, declared, shortest)) return false;
+  if (line_.peek() == '[' && !extents(block, declared)) return false;
+  place(declared);
   if (line_.take('=') && !initial_value(block, declared)) return false;
-  const std::uint32_t place = to_.names().variable(declared.name, false);
-  definition.local = to_.code().named_variables[place].index;
-  definitions_.add(declared.name, definition);
+  if (declared.definition.type != Type::Frame)
+    to_.names().defined({shown_type(declared.definition.type),
+                         declared.definition.global,
+                         declared.definition.local,
+                         {declared.definition.extents.begin(),
+                          declared.definition.extents.begin() +
+                              static_cast<std::ptrdiff_t>(declared.definition.dimensions)},
+                         declared.name},
+                        declared.definition.global);
+  definitions_.add(declared.name, declared.definition);
   return true;
+}
+
+/// Give a variable its place.
+void DeclarationReader::place(Declared& declared) {
+  Definition& definition = declared.definition;
+  const std::uint32_t named =
+      to_.names().variable(declared.name, definition.global && !definition.is_array());
+  if (!definition.is_array()) {
+    definition.local = to_.code().named_variables[named].index;
+  } else if (definition.global) {
+    definition.local = to_.names().commons(definition.size());
+  } else {
+    definition.local = definitions_.elements;
+    definitions_.elements += definition.size();
+    to_.names().elements(definitions_.elements);
+  }
 }
 
 /// Read the value after the equals sign. What is not computed is passed over: its use is refused.
 bool DeclarationReader::initial_value(Block& block, Declared& declared) {
-  const std::uint32_t at = line_.offset();
   const Definition& definition = declared.definition;
-  if (definition.uncomputed() == nullptr) {
-    Value value;
-    if (!expression_.value_of(definition.type, value)) return refuse(block);
-    declared.value = value;
-    return true;
-  }
-  if (line_.peek() == '"') {
-    line_.pass_quoted();
-  } else {
+  const std::uint32_t at = line_.offset();
+  if (definition.uncomputed() != nullptr) {
     const std::string_view name = line_.name();
     line_.pass(name.size());
-    const bool closed = line_.peek() != '(' || pass_brackets(line_, '(', ')');
-    if (name.empty() || !closed)
-      return refuse(block, Cause::CodeNotComputed, "this value is not computed here", at);
+    if (!name.empty() && (line_.peek() != '(' || pass_brackets(line_))) return true;
+    return refuse(block, Cause::CodeNotComputed, "this value is not computed here", at);
   }
+  if (definition.is_array()) {
+    Statement first = assignment_of(declared);
+    if (!expression_.is_list(true))
+      return refuse(block, Cause::CodeNotComputed,
+                    "one value for an array is not computed here: write REP(...)", at);
+    return expression_.elements(definition, first, declared.elements) || refuse(block);
+  }
+  Value value;
+  if (!expression_.value_of(definition, value)) return refuse(block);
+  declared.value = value;
   return true;
 }
 
 Statement DeclarationReader::assignment_of(const Declared& declared) {
+  const Definition& definition = declared.definition;
   Value nothing;
   nothing.at = declared.at;
   nothing.width = declared.width;
   const Value& value = declared.value ? *declared.value : nothing;
+  using Target = Statement::Target;
   Statement statement;
-  statement.target = Statement::Target::Local;
-  statement.index = declared.definition.local;
+  statement.target = definition.is_array() ? Target::Element : Target::Local;
+  statement.index = definition.local;
   statement.variable_at = declared.at;
   statement.variable_width = declared.width;
   statement.expression = to_.expressions().expression_of(value);
   statement.at = value.at;
   statement.width = value.width;
+  if (!definition.is_array()) return statement;
+  statement.number = definition.size();
+  statement.variable = statement.expression;  // the first element: 0
   return statement;
 }
 

@@ -14,7 +14,8 @@ struct Declared {
   Definition definition;
   std::string name;  // in capitals
   std::uint32_t at = 0, width = 1;
-  std::optional<Value> value;  // none: nothing, or a text
+  std::optional<Value> value;
+  std::vector<Statement> elements;  // of an array: the assignments of its list
 };
 
 class DeclarationReader {
@@ -30,13 +31,19 @@ class DeclarationReader {
   bool parameter(Block& block, std::vector<Statement>& conversions);
   bool attributes(Block& block);
   bool def(Block& block);
-  bool type(Block& block, Type& type);
+  bool is_global(Block& block, bool& global);
+  bool add(Block& block, Declared& declared, std::vector<Statement>& statements);
+  bool type(Block& block, Definition& definition);
+  bool name(Block& block, Declared& declared, std::size_t shortest);
+  bool extents(Block& block, Declared& declared);
   bool declared(Block& block, Declared& declared, std::size_t shortest);
   bool initial_value(Block& block, Declared& declared);
+  void place(Declared& declared);
   bool lacks_end(Block& block);
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
   bool refuse(Block& block);
   Statement assignment_of(const Declared& declared);
+  bool first_value(Block& block, const Declared& declared);
   void write(Block& block, const std::vector<Statement>& statements);
 
   Builder& to_;

@@ -1,6 +1,8 @@
 // The variables that a program defines: in the list of its PROC, and by DEF.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,30 +16,56 @@ enum class Type : std::uint8_t { Int, Real, Bool, Char, String, Axis, Frame };
 /// Return the type of this name, in capitals; nothing where it is none.
 std::optional<Type> type_named(std::string_view word);
 
-/// A variable of the program that is read.
-struct Definition {
-  Type type = Type::Real;
-  bool array = false;
-  std::int32_t local = 0;  // among the locals of a level
+constexpr std::int32_t kLongestText = 200;  // of a STRING [840Df p.63, types]
 
+/// A variable of the program that is read, or of all programs.
+struct Definition {
+  static constexpr std::size_t kMostDimensions = 3;
+
+  Type type = Type::Real;
+  bool global = false;     // of all programs
+  std::int32_t local = 0;  // among the locals of a level, or the commons; of an array: its first
+                           // element among those of a level, or the commons
+  std::int32_t length = kLongestText;  // of a STRING
+  std::size_t dimensions = 0;          // of an array
+  std::array<std::int32_t, kMostDimensions> extents{};
+
+  bool is_array() const { return dimensions > 0; }
+  std::int32_t size() const {
+    std::int32_t elements = 1;
+    for (std::size_t i = 0; i < dimensions; ++i) elements *= extents[i];
+    return elements;
+  }
   /// Return what its values are, where they are not computed here; else nothing.
-  const char* uncomputed() const;
+  const char* uncomputed() const { return type == Type::Frame ? "a FRAME" : nullptr; }
 };
 
-/// The variables of one program by their names, in capitals. [840Df p.62, identifiers]
+/// The variables of one program by their names, in capitals. [840Df p.62, identifiers] Those of all
+/// programs stay when the next one begins.
 class Definitions {
  public:
-  void clear() { all_.clear(); }
+  void clear() {
+    own_.clear();
+    elements = 0;
+  }
   const Definition* find(const std::string& name) const {
-    const auto found = all_.find(name);
-    return found == all_.end() ? nullptr : &found->second;
+    const auto own = own_.find(name);
+    if (own != own_.end()) return &own->second;
+    const auto shared = shared_.find(name);
+    return shared == shared_.end() ? nullptr : &shared->second;
+  }
+  /// Return whether a program, or the definitions of all, define the name already.
+  bool defines(const std::string& name, bool global) const {
+    return (global ? shared_ : own_).contains(name);
   }
   void add(const std::string& name, const Definition& definition) {
-    all_.emplace(name, definition);
+    (definition.global ? shared_ : own_).emplace(name, definition);
   }
 
+  std::int32_t elements = 0;  // of the arrays of the program so far
+
  private:
-  std::unordered_map<std::string, Definition> all_;
+  std::unordered_map<std::string, Definition> own_, shared_;
 };
 
 }  // namespace cncsub::sinumerik

@@ -1,10 +1,12 @@
-// Values: 10.5, R1, R[R2 + 1], (1 + 2) * SIN(30), compiled into instructions.
+// Values: 10.5, R1, R[R2 + 1], (1 + 2) * SIN(30), "A" << 5, compiled into instructions.
 #pragma once
 
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/code/operators.hpp"
@@ -18,10 +20,31 @@ extern const std::span<const OperatorRow> kOperators;
 
 using Value = ValueRead;
 
+/// The expression that is being read: where it stands, what it may name, and what is known of it.
+struct OpenExpression {
+  Builder& to;
+  Line& line;
+  const Definitions& definitions;
+  std::optional<Fault> fault;      // why the last reading failed
+  std::optional<double> constant;  // the value is this number, or text, and nothing else
+  // What the block has assigned to so far: parameters by their number, variables below 0.
+  std::set<std::int32_t> assigned;
+  bool assigned_any = false;  // a parameter of a computed number among them
+
+  bool wrong(Cause cause, std::string detail, std::uint32_t at);
+  bool not_computed(std::string_view what, std::uint32_t at);
+  void emit(Ins op, double value = 0) { to.expressions().emit({op, 0, line.offset(), value}); }
+  /// Write a number, or the number of a text.
+  void push_constant(double value) {
+    constant = value;
+    emit(Ins::Constant, value);
+  }
+};
+
 class ExpressionReader {
  public:
   ExpressionReader(Builder& to, Line& line, const Definitions& definitions)
-      : to_(to), line_(line), definitions_(definitions) {}
+      : open_{to, line, definitions, {}, {}, {}, false}, fault(open_.fault) {}
 
   /// Forget what was read on the block before.
   void begin_block();
@@ -29,8 +52,12 @@ class ExpressionReader {
   bool number(Value& value);
   /// Read the expression after =.
   bool value(Value& value);
-  /// Read the expression after =, as a value of this type.
-  bool value_of(Type type, Value& value);
+  /// Read an expression that may be a text, and set whether it is.
+  bool value_or_text(Value& value, bool& is_text);
+  /// Read a text, or what << makes one of.
+  bool text(Value& value);
+  /// Read the expression after =, as a value that the variable takes.
+  bool value_of(const Definition& of, Value& value);
   /// Return the variable that stands here with nothing but it before the next comma or bracket. It
   /// is not taken.
   Statement variable_alone();
@@ -38,44 +65,29 @@ class ExpressionReader {
   bool condition(std::uint32_t& expression, bool otherwise = false);
   /// Read R1=5 or R[R2]=R1+1.
   bool assignment(Statement& statement);
-  /// Read DEPTH=5, whose name stands here.
+  /// Read DEPTH=5 or GRID[1,2]=5, whose name stands here.
   bool assignment(const Definition& to, Statement& statement);
-  /// Append the value of a variable to the open expression.
-  void push(const Definition& of);
-  /// Append the conversion of the last value of the open expression to a type.
-  void convert(Type type);
-
-  std::optional<Fault> fault;  // why the last reading failed
+  /// Read the same, or GRID[0,0]=SET(1,2,3), or GRID[0,0]=REP(5).
+  bool assignments(const Definition& to, std::vector<Statement>& statements);
+  /// Read SET(...), REP(...) or (...), which give elements from `first` on their values.
+  bool elements(const Definition& to, const Statement& first, std::vector<Statement>& statements);
+  /// Return whether SET(, REP( or, in a definition, a bracket stands here.
+  bool is_list(bool bracket_alone);
+  /// Append the value of a variable, as one that it takes itself, to the open expression.
+  void push_converted(const Definition& of);
 
  private:
-  friend class OperatorReader;
-  bool read(int depth);
-  bool read_operand(int depth);
-  bool read_number();
-  bool read_variable(const Definition& of, std::string_view name);
-  bool read_parameter(int depth);
-  bool read_system_variable();
-  bool read_signed(char sign, std::string_view name, int depth);
-  bool read_values(int count, std::uint32_t at, int depth);
-  bool read_function(std::string_view name, int depth);
-  bool read_bracket(char open, char close, int depth);
-  bool is_uncomputed_operator();
-  bool parameter_number(std::string_view digits, std::uint32_t at, VariablePlace& place,
-                        std::int32_t& number);
-  bool assigned_value(Type type, Statement& statement);
-  bool late(std::uint32_t at);
-  bool wrong(Cause cause, std::string detail, std::uint32_t at);
-  bool not_computed(std::string_view what, std::uint32_t at);
   bool finish(Value& value, std::uint32_t at);
-  void emit(Ins op, double value = 0);
+  bool left_side(const Definition& to, Statement& statement);
+  bool character_side(const Definition& to, Statement& statement);
+  bool assigned_value(const Definition& to, Statement& statement);
+  bool set_list(const Definition& to, const Statement& first, std::vector<Statement>& statements);
+  bool repeated(const Definition& to, const Statement& first, std::vector<Statement>& statements);
 
-  Builder& to_;
-  Line& line_;
-  const Definitions& definitions_;
-  std::set<std::int32_t>
-      assigned_;                    // parameters that the block has assigned to; below 0: variables
-  bool assigned_any_ = false;       // one of a computed number among them
-  std::optional<double> constant_;  // the value is this number and nothing else
+  OpenExpression open_;
+
+ public:
+  std::optional<Fault>& fault;  // why the last reading failed
 };
 
 }  // namespace cncsub::sinumerik

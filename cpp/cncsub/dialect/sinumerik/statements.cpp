@@ -90,15 +90,11 @@ bool BlockReader::call(Block& block, Words& words, std::string_view name) {
 bool BlockReader::given_values(Block& block, std::vector<ActualParameter>& given) {
   while (!line_.take(')')) {
     ActualParameter& one = given.emplace_back();
-    const std::uint32_t at = one.operand.at = line_.offset();
-    if (line_.peek() == '"') {
-      one.is_text = true;
-      line_.pass_quoted();
-      one.operand.width = line_.width_from(at);
-    } else if (line_.peek() != ',') {
+    one.operand.at = line_.offset();
+    if (line_.peek() != ',') {
       one.variable = expression_.variable_alone();
       Value value;
-      if (!expression_.value(value)) return refuse(block);
+      if (!expression_.value_or_text(value, one.is_text)) return refuse(block);
       one.operand = operand_of(value);
     }
     if (line_.peek() != ')' && !line_.take(','))

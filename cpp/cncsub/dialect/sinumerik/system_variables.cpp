@@ -1,53 +1,135 @@
-// System variables in expressions, as far as the motion knows them.
-#include "cncsub/code/motion_value.hpp"
-#include "cncsub/dialect/sinumerik/expression.hpp"
+// System variables, $AA_IW[X] and others, as far as a run knows what they hold.
+#include <algorithm>
+#include <iterator>
+
+#include "cncsub/dialect/sinumerik/operands.hpp"
 
 namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr std::string_view kAxes = "XYZABCUVW";  // in the order of the axes of a mill
+/// A system variable of one number among the variables of the control, or of several by an index.
+struct SystemVariable {
+  std::string_view name;
+  VariableKind kind;
+  enum class By : std::uint8_t { Nothing, Axis, Number, Group } by;
+  char address = 0;  // of an active word
+  // A part of the number that the control keeps: over `divisor`, and the rest of a hundred.
+  double divisor = 0;
+};
+using By = SystemVariable::By;
 
-/// A G group whose number in $P_GG is not the number of the group on other controls.
+// [NCI, actual_position.mpf; general knowledge of the SINUMERIK 840D]
+constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, By::Axis},
+                                         {"AA_IM", VariableKind::MachinePosition, By::Axis},
+                                         {"P_EP", VariableKind::BlockEnd, By::Axis},
+                                         {"P_TOOLNO", VariableKind::ActiveWord, By::Nothing, 'T'},
+                                         {"P_F", VariableKind::ActiveWord, By::Nothing, 'F'},
+                                         {"A_IN", VariableKind::Input, By::Number},
+                                         {"A_OUT", VariableKind::Output, By::Number},
+                                         {"A_MONTH", VariableKind::Date, By::Nothing, 0, 100},
+                                         {"A_DAY", VariableKind::Date, By::Nothing, 0, 1},
+                                         {"A_HOUR", VariableKind::Time, By::Nothing, 0, 10000},
+                                         {"A_MINUTE", VariableKind::Time, By::Nothing, 0, 100},
+                                         {"A_SECOND", VariableKind::Time, By::Nothing, 0, 1}};
+
+/// A G group whose number is not that of the group on other controls.
 struct GGroup {
   std::string_view number;
-  int modal;  // among #4001 and up
+  int modal;  // among the groups of ModalCode
   int first;  // the code before the first one of the group
 };
-constexpr GGroup kGroups[] = {
-    {"6", 2, 16}, {"7", 7, 39}, {"14", 3, 89}};  // the plane, G40 to G42, G90 and G91 [NCI groups]
+// The plane; G40 to G42; G90 and G91. [NCI groups]
+constexpr GGroup kGroups[] = {{"6", 2, 16}, {"7", 7, 39}, {"14", 3, 89}};
+
+/// Return the range of the control's variables that holds a system variable; null where it has
+/// none.
+const VariableRange* range_of(const OpenExpression& open, const SystemVariable& of) {
+  for (const PlacedRange& placed : open.to.code().variables)
+    if (placed.range.kind == of.kind && placed.range.address == of.address) return &placed.range;
+  return nullptr;
+}
+
+void pass_index(Line& line) {
+  int depth = 0;
+  while (line.peek() == '[' || (depth > 0 && line.peek() != '\0')) {
+    const char c = line.peek();
+    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+    line.pass(1);
+    if (depth == 0) return;
+  }
+}
+
+/// Read the index of a system variable, and push its value.
+bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t first, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (!open.line.take('['))
+    return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable has an index", at);
+  const Read read = read_value(open, depth + 1);
+  if (!read) return false;
+  const bool axis = *read == Type::Axis;
+  if (axis != (of.by == By::Axis) || *read == Type::String)
+    return open.wrong(Cause::ExpressionFormat,
+                      axis ? "the index is a number" : "the index is an axis", at);
+  if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
+  open.emit(Ins::VariableAt, first);
+  return true;
+}
+
+/// Read $P_GG[6], the place of the code in force among those of its group, and push it.
+bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
+  if (!open.line.take('['))
+    return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable has an index", at);
+  open.line.peek();
+  const std::string number(open.line.take_digits());
+  if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
+  for (const GGroup& group : kGroups) {
+    if (number != group.number) continue;
+    open.emit(Ins::Variable, first + group.modal - 1);
+    open.emit(Ins::SubtractConstant, group.first);
+    return true;
+  }
+  return open.wrong(Cause::CodeNotComputed, "a run does not know $P_GG[" + number + "]", at);
+}
 
 }  // namespace
 
-/// Read $P_GG[6], the place of the code in force in its G group; $P_EP[X], the last programmed end
-/// on an axis; $P_F or $P_S.
-bool ExpressionReader::read_system_variable() {
-  const std::uint32_t at = line_.offset();
-  line_.pass(1);
-  const std::string name = capitals(line_.name());
-  line_.pass(name.size());
-  constant_.reset();
-  if (name == "P_F" || name == "P_S") {
-    emit(Ins::MotionValue, motion_value_operand(MotionValue::ModalWord, name[2]));
-    return true;
+Read read_system_variable(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
+  open.line.pass(1);
+  const std::string name = capitals(open.line.name());
+  open.line.pass(name.size());
+  if (name == "PI") {
+    open.constant.reset();
+    open.emit(Ins::Constant, 3.14159265358979323846);
+    return Type::Real;
   }
-  if ((name != "P_GG" && name != "P_EP") || !line_.take('['))
-    return not_computed("a system variable", at);
-  line_.peek();
-  const std::string index(name == "P_GG" ? line_.take_digits() : line_.name());
-  if (name == "P_EP") line_.pass(index.size());
-  if (!line_.take(']')) return not_computed("a system variable", at);
-  for (const GGroup& group : kGroups) {
-    if (name != "P_GG" || index != group.number) continue;
-    emit(Ins::MotionValue, motion_value_operand(MotionValue::ModalCode, group.modal));
-    emit(Ins::Constant, group.first);
-    emit(Ins::Subtract);
-    return true;
+  const auto* const of = std::find_if(std::begin(kVariables), std::end(kVariables),
+                                      [&](const auto& known) { return known.name == name; });
+  const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);
+  if (range == nullptr) {
+    pass_index(open.line);
+    open.wrong(Cause::CodeNotComputed, "a run does not know $" + name, at);
+    return std::nullopt;
   }
-  const std::size_t axis = index.size() == 1 ? kAxes.find(capitals(index)) : kAxes.npos;
-  if (name != "P_EP" || axis == kAxes.npos) return not_computed("a system variable", at);
-  emit(Ins::MotionValue, motion_value_operand(MotionValue::BlockEnd, static_cast<int>(axis)));
-  return true;
+  open.constant.reset();
+  if (of->by == By::Group) {
+    if (!push_group(open, range->first, at)) return std::nullopt;
+    return Type::Int;
+  }
+  if (of->by != By::Nothing) {
+    if (!push_indexed(open, *of, range->first, depth)) return std::nullopt;
+    open.constant.reset();
+    return of->kind == VariableKind::Input || of->kind == VariableKind::Output ? Type::Bool
+                                                                               : Type::Real;
+  }
+  open.emit(Ins::Variable, range->first);
+  if (of->divisor == 0) return of->address == 'T' ? Type::Int : Type::Real;
+  open.emit(Ins::DivideConstant, of->divisor);
+  open.emit(Ins::Fix);
+  open.emit(Ins::Constant, 100);
+  open.emit(Ins::Modulo);
+  return Type::Int;
 }
 
 }  // namespace cncsub::sinumerik

@@ -1,67 +1,47 @@
-// Variables that a program defines, in expressions and assignments.
-#include <cmath>
-
+// Assignments to parameters, variables and elements of arrays.
 #include "cncsub/dialect/sinumerik/expression.hpp"
+#include "cncsub/dialect/sinumerik/operands.hpp"
 
 namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr double kLastCharacter = 255;  // [840Df p.63, types]
+constexpr std::size_t kMostElements = 10'000;  // of one list of SET
 
-/// Return the mark of a variable among what a block has assigned to.
-std::int32_t mark_of(const Definition& of) { return -1 - of.local; }
+/// Return the target of an assignment to a variable that is no array.
+Statement::Target target_of(const Definition& of) {
+  if (of.is_array())
+    return of.global ? Statement::Target::CommonElement : Statement::Target::Element;
+  return of.global ? Statement::Target::Common : Statement::Target::Local;
+}
+
+Definition real() { return {}; }
 
 }  // namespace
 
-bool ExpressionReader::value_of(Type type, Value& value) {
-  const std::uint32_t at = line_.offset();
-  if (type == Type::Char && line_.peek() == '"' && line_.ahead(2) == '"') {
-    value = {false, static_cast<double>(static_cast<unsigned char>(line_.rest()[1])), 0, at, 3};
-    line_.pass_quoted();
-    return true;
-  }
-  to_.expressions().begin();
-  if (!read(0)) return false;
-  convert(type);
-  const double code = constant_.value_or(0);
-  if (type == Type::Char && (code < 0 || code > kLastCharacter))
-    return wrong(Cause::ValueOutOfRange, "a CHAR is 0 to 255", at);
-  return finish(value, at);
-}
-
-/// A fraction of a half and more is rounded up; what is not 0 is TRUE. [840Da p.45, conversions]
-void ExpressionReader::convert(Type type) {
-  if (type == Type::Bool) {
-    if (constant_) constant_ = *constant_ != 0 ? 1 : 0;
-    emit(Ins::Constant, 0);
-    emit(Ins::NotEqual);
-  } else if (type != Type::Real) {
-    if (constant_) constant_ = std::round(*constant_);
-    emit(Ins::Round);
-  }
-}
-
-void ExpressionReader::push(const Definition& of) {
-  constant_.reset();
-  to_.expressions().emit({Ins::Local, 0, static_cast<std::uint32_t>(of.local), 0});
+void ExpressionReader::push_converted(const Definition& of) {
+  open_.constant.reset();
+  open_.to.expressions().emit({Ins::Local, 0, static_cast<std::uint32_t>(of.local), 0});
+  convert(open_, of.type, of, open_.line.offset());
 }
 
 Statement ExpressionReader::variable_alone() {
   Statement found;
-  found.variable_at = line_.offset();
-  const std::string_view written = line_.name();
+  Line& line = open_.line;
+  found.variable_at = line.offset();
+  const std::string_view written = line.name();
   std::size_t end = written.size();
-  while (end < line_.rest().size() && is_blank(line_.ahead(end))) ++end;
-  if (written.empty() || (line_.ahead(end) != ',' && line_.ahead(end) != ')')) return found;
+  while (end < line.rest().size() && is_blank(line.ahead(end))) ++end;
+  if (written.empty() || (line.ahead(end) != ',' && line.ahead(end) != ')')) return found;
   const std::string name = capitals(written);
   found.variable_width = static_cast<std::uint32_t>(name.size());
   VariablePlace place;
   std::int32_t number = 0;
-  if (const Definition* const of = definitions_.find(name)) {
-    found.target = Statement::Target::Local;
+  if (const Definition* const of = open_.definitions.find(name); of != nullptr) {
+    if (of->is_array()) return found;
+    found.target = target_of(*of);
     found.index = of->local;
-  } else if (name[0] == 'R' && parameter_number(name.substr(1), 0, place, number)) {
+  } else if (name[0] == 'R' && parameter_number(open_, name.substr(1), 0, place, number)) {
     found.target = Statement::Target::Common;
     found.index = place.index;
   }
@@ -69,45 +49,205 @@ Statement ExpressionReader::variable_alone() {
   return found;
 }
 
-bool ExpressionReader::read_variable(const Definition& of, std::string_view name) {
-  const std::uint32_t at = line_.offset();
-  line_.pass(name.size());
-  if (const char* const what = of.uncomputed())
-    return wrong(Cause::CodeNotComputed, std::string(name) + ", " + what + ", is not computed here",
-                 at);
-  push(of);
-  return !assigned_.contains(mark_of(of)) || late(at);
+// ---- one value ----
+
+/// Read the left side, then the value. Only then does the variable count as assigned: R1=R1+1.
+bool ExpressionReader::assignment(Statement& statement) {
+  Line& line = open_.line;
+  const std::uint32_t at = line.offset();
+  std::int32_t number = -1;
+  statement.variable_at = at;
+  line.pass(1);  // R
+  if (line.ahead(0) == '[') {
+    open_.to.expressions().begin();
+    if (!read_bracket(open_, '[', ']', 0)) return false;
+    statement.target = Statement::Target::Indirect;
+    statement.variable = open_.to.expressions().end(at, line.width_from(at));
+  } else {
+    VariablePlace place;
+    if (!parameter_number(open_, line.take_digits(), at, place, number)) return false;
+    statement.target = Statement::Target::Common;
+    statement.index = place.index;
+  }
+  statement.variable_width = line.width_from(at);
+  if (!line.take('='))
+    return open_.wrong(Cause::MissingEquals, "R1 alone has no effect: write R1=5, or X=R1", at);
+  if (!assigned_value(real(), statement)) return false;
+  if (number >= 0)
+    open_.assigned.insert(number);
+  else
+    open_.assigned_any = true;
+  return true;
 }
 
-bool ExpressionReader::late(std::uint32_t at) {
-  return wrong(Cause::CodeNotComputed, "a variable that its own block assigns is not computed here",
-               at);
+/// Read the name of a variable, with the indices of an element, up to the equals sign.
+bool ExpressionReader::left_side(const Definition& to, Statement& statement) {
+  Line& line = open_.line;
+  const std::string name = capitals(line.name());
+  const std::uint32_t at = statement.variable_at = line.offset();
+  line.pass(name.size());
+  if (const char* const what = to.uncomputed())
+    return open_.wrong(Cause::CodeNotComputed, name + ", " + what + ", is not computed here", at);
+  statement.target = target_of(to);
+  statement.index = to.local;
+  if (to.is_array()) {
+    open_.to.expressions().begin();
+    if (line.peek() == '[') {
+      if (!read_indices(open_, to, 0)) return false;
+    } else {
+      open_.emit(Ins::Constant, 0);  // all of it
+    }
+    statement.variable = open_.to.expressions().end(at, line.width_from(at));
+    statement.number = to.size();
+  }
+  statement.variable_width = line.width_from(at);
+  return true;
 }
 
 bool ExpressionReader::assignment(const Definition& to, Statement& statement) {
-  const std::string_view name = line_.name();
-  const std::uint32_t at = statement.variable_at = line_.offset();
-  line_.pass(name.size());
-  statement.variable_width = line_.width_from(at);
-  if (const char* const what = to.uncomputed())
-    return wrong(Cause::CodeNotComputed, capitals(name) + ", " + what + ", is not computed here",
-                 at);
-  if (!line_.take('='))
-    return wrong(Cause::MissingEquals, "the variable stands alone: write a value after =", at);
-  statement.target = Statement::Target::Local;
-  statement.index = to.local;
-  if (!assigned_value(to.type, statement)) return false;
-  assigned_.insert(mark_of(to));
+  std::vector<Statement> statements;
+  const std::uint32_t at = open_.line.offset();
+  if (!assignments(to, statements)) return false;
+  if (statements.size() != 1 || statements[0].count != 1)
+    return open_.wrong(Cause::StatementFormat, "one value is given to a variable here", at);
+  statement = statements[0];
+  return true;
+}
+
+bool ExpressionReader::assignments(const Definition& to, std::vector<Statement>& statements) {
+  Statement statement;
+  const std::uint32_t at = open_.line.offset();
+  const std::string_view name = open_.line.name();
+  std::size_t behind = name.size();
+  while (behind < open_.line.rest().size() && is_blank(open_.line.ahead(behind))) ++behind;
+  const bool whole = open_.line.ahead(behind) != '[';
+  if (!left_side(to, statement)) return false;
+  const bool character = to.type == Type::String && open_.line.peek() == '[';
+  if (character) {
+    if (!character_side(to, statement)) return false;
+  } else {
+    if (!open_.line.take('='))
+      return open_.wrong(Cause::MissingEquals,
+                         "the variable stands alone: write a value after =", at);
+    if (to.is_array() && is_list(false)) {
+      if (!elements(to, statement, statements)) return false;
+      open_.assigned.insert(mark_of(to));
+      return true;
+    }
+    if (to.is_array() && whole)
+      return open_.wrong(Cause::StatementFormat,
+                         "an index is missing: an array takes SET(...) or REP(...)", at);
+    if (!assigned_value(to, statement)) return false;
+  }
+  statements.push_back(statement);
+  open_.assigned.insert(mark_of(to));
+  return true;
+}
+
+/// Read TEXT[2]="A": the text with another character at that place.
+bool ExpressionReader::character_side(const Definition& to, Statement& statement) {
+  Line& line = open_.line;
+  const std::uint32_t at = line.offset();
+  if (to.is_array())
+    return open_.not_computed("a character of an element of an array of texts", at);
+  const auto variable =
+      Instruction{to.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(to.local), 0};
+  line.pass(1);
+  Value index;
+  if (!value(index)) return false;
+  const std::uint32_t width = line.width_from(at);
+  if (!line.take(']')) return open_.wrong(Cause::BracketNotClosed, "] is missing", at);
+  if (!line.take('=')) return open_.wrong(Cause::MissingEquals, "a value is missing", at);
+  if (index.computed || index.number < 0 || index.number >= to.length)
+    return index.computed ? open_.not_computed("a character at a computed place", at)
+                          : open_.wrong(Cause::ArrayElement, "the index is outside the text", at);
+  open_.to.expressions().begin();
+  open_.to.expressions().emit(variable);
+  open_.emit(Ins::Constant, index.number);
+  open_.emit(Ins::TextUpTo);
+  const Read read = read_value(open_, 0);
+  Definition of;
+  of.type = Type::Char;
+  if (!read || !convert(open_, *read, of, at)) return false;
+  open_.constant.reset();
+  open_.to.expressions().emit(variable);
+  open_.emit(Ins::Constant, index.number + 1);
+  open_.emit(Ins::TextFrom);
+  // The character 0 ends the text: what stands behind it is gone. [828Dj p.74]
+  open_.emit(Ins::JoinTexts, static_cast<int>(WrittenAs::Character) * 16);
+  open_.emit(Ins::JoinTexts, 0);
+  statement.at = at;
+  statement.width = width;
+  statement.expression = open_.to.expressions().end(at, line.width_from(at));
   return true;
 }
 
 /// Read the value of an assignment.
-bool ExpressionReader::assigned_value(Type type, Statement& statement) {
+bool ExpressionReader::assigned_value(const Definition& to, Statement& statement) {
   Value assigned;
-  if (!value_of(type, assigned)) return false;
-  statement.expression = to_.expressions().expression_of(assigned);
+  if (!value_of(to, assigned)) return false;
+  statement.expression = open_.to.expressions().expression_of(assigned);
   statement.at = assigned.at;
   statement.width = assigned.width;
+  return true;
+}
+
+// ---- lists ----
+
+bool ExpressionReader::is_list(bool bracket_alone) {
+  const std::string name = capitals(open_.line.name());
+  return name == "SET" || name == "REP" || (bracket_alone && open_.line.peek() == '(');
+}
+
+bool ExpressionReader::elements(const Definition& to, const Statement& first,
+                                std::vector<Statement>& statements) {
+  const std::uint32_t at = open_.line.offset();
+  const std::string name = capitals(open_.line.name());
+  open_.line.pass(name.size());
+  if (!open_.line.take('(')) return open_.wrong(Cause::BracketNotOpened, "( is missing", at);
+  const bool read =
+      name == "REP" ? repeated(to, first, statements) : set_list(to, first, statements);
+  if (!read) return false;
+  return open_.line.take(')') ||
+         open_.wrong(Cause::BracketNotClosed, ") is missing", open_.line.offset());
+}
+
+/// Read the values of SET. Between commas a value may be left out: its element stays as it is.
+bool ExpressionReader::set_list(const Definition& to, const Statement& first,
+                                std::vector<Statement>& statements) {
+  Statement next = first;
+  do {
+    if (statements.size() > kMostElements)
+      return open_.not_computed("a list of so many values", open_.line.offset());
+    if (open_.line.peek() != ',' && open_.line.peek() != ')') {
+      if (next.number <= 0)
+        return open_.wrong(Cause::ArrayElement, "the array ends before the last value",
+                           open_.line.offset());
+      if (!assigned_value(to, next)) return false;
+      statements.push_back(next);
+    }
+    ++next.index;
+    --next.number;
+  } while (open_.line.take(','));
+  return true;
+}
+
+/// Read the value of REP, and how many elements take it: all that follow, or so many.
+bool ExpressionReader::repeated(const Definition& to, const Statement& first,
+                                std::vector<Statement>& statements) {
+  Statement all = first;
+  if (!assigned_value(to, all)) return false;
+  all.count = 0;  // to the end of the array
+  if (open_.line.take(',')) {
+    const std::uint32_t at = open_.line.offset();
+    Value count;
+    if (!value(count)) return false;
+    if (count.computed) return open_.not_computed("REP with a computed number of elements", at);
+    if (count.number < 1 || count.number > to.size())
+      return open_.wrong(Cause::ArrayElement, "the array has fewer elements", at);
+    all.count = to_whole<std::int32_t>(count.number);
+  }
+  statements.push_back(all);
   return true;
 }
 

@@ -17,7 +17,8 @@ namespace {
 constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
                                             "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
                                             "DEF",   "PROC",  "EXTERN"};
-constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
+                                         "TO",  "B_AND", "B_OR", "B_XOR"};
 
 template <class List>
 bool is_in(const List& list, std::string_view word) {
@@ -41,7 +42,8 @@ void pass_bracket(Line& line, char open, char close) {
 }
 
 void pass_operand(Line& line) {
-  while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT")
+  while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT" ||
+         capitals(line.name()) == "B_NOT")
     line.pass(line.name().empty() ? 1 : line.name().size());
   if (line.peek() == '"') return line.pass_quoted();
   if (line.take('$')) line.peek();
@@ -152,7 +154,8 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .numbered = false,
                                   .long_addresses = sinumerik::kLongAddresses,
                                   .radius = "CR",
-                                  .own_m_codes = {100, 999}};
+                                  .own_m_codes = {100, 999},
+                                  .definitions = ".DEF"};
 
 std::optional<WrittenWord> sinumerik_word(std::string_view block, std::size_t& from) {
   using namespace sinumerik;

@@ -122,6 +122,10 @@ void open_level(Run& run) {
     s.locals.resize(end, kVacant);
     if (!s.programmed.empty()) s.programmed.resize(end, 0);
   }
+  if (run.code->elements > 0) {
+    s.elements.resize(run.element_at(0));
+    s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)), 0);
+  }
   const RunningBlock& block = run.block;
   std::copy(block.arguments.begin(), block.arguments.end(), s.locals.data() + first);
   if (run.control().macros.call_passes_words.value)
@@ -358,7 +362,10 @@ bool leave(Run& run, Address to, bool goes_on) {
   }
   if (open.hands_back >= 0)
     hand_back(run, run.code->calls[static_cast<std::size_t>(open.hands_back)]);
-  if (open.own_locals) --s.level;
+  if (open.own_locals) {
+    --s.level;
+    s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)));
+  }
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();

@@ -74,10 +74,17 @@ bool same_waits(const State& a, const State& b) {
          a.jumped_from == b.jumped_from && a.last_condition == b.last_condition;
 }
 
+/// Compare the arrays of the open levels.
+bool same_elements(const State& a, const State& b) {
+  const std::size_t most = std::min(a.elements.size(), b.elements.size());
+  return std::equal(a.elements.begin(), a.elements.begin() + static_cast<std::ptrdiff_t>(most),
+                    b.elements.begin());
+}
+
 bool same_variables(const State& a, const State& b, std::size_t locals) {
   if (a.level != b.level) return false;
   const std::size_t open = locals * (static_cast<std::size_t>(a.level) + 1);
-  return same(a.locals, b.locals, open) &&
+  return same(a.locals, b.locals, open) && same_elements(a, b) &&
          std::equal(a.programmed.begin(),
                     a.programmed.begin() +
                         static_cast<std::ptrdiff_t>(std::min(open, a.programmed.size())),

@@ -29,6 +29,9 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   state.locals.assign(static_cast<std::size_t>(code->locals), kVacant);
   if (control().macros.call_passes_words.value) state.programmed.assign(state.locals.size(), 0);
   state.commons.assign(static_cast<std::size_t>(code->commons), kVacant);
+  for (const auto& [common, value] : code->first_values)
+    state.commons[static_cast<std::size_t>(common)] = value;
+  state.elements.assign(static_cast<std::size_t>(code->elements), 0);
   state.signals = options.inputs.signals;
   state.external_reads.clock_ms = options.inputs.clock_ms;
   largest_word = kPowersOfTen[most_digits(control())];

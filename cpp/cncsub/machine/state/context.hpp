@@ -24,7 +24,7 @@ namespace cncsub {
 /// something else besides may alarm after them.
 struct BeforeTogether {
   struct Variable {
-    bool local = false;  // or a common
+    enum class In : std::uint8_t { Locals, Commons, Elements } in = In::Commons;
     std::size_t index = 0;
     double value = 0;
     std::uint8_t programmed = 0;  // of a local
@@ -138,6 +138,10 @@ struct Run {
   std::size_t local_at(int level, std::int32_t index) const {
     return static_cast<std::size_t>(level) * static_cast<std::size_t>(code->locals) +
            static_cast<std::size_t>(index);
+  }
+  /// Return the place of an element of an array of the present level.
+  std::size_t element_at(std::size_t index) const {
+    return static_cast<std::size_t>(state.level) * static_cast<std::size_t>(code->elements) + index;
   }
 };
 

@@ -69,9 +69,10 @@ void look_later(Run& run, std::int64_t last) {
 std::uint64_t memory(const Run& run) {
   const State& s = run.state;
   const auto locals = static_cast<std::size_t>(run.code->locals) * sizeof(double);
+  const auto elements = static_cast<std::size_t>(run.code->elements) * sizeof(double);
   return run.trace.bytes() + held_bytes(run.motion.state()) + run.watch.in_block +
          (s.frames.size() - 1) * (sizeof(OpenFrame) + sizeof(Frame)) +
-         static_cast<std::size_t>(s.level) * locals +
+         static_cast<std::size_t>(s.level) * (locals + elements) + s.texts.bytes() +
          s.modals.size() * (sizeof(ModalCall) + locals) + s.waiting.size() * sizeof(WaitingBlock) +
          s.loops.size() * sizeof(Address) + (s.system.size() + s.names.size()) * kNodeBytes +
          s.commons.size() * sizeof(double);

@@ -126,6 +126,8 @@ struct State {
   std::vector<std::uint8_t> programmed;   // of each local how its word was programmed, for AR[]; or
                                           // nothing where the control does not ask
   std::vector<double> commons;            // by their place, see Code::place
+  std::vector<double> elements;           // of arrays: level after level, Code::elements each
+  Texts texts;                            // those that blocks made; numbered after those of the code
   std::map<std::int64_t, double> system;  // what was written to system variables
   // Written variables that the control sets too, each with its place in MotionState::set_anew.
   std::map<std::int64_t, std::size_t> written_over;

@@ -11,6 +11,7 @@
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/expressions.hpp"
+#include "cncsub/machine/values/texts.hpp"
 #include "cncsub/machine/values/variables.hpp"
 
 namespace cncsub {
@@ -134,7 +135,7 @@ bool print(Run& run, const Print& print) {
     double value = 0;
     if (!evaluate(run, field.expression, value)) return false;
     if (run.observer != nullptr) run.observer->printed.push_back(value);
-    line += shown(run, print, field, value);
+    line += field.is_text ? text_of(run, value) : shown(run, print, field, value);
   }
   if (run.observer != nullptr) run.observer->print = &print;
   run.watch.in_block = 0;

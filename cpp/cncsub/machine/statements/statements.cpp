@@ -317,9 +317,34 @@ bool store(Run& run, const Statement& statement, double value) {
       if (!evaluate(run, statement.variable, number)) return false;
       return store_number(run, to_number(number), value, statement);
     }
+    case Statement::Target::Element:
+    case Statement::Target::CommonElement: {
+      double place = 0;
+      return evaluate(run, statement.variable, place) &&
+             store_elements(run, statement, place, value);
+    }
     case Statement::Target::None:
       break;
   }
+  return true;
+}
+
+bool store_elements(Run& run, const Statement& statement, double place, double value) {
+  if (std::fabs(value) > kLargest)
+    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto from = to_whole<std::int32_t>(place);  // the indices are inside their extents
+  const std::int32_t left = statement.number - from;
+  const std::int32_t count = statement.count == 0 ? left : statement.count;
+  if (left < count)
+    return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
+                       "the array ends before the last value"});
+  State& s = run.state;
+  const auto first = static_cast<std::size_t>(statement.index + from);
+  double* const at = statement.target == Statement::Target::Element
+                         ? s.elements.data() + run.element_at(first)
+                         : s.commons.data() + first;
+  std::fill_n(at, count, value);
+  ++s.changes;
   return true;
 }
 

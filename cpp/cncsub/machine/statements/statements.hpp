@@ -20,6 +20,8 @@ bool h_code(Run& run, const HCode& h, bool& holds);
 bool assign_in_parallel(Run& run);
 /// Give the variable of an assignment its value.
 bool store(Run& run, const Statement& statement, double value);
+/// Give elements of an array a value, from the one at `place` on.
+bool store_elements(Run& run, const Statement& statement, double place, double value);
 /// Give a variable a value; #3000 and #3006 raise an alarm and show a message instead.
 bool store_number(Run& run, std::int64_t number, double value, const Statement& statement);
 

@@ -11,6 +11,7 @@
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/values/instructions.hpp"
+#include "cncsub/machine/values/text_instructions.hpp"
 
 namespace cncsub {
 

@@ -342,10 +342,49 @@ inline Fallible variable_number(E e, I at, double a) {
   if (e.run.code->can_name(number, to_whole<std::int64_t>(at.value()))) return whole;
   return fails(e, at, Cause::IllegalVariable, "there is no variable of this number");
 }
-inline double level(E e, I) { return static_cast<double>(e.run.state.frames.size() - 1); }
-inline double motion_value(E e, I at) {
-  return read_motion_value(e.run, to_whole<int>(at.value()));
+
+// ---- variables and arrays of programs ----
+
+inline Fallible checked_index(E e, I at, double a) {
+  const double index = cncsub::rounded(number(a));
+  if (index >= 0 && index < at.value()) return index;
+  return fails(e, at, Cause::ArrayElement, "the index is outside the array");
 }
+inline double element(E e, I at, double a) {
+  return e.run.state.elements[e.run.element_at(to_whole<std::size_t>(at.value() + a))];
+}
+inline double common_element(E e, I at, double a) {
+  return number(e.run.state.commons[to_whole<std::size_t>(at.value() + a)]);
+}
+inline Fallible variable_at(E e, I at, double a) {
+  const double number = at.value() + cncsub::rounded(a) - 1;
+  const Code& code = *e.run.code;
+  const auto range_of = [&](double of) { return code.place(to_whole<std::int64_t>(of)).range; };
+  if (!(std::fabs(a) < 1e6) || range_of(number) != range_of(at.value()))
+    return fails(e, at, Cause::ArrayElement, "the index is outside the variable");
+  const Fallible value = read_or_fail(e, at, number);
+  return value ? instruction::number(*value) : value;
+}
+inline Fallible integer(E e, I at, double a) {
+  constexpr double kLeast = -2147483648.0, kMost = 2147483647.0;
+  const double whole = std::round(a);
+  if (whole >= kLeast && whole <= kMost) return whole;
+  return fails(e, at, Cause::ValueOutOfRange, "an INT has 32 bits");
+}
+inline Fallible character(E e, I at, double a) {
+  const double whole = std::round(a);
+  if (whole >= 0 && whole <= 255) return whole;
+  return fails(e, at, Cause::ValueOutOfRange, "a CHAR is 0 to 255");
+}
+inline Fallible bits_not(E e, I at, double a) {
+  std::int64_t bits = 0;
+  if (!as_bits(a, bits)) return fails(e, at, Cause::Overflow, "the value must fit in 32 bits");
+  return static_cast<double>(~bits);
+}
+inline double smaller_of(E, I, double a, double b) { return a < b ? a : b; }
+inline double larger_of(E, I, double a, double b) { return a > b ? a : b; }
+
+inline double level(E e, I) { return static_cast<double>(e.run.state.frames.size() - 1); }
 inline double line_number(E e, I) { return e.run.code->blocks[e.block].line; }
 
 }  // namespace cncsub::instruction

@@ -5,7 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "cncsub/code/motion_value.hpp"
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/motion/query.hpp"
@@ -277,19 +276,6 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
   return read_at(run, place, number, run.state.level, value);
 }
 
-double read_motion_value(const Run& run, int operand) {
-  const int index = operand % kMotionValues;
-  switch (static_cast<MotionValue>(operand / kMotionValues)) {
-    case MotionValue::ModalCode:
-      return modal_code(run.motion.view(), index);
-    case MotionValue::ModalWord:
-      return active_word(run, static_cast<char>(index));
-    case MotionValue::BlockEnd:
-      return block_end(run.motion.view(), index);
-  }
-  return 0;
-}
-
 std::optional<Fault> read_variable(const Run& run, std::int64_t number, int level, double& value) {
   return read_at(run, run.code->place(number), number, level, value);
 }
@@ -391,6 +377,42 @@ std::map<std::int32_t, double> variables(const Run& run, int level) {
   for (const auto& [number, value] : run.state.system)
     values[static_cast<std::int32_t>(number)] = value;
   return values;
+}
+
+namespace {
+
+/// Return the program that opened a level of locals.
+const Program& program_of(const Run& run, int level) {
+  const std::vector<OpenFrame>& frames = run.state.frames;
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < frames.size() && level > 0; ++i)
+    if (frames[i].own_locals) --level, at = i;
+  return run.code->programs[static_cast<std::size_t>(frames[at].program)];
+}
+
+/// Return where the values of a variable lie.
+const double* values_of(const Run& run, const DefinedVariable& of, int level) {
+  const State& s = run.state;
+  const auto index = static_cast<std::size_t>(of.index);
+  if (of.common) return s.commons.data() + index;
+  if (of.extents.empty()) return s.locals.data() + run.local_at(level, of.index);
+  const auto each = static_cast<std::size_t>(run.code->elements);
+  return s.elements.data() + static_cast<std::size_t>(level) * each + index;
+}
+
+}  // namespace
+
+std::vector<NamedValues> named_variables(const Run& run, int level) {
+  std::vector<NamedValues> named;
+  const Program& program = program_of(run, level);
+  for (std::uint32_t i = 0; i < program.defined; ++i) {
+    const DefinedVariable& of = run.code->defined_variables[program.first_defined + i];
+    const double* const values = values_of(run, of, level);
+    if (!of.extents.empty() || !is_vacant(*values)) named.push_back({&of, values});
+  }
+  for (const DefinedVariable& of : run.code->shared_variables)
+    named.push_back({&of, values_of(run, of, level)});
+  return named;
 }
 
 }  // namespace cncsub

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "cncsub/machine/state/context.hpp"
 
@@ -12,8 +13,6 @@ namespace cncsub {
 /// Read a variable for a program. Every read of the clock moves it on a little, besides the motion,
 /// so that a program that waits for it comes on.
 std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value);
-/// Return a value of the motion, by the operand of Ins::MotionValue; 0 where there is none.
-double read_motion_value(const Run& run, int operand);
 /// Read a variable for somebody else, with the locals of any open level.
 std::optional<Fault> read_variable(const Run& run, std::int64_t number, int level, double& value);
 std::optional<Fault> write_variable(Run& run, std::int64_t number, int level, double value);
@@ -26,6 +25,15 @@ void set_from_outside(Run& run, std::int32_t number, double value);
 void clear_variables(Run& run);
 /// Return every variable that is not vacant or was ever written: commons and the locals of a level.
 std::map<std::int32_t, double> variables(const Run& run, int level);
+
+/// A variable that has a name, and where its values lie.
+struct NamedValues {
+  const DefinedVariable* variable;
+  const double* values;
+};
+/// Return the variables that the program of a level defines, then those of all programs. One that
+/// was not defined yet is left out.
+std::vector<NamedValues> named_variables(const Run& run, int level);
 
 // Predicates of a variable that hold in every run.
 

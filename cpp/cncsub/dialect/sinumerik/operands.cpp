@@ -1,0 +1,318 @@
+#include "cncsub/dialect/sinumerik/operands.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "cncsub/dialect/sinumerik/keywords.hpp"
+#include "cncsub/system/decimal.hpp"
+
+namespace cncsub::sinumerik {
+
+namespace {
+
+Read fails(bool /*said*/) { return std::nullopt; }
+
+/// Read the sign that stands here, NOT or B_NOT, and its operand.
+Read read_signed(OpenExpression& open, char sign, std::string_view name, int depth) {
+  const std::uint32_t at = open.line.offset();
+  open.line.pass(name.empty() ? 1 : name.size());
+  const Read of = read_operand(open, depth + 1);
+  if (!of) return of;
+  if (*of == Type::String || *of == Type::Axis)
+    return fails(open.wrong(Cause::ExpressionFormat, "a text is no number", at));
+  if (sign == '+') return of;
+  if (open.constant && sign == '-') open.constant = -*open.constant;
+  if (sign != '-') open.constant.reset();
+  open.emit(sign == '-' ? Ins::Negate : name == "NOT" ? Ins::Not : Ins::BitNot);
+  return sign == '-' ? of : name == "NOT" ? Type::Bool : Type::Int;
+}
+
+/// Read "TEXT".
+Read read_text(OpenExpression& open) {
+  const std::uint32_t at = open.line.offset();
+  std::string text;
+  open.line.pass(1);
+  if (!open.line.take_up_to('"', text))
+    return fails(open.wrong(Cause::StatementFormat, "the quote is not closed", at));
+  open.push_constant(open.to.names().constant_text(text));
+  return Type::String;
+}
+
+/// Read 'HFF' or 'B101', a number to the base 16 or 2. [840Df p.64, constants]
+Read read_based_number(OpenExpression& open) {
+  const std::uint32_t at = open.line.offset();
+  std::string digits;
+  open.line.pass(1);
+  const bool closed = open.line.take_up_to('\'', digits);
+  const char base = digits.empty() ? '\0' : upper(digits[0]);
+  std::uint32_t number = 0;
+  const char* const first = digits.data() + std::min<std::size_t>(1, digits.size());
+  const char* const last = digits.data() + digits.size();
+  const auto read = std::from_chars(first, last, number, base == 'H' ? 16 : 2);
+  if (!closed || (base != 'H' && base != 'B') || read.ec != std::errc() || read.ptr != last)
+    return fails(open.wrong(Cause::ExpressionFormat, "this is not a number: 'HFF', 'B101'", at));
+  open.push_constant(static_cast<double>(static_cast<std::int32_t>(number)));
+  return Type::Int;
+}
+
+Read read_parameter(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
+  open.line.pass(1);
+  open.constant.reset();
+  if (open.line.ahead(0) == '[') {
+    if (!read_bracket(open, '[', ']', depth + 1)) return std::nullopt;
+    open.constant.reset();
+    open.emit(Ins::Indirect);
+    if (open.assigned_any || !open.assigned.empty()) return fails(late(open, at));
+    return Type::Real;
+  }
+  VariablePlace place;
+  std::int32_t number = 0;
+  if (!parameter_number(open, open.line.take_digits(), at, place, number)) return std::nullopt;
+  open.to.expressions().emit(
+      {Ins::Common, 0, static_cast<std::uint32_t>(place.index), static_cast<double>(number)});
+  if (open.assigned_any || open.assigned.contains(number)) return fails(late(open, at));
+  return Type::Real;
+}
+
+/// Read the character of a text that stands at an index.
+Read read_character(OpenExpression& open, int depth) {
+  if (!read_bracket(open, '[', ']', depth + 1)) return std::nullopt;
+  open.constant.reset();
+  open.emit(Ins::CharacterAt);
+  return Type::Char;
+}
+
+Read read_variable(OpenExpression& open, const Definition& of, std::string_view name, int depth) {
+  const std::uint32_t at = open.line.offset();
+  open.line.pass(name.size());
+  if (const char* const what = of.uncomputed())
+    return fails(open.wrong(Cause::CodeNotComputed,
+                            std::string(name) + ", " + what + ", is not computed here", at));
+  if (of.is_array()) {
+    if (!read_indices(open, of, depth + 1)) return std::nullopt;
+    open.emit(of.global ? Ins::CommonElement : Ins::Element, of.local);
+  } else {
+    open.to.expressions().emit(
+        {of.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(of.local), 0});
+  }
+  open.constant.reset();
+  if (open.assigned.contains(mark_of(of))) return fails(late(open, at));
+  if (of.type == Type::String && open.line.peek() == '[') return read_character(open, depth);
+  return of.type;
+}
+
+/// Read the letter of an axis.
+Read read_axis(OpenExpression& open) {
+  open.push_constant(axis_number(open.line.peek()));
+  open.line.pass(1);
+  return Type::Axis;
+}
+
+Read read_name(OpenExpression& open, const std::string& name, int depth) {
+  if (const Definition* const of = open.definitions.find(name))
+    return read_variable(open, *of, name, depth);
+  if (name[0] == 'R' && (name.size() == 1 ? open.line.ahead(1) == '[' : is_digit(name[1])))
+    return read_parameter(open, depth);
+  if (name.size() == 1 && axis_number(name[0]) > 0) return read_axis(open);
+  return read_function(open, name, depth);
+}
+
+}  // namespace
+
+Read read_operand(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (depth > kDeepest)
+    return fails(open.wrong(Cause::BracketsTooDeep,
+                            "more brackets inside each other than cncsub reads", at));
+  const char c = open.line.peek();
+  const std::string name = capitals(open.line.name());
+  if (c == '-' || c == '+' || name == "NOT" || name == "B_NOT")
+    return read_signed(open, c, name, depth);
+  if (c == '(') return read_bracket(open, '(', ')', depth + 1);
+  if (is_digit(c) || c == '.') return read_number(open);
+  if (c == '\0') return fails(open.wrong(Cause::ExpressionFormat, "a value is missing", at));
+  if (c == '$') return read_system_variable(open, depth);
+  if (c == '"') return read_text(open);
+  if (c == '\'') return read_based_number(open);
+  if (c == '<' && open.line.ahead(1) == '<') {  // <<R1 is ""<<R1
+    open.push_constant(0);
+    return Type::String;
+  }
+  if (name.empty())
+    return fails(open.wrong(Cause::ExpressionFormat, "a value cannot begin like this", at));
+  return read_name(open, name, depth);
+}
+
+Read read_bracket(OpenExpression& open, char before, char after, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (!open.line.take(before))
+    return fails(open.wrong(Cause::BracketNotOpened, std::string(1, before) + " is missing", at));
+  const Read read = read_value(open, depth);
+  if (!read || open.line.take(after)) return read;
+  return fails(open.wrong(Cause::BracketNotClosed, std::string(1, after) + " is missing", at));
+}
+
+Read read_number(OpenExpression& open) {
+  Line& line = open.line;
+  const std::uint32_t at = line.offset();
+  std::string text(line.take_digits());
+  Type type = Type::Int;
+  if (line.ahead(0) == '.') {
+    line.pass(1);
+    text += '.';
+    text += line.take_digits();
+    type = Type::Real;
+  }
+  if (text.empty() || text == ".")
+    return fails(open.wrong(Cause::AddressWithoutValue, "a number is missing", at));
+  if (line.ahead(0) == 'E' && line.ahead(1) == 'X') {
+    line.pass(2);
+    text += 'e';
+    const char sign = line.ahead(0);
+    if (sign == '-' || sign == '+') line.pass(1);
+    if (sign == '-') text += '-';
+    text += line.take_digits();
+    type = Type::Real;
+  }
+  double number = 0;
+  const auto read = system::parse(text, number);
+  if (!read.number || read.length != text.size() || number > kLargest)
+    return fails(open.wrong(Cause::ValueOutOfRange, "this is not a number", at));
+  open.push_constant(number);
+  return type;
+}
+
+bool read_indices(OpenExpression& open, const Definition& of, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (!open.line.take('['))
+    return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable is an array", at);
+  for (std::size_t i = 0; i < of.dimensions; ++i) {
+    if (i > 0 && !open.line.take(','))
+      return open.wrong(Cause::MissingComma, "an index is missing", at);
+    const std::uint32_t index_at = open.line.offset();
+    const Read read = read_value(open, depth);
+    if (!read) return false;
+    if (*read == Type::String || *read == Type::Axis)
+      return open.wrong(Cause::ExpressionFormat, "an index is a number", at);
+    open.to.expressions().emit(
+        {Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
+    if (i > 0) open.emit(Ins::Add);
+    if (i + 1 < of.dimensions) open.emit(Ins::MultiplyConstant, of.extents[i + 1]);
+  }
+  return open.line.take(']') || open.wrong(Cause::BracketNotClosed, "] is missing", at);
+}
+
+bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32_t at,
+                      VariablePlace& place, std::int32_t& number) {
+  const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (read.ec == std::errc() && number <= kLastNumber) place = open.to.code().place(number);
+  if (place.is_common()) return true;
+  return open.wrong(Cause::IllegalVariable, "this control has no parameter R" + std::string(digits),
+                    at);
+}
+
+bool late(OpenExpression& open, std::uint32_t at) {
+  return open.wrong(Cause::CodeNotComputed,
+                    "a variable that its own block assigns is not computed here", at);
+}
+
+// ---- conversions ----
+
+WrittenAs written_as(Type type) {
+  switch (type) {
+    case Type::String:
+      return WrittenAs::Text;
+    case Type::Bool:
+      return WrittenAs::Truth;
+    case Type::Char:
+      return WrittenAs::Character;
+    case Type::Axis:
+      return WrittenAs::Axis;
+    default:
+      return WrittenAs::Number;
+  }
+}
+
+void convert_to_text(OpenExpression& open, Type from) {
+  if (from == Type::String) return;
+  open.constant.reset();
+  open.emit(Ins::TextOf, static_cast<int>(written_as(from)));
+}
+
+namespace {
+
+/// Cut a text at the length of its variable.
+void cut_text(OpenExpression& open, std::int32_t length) {
+  const auto& texts = open.to.code().texts;
+  if (open.constant) {
+    const std::string text = texts.at(to_whole<std::size_t>(*open.constant));
+    const std::size_t cut = whole_characters(text, static_cast<std::size_t>(length));
+    open.constant = open.to.names().constant_text(text.substr(0, cut));
+    return;
+  }
+  open.emit(Ins::Constant, length);
+  open.emit(Ins::TextUpTo);
+}
+
+/// Convert a text to a character or a truth: an empty one is FALSE. [840Da p.45, conversions]
+bool convert_text(OpenExpression& open, const Definition& to, std::uint32_t at) {
+  if (to.type == Type::Char) {
+    if (open.constant) {
+      const std::string& text = open.to.code().texts.at(to_whole<std::size_t>(*open.constant));
+      if (text.size() != 1)
+        return open.wrong(Cause::ValueOutOfRange, "a CHAR is one character", at);
+      open.constant = static_cast<unsigned char>(text[0]);
+    }
+    open.emit(Ins::OnlyCharacter);
+    return true;
+  }
+  if (to.type != Type::Bool)
+    return open.wrong(Cause::ExpressionFormat, "a text is no number: NUMBER makes one of it", at);
+  if (open.constant) open.constant = *open.constant != 0 ? 1 : 0;
+  open.emit(Ins::Constant, 0);
+  open.emit(Ins::NotEqual);
+  return true;
+}
+
+bool in_range(OpenExpression& open, double first, double last, const char* why, std::uint32_t at) {
+  if (!open.constant) return true;
+  open.constant = std::round(*open.constant);
+  return (*open.constant >= first && *open.constant <= last) ||
+         open.wrong(Cause::ValueOutOfRange, why, at);
+}
+
+}  // namespace
+
+/// A fraction of a half and more is rounded up; what is not 0 is TRUE. [840Da p.45, conversions]
+bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_t at) {
+  if ((from == Type::Axis) != (to.type == Type::Axis))
+    return open.wrong(Cause::ExpressionFormat, "an axis is given to an AXIS only", at);
+  if (from == Type::String && to.type != Type::String) return convert_text(open, to, at);
+  switch (to.type) {
+    case Type::Bool:
+      if (open.constant) open.constant = *open.constant != 0 ? 1 : 0;
+      open.emit(Ins::Constant, 0);
+      open.emit(Ins::NotEqual);
+      return true;
+    case Type::Int:
+      if (!in_range(open, -2147483648.0, 2147483647.0, "an INT has 32 bits", at)) return false;
+      open.emit(Ins::Integer);
+      return true;
+    case Type::Char:
+      if (!in_range(open, 0, 255, "a CHAR is 0 to 255", at)) return false;
+      open.emit(Ins::Character);
+      return true;
+    case Type::String:
+      if (from == Type::Int || from == Type::Real)
+        return open.wrong(Cause::ExpressionFormat, "a number is no text: << makes one of it", at);
+      convert_to_text(open, from);
+      cut_text(open, to.length);
+      return true;
+    default:
+      return true;
+  }
+}
+
+}  // namespace cncsub::sinumerik

@@ -1,0 +1,55 @@
+// The parts of expressions, each read into the open expression by a function. Each returns the type
+// of the value, or nothing: the fault of the open expression says why.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cncsub/dialect/sinumerik/expression.hpp"
+
+namespace cncsub::sinumerik {
+
+using Read = std::optional<Type>;
+
+constexpr int kDeepest = 100;                // nested values
+constexpr std::int32_t kLastNumber = 99999;  // of a parameter, more than any control has
+
+/// Read operands and the operators between them.
+Read read_value(OpenExpression& open, int depth);
+/// Read a value with its signs, which bind closest.
+Read read_operand(OpenExpression& open, int depth);
+/// Read 10, 10.5, .5, or 1.5EX3 for 1500.
+Read read_number(OpenExpression& open);
+Read read_bracket(OpenExpression& open, char before, char after, int depth);
+/// Read SIN(30), or a constant: TRUE.
+Read read_function(OpenExpression& open, std::string_view name, int depth);
+/// Read $AA_IW[X], after its $.
+Read read_system_variable(OpenExpression& open, int depth);
+/// Read the indices of an array, in their brackets, as the place of one element.
+bool read_indices(OpenExpression& open, const Definition& of, int depth);
+/// Return the place of a parameter R; one that does not exist is a fault.
+bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32_t at,
+                      VariablePlace& place, std::int32_t& number);
+
+/// Append the conversion of the last value to the type of a variable.
+bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_t at);
+/// Append the conversion of the last value, of any type, to a text.
+void convert_to_text(OpenExpression& open, Type from);
+WrittenAs written_as(Type type);
+
+/// Return the number of an axis in the order of the axes of a run, from 1; 0 where there is none.
+constexpr std::int32_t axis_number(char letter) {
+  return static_cast<std::int32_t>(std::string_view("XYZABCUVW").find(letter) + 1);
+}
+
+/// Return the mark of a variable among what a block has assigned to.
+inline std::int32_t mark_of(const Definition& of) {
+  constexpr std::int32_t kGlobal = 1 << 29, kArray = 1 << 28;
+  return -1 - of.local - (of.global ? kGlobal : of.is_array() ? kArray : 0);
+}
+/// Write that the block has assigned to what is read here.
+bool late(OpenExpression& open, std::uint32_t at);
+
+}  // namespace cncsub::sinumerik

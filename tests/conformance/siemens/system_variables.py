@@ -1,0 +1,72 @@
+"""SINUMERIK: system variables, as far as a run knows them."""
+
+from datetime import datetime
+
+from conformance import case
+
+ONE = "siemens-one"
+PEER = {"control": ONE, "source": "NCI, actual_position.mpf", "evidence": "secondary"}
+KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+POLICY = {"control": ONE, "source": "policy, a run does not know it", "evidence": "inferred"}
+OFFSETS = {"setup": {"work_offsets": {"G54": {"X": 100.125, "Y": -20.25, "Z": 3.375}}}}
+
+case(
+    "$AA_IW is the position in the workpiece and $AA_IM that of the machine", **PEER, **OFFSETS,
+    program="N10 G54 G0 X10 Y20 Z5\nN20 R1=$AA_IW[X] R2=$AA_IM[X] R3=$AA_IW[Y] R4=$AA_IM[Y] R5=$AA_IW[Z] R6=$AA_IM[Z]\nN30 M30",
+    vars={1: 10, 2: 110.125, 3: 20, 4: -0.25, 5: 5, 6: 8.375},
+)
+case(
+    "a loop ends by the height that is reached", **PEER,
+    program="N10 DEF REAL LAYER=2\nN20 G1 F1000 X0 Y0 Z0\nN30 REPEAT\nN40 X=$AA_IW[X]+10\nN50 Z=$AA_IW[Z]+LAYER\nN60 UNTIL $AA_IW[Z]>(9-0.05)\nN70 M30",
+    final_work="X50 Y0 Z10",
+)
+case(
+    "the axis may be that of a variable", **KNOWN,
+    program="N10 DEF AXIS WAY=Y\nN20 G0 X1 Y2 Z3\nN30 R1=$AA_IW[WAY]\nN40 WAY=Z\nN50 R2=$AA_IW[WAY]\nN60 M30", vars={1: 2, 2: 3},
+)
+case(
+    "$P_EP is the end of the block before in the workpiece", **KNOWN, **OFFSETS,
+    program="N10 G54 G0 X10\nN20 X=$P_EP[X]+5\nN30 R1=$P_EP[X]\nN40 M30", vars={1: 15}, moves="R X10\nR X15",
+)
+case(
+    "$P_TOOLNO and $P_F are the tool and the feed that were programmed", **KNOWN,
+    program="N10 T12 M6\nN20 G1 X1 F250\nN30 R1=$P_TOOLNO R2=$P_F\nN40 M30", vars={1: 12, 2: 250},
+)
+case(
+    "$PI is the number", **KNOWN, program="N10 R1=ROUND($PI*1EX6)\nN20 M30", vars={1: 3141593},
+)
+case(
+    "$A_IN reads an input of the machine", **KNOWN,
+    program="N10 R1=$A_IN[3] R2=$A_IN[4]\nN20 IF $A_IN[3]\nN30 R3=1\nN40 ENDIF\nN50 M30",
+    inputs={"signals": {2000001003: 1}}, vars={1: 1, 2: 0, 3: 1},
+)
+case(
+    "an output that nothing writes is off", **KNOWN, program="N10 R1=$A_OUT[1]\nN20 M30", vars={1: 0},
+)
+case(
+    "date and time are those of the run", **KNOWN,
+    program="N10 R1=$A_MONTH R2=$A_DAY R3=$A_HOUR R4=$A_MINUTE R5=$A_SECOND\nN20 M30",
+    inputs={"clock": datetime(2024, 2, 29, 13, 45, 7)}, vars={1: 2, 2: 29, 3: 13, 4: 45, 5: 7},
+)
+for wrong in ("$AA_IW[1]", "$A_IN[X]"):
+    case(
+        f"{wrong} has another index", **KNOWN,
+        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="expression-format", at="MAIN N10",
+    )
+case(
+    "an index beyond the last is refused", **KNOWN,
+    program="N10 R1=$A_IN[1025]\nN20 M30", runs="", alarm="array-element", number="12400", at="MAIN N10",
+)
+case(
+    "$AA_IW has an index", **KNOWN,
+    program="N10 R1=$AA_IW\nN20 M30", runs="", alarm="bracket-not-opened", at="MAIN N10",
+)
+for name in ("$MN_SCALING_SYSTEM_IS_METRIC", "$MC_GMMC_INFO_UNIT_IS_STATUS", "$AC_TIME", "$P_UIFR[1,X,TR]", "$P_GG[6]", "$TC_DP3[1,1]", "$AA_IB[X]"):
+    case(
+        f"a run does not know {name}", **POLICY,
+        program=f"N10 R1={name}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+    )
+    case(
+        f"nor what writing {name} does", **POLICY,
+        program=f"N10 {name}=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+    )
