@@ -13,12 +13,11 @@ import cncsub
 import sinumerik
 import sinumerik_evaluator
 import sinumerik_language as l
-from sinumerik import NOT_COMPUTED, compare, computed, evaluated, programs_of
+from sinumerik import DIFFERENT, NOT_COMPUTED, compare, computed, evaluated, programs_of
 from sinumerik_values import FEATURES
 
 SEED = 1
 PLACES = range(300)
-USED = frozenset(FEATURES) - set(NOT_COMPUTED)
 
 
 def test_programs_do_what_the_evaluator_says(capsys: pytest.CaptureFixture[str]) -> None:
@@ -35,6 +34,14 @@ def test_what_the_programs_leave_out_is_refused_as_not_computed(feature: str) ->
     run = cncsub.loads(NOT_COMPUTED[feature], control=sinumerik.CONTROL).run(max_blocks=1000)
     assert run.alarm is not None, f"cncsub computes {feature}: take it out of NOT_COMPUTED"
     assert run.alarm.cause == "code-not-computed"
+
+
+@pytest.mark.parametrize("feature", sorted(DIFFERENT))
+def test_what_is_known_to_differ_still_does(feature: str) -> None:
+    assert feature in FEATURES
+    program, wanted = DIFFERENT[feature]
+    last = computed(program).moves[-1]
+    assert last[1] - sinumerik.OFFSET[0] != pytest.approx(wanted), f"take {feature} out"
 
 
 def test_the_programs_go_over_the_whole_ground() -> None:

@@ -11,7 +11,7 @@ import sinumerik_language as l
 FEATURES = (
     "while", "for", "loop", "repeat", "case", "jumps", "several jumps", "again", "calls", "var",
     "defaults", "arrays", "bits", "new functions", "increments", "frames", "booleans", "computed R",
-    "AND in comparisons", "texts", "save", "var elements",
+    "AND in comparisons", "texts", "save", "frames in SAVE", "var elements",
 )  # fmt: skip
 OLD_FUNCTIONS = ("SIN", "COS", "TAN", "SQRT", "ABS", "POT", "TRUNC", "ROUND", "ATAN2", "ASIN")
 NEW_FUNCTIONS = ("ROUNDUP", "MINVAL", "MAXVAL", "BOUND")
