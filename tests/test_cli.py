@@ -343,7 +343,7 @@ def test_a_number_is_found_however_it_is_written() -> None:
             "no parameter 6151; the nearest",
         ),
         (["run", "{job}/good.nc", "-c", CONTROL, "--set", "3000=1"], "#3000 can be set only by a"),
-        (["run", "{job}/good.nc", "-c", CONTROL, "--skip", "12"], "1 to 9"),
+        (["run", "{job}/good.nc", "-c", CONTROL, "--skip", "12"], "1 to 10"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-blocks", "many"], "--max-blocks"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--max-cycles", "0"], "--max-cycles"),
         (["run", "{job}/good.nc", "-c", CONTROL, "--format", "xml"], "--format"),

@@ -28,7 +28,12 @@ def test_values_are_those_of_their_types() -> None:
         "WAY": "Y",
         "LATE": 7.0,
     }
-    assert [type(named[name]) for name in ("COUNT", "DEPTH", "FLAG", "NAME")] == [int, float, bool, str]
+    assert [type(named[name]) for name in ("COUNT", "DEPTH", "FLAG", "NAME")] == [
+        int,
+        float,
+        bool,
+        str,
+    ]
 
 
 def test_a_variable_is_there_from_its_definition_on() -> None:
@@ -49,7 +54,7 @@ def test_they_stand_behind_the_numbers() -> None:
 def test_each_level_has_its_own() -> None:
     text = (
         "%_N_MAIN_MPF\nDEF INT COUNT=1\nPART(5)\nM30\n"
-        "%_N_PART_SPF\nPROC PART(REAL WIDE)\nDEF STRING[3] COUNT=\"A\"\nG0 X=WIDE\nM17\n"
+        '%_N_PART_SPF\nPROC PART(REAL WIDE)\nDEF STRING[3] COUNT="A"\nG0 X=WIDE\nM17\n'
     )
     machine = cncsub.loads(text, control="siemens-one").machine()
     for _ in range(4):

@@ -398,7 +398,7 @@ def test_what_a_terminal_obeys_does_not_move_the_mark() -> None:
         ),
         ("plot main.nc -o x.html --of programs --points 500", "--points is only for --of path"),
         ("plot main.nc -o x.html --over steps", "--over is only for --of calls or watch, not path"),
-        ("run main.nc --skip 12", "--skip: a block-skip switch must be 1 to 9, not 12"),
+        ("run main.nc --skip 12", "--skip: a block-skip switch must be 1 to 10, not 12"),
         ("run main.nc --start 7", "--start: there is no block N7 in O1"),
         ("run main.nc --start -7", "--start, a sequence number, must be at least 0, not -7"),
         (

@@ -51,12 +51,10 @@ std::vector<std::size_t> duplicates(const Code& code) {
   return found;
 }
 
-std::optional<std::size_t> first_of_memory(const Code& code) {
-  for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (const SourceFile& file = code.files[code.programs[i].file];
-        !file.external && !file.system && !defines_for_all(*code.spelling, file))
-      return i;
-  return std::nullopt;
+std::optional<std::int32_t> main_of_memory(const Code& code) {
+  const std::int32_t main = code.main_program();
+  if (main == kNoProgram) return std::nullopt;
+  return main;
 }
 
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
@@ -236,7 +234,7 @@ void add_code(py::module_& m) {
       .def("places", &places, py::arg("external") = false)
       .def_property_readonly("duplicates", &duplicates)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
-      .def_property_readonly("main", &first_of_memory)
+      .def_property_readonly("main", &main_of_memory)
       .def_property_readonly("sources",
                              [](const Code& c) {
                                py::list rows;

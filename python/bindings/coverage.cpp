@@ -63,7 +63,7 @@ py::list blocks(const Code& code) {
       lines.append(block.line);
       texts.append(py::str(text.data(), text.size()));
       kinds.append(names[static_cast<std::size_t>(branches.of[a])]);
-      skips.append(block.skip != 0);
+      skips.append(block.can_be_skipped());
     }
     programs.append(py::make_tuple(addresses, n, lines, texts, kinds, skips));
   }
@@ -80,11 +80,11 @@ py::tuple deciding(const Code& code) {
   for (const Program& program : code.programs)
     for (Address a = program.first; a < program.last && !code.files[program.file].system; ++a) {
       known.data[a] = 1;
-      if (branches.of[a] == Branch::None && code.blocks[a].skip == 0) continue;
+      if (branches.of[a] == Branch::None && !code.blocks[a].can_be_skipped()) continue;
       if (code.program_at(a) != static_cast<std::int32_t>(&program - code.programs.data()))
         continue;  // a part's own block, which is counted there
-      decide.append(
-          py::make_tuple(a, std::string(to_string(branches.of[a])), code.blocks[a].skip != 0));
+      decide.append(py::make_tuple(a, std::string(to_string(branches.of[a])),
+                                   code.blocks[a].can_be_skipped()));
     }
   return py::make_tuple(known.object, decide);
 }

@@ -163,8 +163,8 @@ std::map<std::int32_t, double> variables_of(const py::handle& from) {
 std::uint16_t switches_of(const py::handle& from) {
   std::uint16_t switches = 0;
   for (const int number : from.cast<std::vector<int>>()) {
-    if (number < 1 || number > 9)
-      throw py::value_error("a block-skip switch must be 1 to 9, not " + std::to_string(number));
+    if (number < 1 || number > 10)
+      throw py::value_error("a block-skip switch must be 1 to 10, not " + std::to_string(number));
     switches = static_cast<std::uint16_t>(switches | (1u << number));
   }
   return switches;

@@ -102,7 +102,7 @@ Way way_to(const Code& code, const Trace& trace, const Trace::Step& from, const 
   if (to.address == next) return Way::On;
   if (to.address < next) return Way::Jumps;
   for (std::uint32_t at = next; at < to.address; ++at)
-    if (code.blocks[at].skip == 0) return Way::Jumps;
+    if (!code.blocks[at].can_be_skipped()) return Way::Jumps;
   return Way::Skips;
 }
 

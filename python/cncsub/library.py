@@ -141,7 +141,9 @@ class Library(Mapping[str, Program]):
 
     @property
     def main(self) -> Program | None:
-        """The program that runs when none is given: the first. `None` if there is no program."""
+        """The program that runs when none is given: the first, or on a SINUMERIK the first that is
+        named as a main program (.MPF). `None` if there is no program.
+        """
         first = self.code.main if self._first is None else self._find(self._first)
         return None if first is None else self._program(first)
 

@@ -10,6 +10,8 @@ from typing import Any, NamedTuple
 
 from cncsub import _core
 
+_PARTS = ("REPEAT", "BLOCK")  # kinds of calls that execute a part of the program itself
+
 
 class Computed(NamedTuple):
     """A value that is known only when the block runs: the text of its expression."""
@@ -272,7 +274,7 @@ def call_graph(code: _core.Code, starts: Iterable[int]) -> CallGraph:
         edges.append(
             Edge(names[caller], n, line, call.kind, to, call.repeats, call.exists, files[caller])
         )
-        if called is not None:
+        if called is not None and call.kind not in _PARTS:
             if call.kind not in ways:
                 ways[call.kind] = [{} for _ in data]
             ways[call.kind][caller][called] = None

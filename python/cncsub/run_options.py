@@ -107,8 +107,8 @@ def _switches(block_skip: object) -> tuple[int, ...]:
             f" not {block_skip!r}"
         )
     switches = tuple(whole("block_skip", switch, 1) for switch in block_skip)
-    if any(switch > 9 for switch in switches):
-        raise ValueError(f"block_skip: a block-skip switch must be 1 to 9, not {max(switches)}")
+    if any(switch > 10 for switch in switches):
+        raise ValueError(f"block_skip: a block-skip switch must be 1 to 10, not {max(switches)}")
     return switches
 
 
@@ -143,7 +143,7 @@ class FlattenOptions(TypedDict, total=False):
     ]
     block_skip: Annotated[
         Iterable[int] | int,
-        Option((), _switches, "The block-skip switches 1 to 9 that are on."),
+        Option((), _switches, "The block-skip switches 1 to 10 that are on."),
     ]
     optional_stop: Annotated[
         bool,

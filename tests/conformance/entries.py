@@ -64,6 +64,17 @@ REASONS = [
     ("longer_words", None, "D", "a control without the word has it by default"),
 ]
 
+# The words by which a language writes a code, and the addresses that have the place of a letter.
+WORDS = {
+    f"{int(code) / 10:g}": word
+    for code, word in re.findall(
+        r'^WORD_CODE\((\d+), "(\w+)"\)',
+        (FILE.parents[2] / "cpp/cncsub/control/word_codes.def").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+}
+LENT = {"rotation_words": {"E": "RPL"}, "chamfer_words": {",D": "CHF"}}
+
 # Control, rule, claim, and the entries whose absence that row notices, separated by blanks.
 Pins = dict[str, dict[str, dict[str, str]]]
 
@@ -166,10 +177,15 @@ def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
         return entry[:2] in text
     if "codes" in rule or rule == "g_meanings":
         letter = "M" if rule.startswith("m_") else "G"
+        if word := WORDS.get(entry.split("=")[0]):
+            return word in text
         return (
             re.search(rf"{letter}0*{re.escape(entry.split('=')[0])}(?![\d.]*[1-9])", text)
             is not None
         )
+    lent = LENT.get(rule, {}).get(entry)
+    if lent is not None and lent in text:
+        return True
     return rule == "modal_groups" or entry.rstrip("?")[-1] in text
 
 

@@ -80,6 +80,17 @@ _TABLE = _joined(
     _all("max_words", (TDI,), "no block of 255 characters has a hundred words that may differ"),
     _all("program_heads:name", (TA, T, TDI), "<NAME> ends the program before it either way"),
     _all("max_program_number", (TE, HNC), "the control's heads and calls are not held to it"),
+    # Words of other languages
+    _all(
+        "arc_angle_words added_turns poles extra_system_codes tool_edges shifts_move_increments",
+        (*EVERY, "syntec-22ma"),
+        "no source tells of such words, or of such a D",
+    ),
+    _all(
+        "drops_centre_across",
+        (*EVERY, "syntec-22ma"),
+        "no source says that the control drops a word of the centre",
+    ),
     # Calls
     _all("max_program_digits start_word caller_call", (TE,), "P of M98 is a sequence number"),
     _all("count_and_l refuses:illegal-repeat-count", (TE, *MITSUBISHI, HNC), NO_COUNT),

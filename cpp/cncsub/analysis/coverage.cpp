@@ -30,6 +30,10 @@ std::string_view to_string(Branch branch) {
       return "while";
     case Branch::Repeat:
       return "repeat";
+    case Branch::For:
+      return "for";
+    case Branch::Case:
+      return "case";
   }
   return "";
 }
@@ -46,6 +50,10 @@ Branch branch_of(const Code& code, const Block& block) {
       return Branch::If;
     case Op::While:
       return Branch::While;
+    case Op::EndFor:
+      return Branch::For;
+    case Op::Switch:
+      return Branch::Case;
     case Op::HCode: {
       const int number = code.h_codes[block.aux].number;
       return number >= 81 && number <= 86 ? Branch::HJump : Branch::None;
@@ -157,12 +165,12 @@ class Skips {
  public:
   Skips(const Code& code, const Branches& branches, std::int64_t* skipped)
       : code_(code), branches_(branches), skipped_(skipped) {
-    for (const Block& block : code.blocks) any_ = any_ || block.skip != 0;
+    for (const Block& block : code.blocks) any_ = any_ || block.can_be_skipped();
   }
 
   bool any() const { return any_; }
   void follow(const Trace::Step& step) {
-    if (step.address > 0 && code_.blocks[step.address - 1].skip != 0) {
+    if (step.address > 0 && code_.blocks[step.address - 1].can_be_skipped()) {
       Address from = arrival(step);
       if (!all_marked(from, step.address)) from = step.address;
       for (Address a = from; a < step.address; ++a) ++skipped_[a];
@@ -196,9 +204,13 @@ class Skips {
                                                                                 : step.address;
       case Op::If:
       case Op::Else:
+      case Op::For:
+      case Op::EndFor:
       case Op::EndDo:
       case Op::OWord:
       case Op::IfThen:
+      case Op::Switch:
+      case Op::RepeatPart:
       case Op::Select:
       case Op::ParallelAssign:
         return last_.address < step.address ? last_.address + 1 : step.address;
@@ -214,14 +226,14 @@ class Skips {
   Address behind_call(const Trace::Step& step, const Program& program) const {
     if (step.call == last_.call) return program.first;
     Address from = step.address;
-    while (from > program.first && code_.blocks[from - 1].skip != 0) --from;
+    while (from > program.first && code_.blocks[from - 1].can_be_skipped()) --from;
     if (from == program.first) return step.address;
     return may_call(code_.blocks[from - 1].op) ? from : step.address;
   }
   /// Return whether all blocks from `from` up to the step have a skip mark.
   bool all_marked(Address from, Address step) const {
     Address a = step;
-    while (a > from && code_.blocks[a - 1].skip != 0) --a;
+    while (a > from && code_.blocks[a - 1].can_be_skipped()) --a;
     return a == from;
   }
 

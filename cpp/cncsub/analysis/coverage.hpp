@@ -23,6 +23,8 @@ enum class Branch : std::uint8_t {
   DoWhile,  // o1 while after o1 do
   HJump,    // G65 H81 to H86
   Input,    // M96
+  For,      // ENDFOR: whether the loop goes on
+  Case,     // CASE OF, several IF GOTO in a block: whether one of them jumps
   While,    // loops from here on: their passes are counted
   Repeat    // o1 repeat
 };

@@ -47,6 +47,7 @@ class FlowReader {
   void o_word(const Block& block, const OWord& own);
   void call_label(const Block& block, const OWord& own);
   bool passes_over(const OWord& own);
+  void alternatives(const Statement& choice);
   void select(const Select& choice);
   void words_call_or_assignment(const Block& block);
   void words(const Block& block);
@@ -212,6 +213,17 @@ void FlowReader::variant(const Block& block) {
     case Op::IfThen:
       next();
       return variant(code_.variants[statement().then]);
+    case Op::Switch:
+      return alternatives(statement());
+    case Op::For:
+      next();
+      return exit(statement().to, ExitKind::Jump);
+    case Op::EndFor:
+      next();
+      return exit(statement().to + 1, ExitKind::Jump);
+    case Op::RepeatPart:
+      next();
+      return exit(code_.calls[block.aux].target.start, ExitKind::Jump);
     case Op::Jump:
       if (code_.jumps[block.aux].reads_input) next();
       return jump(code_.jumps[block.aux].p);
@@ -225,6 +237,16 @@ void FlowReader::variant(const Block& block) {
     default:
       return words_call_or_assignment(block);
   }
+}
+
+/// Read the blocks that a CASE or several IF GOTO may be.
+void FlowReader::alternatives(const Statement& choice) {
+  bool always = false;
+  for (const Statement* of = &choice + 1; of <= &choice + choice.number; ++of) {
+    always = always || of->index == Statement::kAlways;
+    variant(code_.variants[of->then]);
+  }
+  if (!always) next();
 }
 
 /// Read the two blocks that one block may be. A block that calls by a code is a fault only where no
@@ -278,7 +300,7 @@ void FlowReader::read(Address at) {
   marks_ = 0;
   found_.clear();
   const Block& block = code_.blocks[at];
-  if (block.skip != 0) next();
+  if (block.can_be_skipped()) next();
   variant(block);
   to_.exits_.insert(to_.exits_.end(), found_.begin(), found_.end());
   to_.marks_.push_back(marks_);

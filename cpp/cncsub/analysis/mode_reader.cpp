@@ -104,7 +104,7 @@ bool ModeReader::keeps(const ProgramFlow& flow) const {
 Modes ModeReader::after(Modes before, Address at) const {
   const Block& block = c_.code.blocks[at];
   Modes modes = before;
-  const bool sometimes = block.skip != 0 || block.op == Op::IfThen || block.op == Op::Select;
+  const bool sometimes = block.can_be_skipped() || block.op == Op::IfThen || block.op == Op::Select;
   each_variant(c_.code, block, [&](const Block& each) {
     const bool plain = each.op == Op::Linear || each.op == Op::Arc;
     if (plain && (each.flags & Block::kNoG) == 0)

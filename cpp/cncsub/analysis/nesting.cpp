@@ -177,7 +177,7 @@ class CallOrder {
 /// Return whether some path through an entered program reaches its end without its open call.
 bool CallOrder::is_avoided(Open& open) {
   const Address call = tree_.calls(open.place)[open.call - 1].edge->from;
-  if (c_.code.blocks[call].op == Op::IfThen || c_.code.blocks[call].skip != 0) return true;
+  if (c_.code.blocks[call].op == Op::IfThen || c_.code.blocks[call].can_be_skipped()) return true;
   const ProgramFlow& flow = c_.flow(tree_.entered(open.place).program);
   if (open.passed.empty()) open.passed = passed_by_all(c_, flow, tree_.entered(open.place).start);
   return !open.passed[call - flow.first()];

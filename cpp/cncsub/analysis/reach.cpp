@@ -104,6 +104,7 @@ bool does_something(const Block& block) {
     case Op::EndProgram:
     case Op::Return:
     case Op::EndOfRecord:
+    case Op::EndFor:
     case Op::EndDo:
     case Op::Else:
     case Op::EndIf:

@@ -32,7 +32,7 @@ class Loops {
     for (Address at = flow.first(); at < flow.last(); ++at) {
       while (!open_.empty() && at > loops_[open_.back()].end) open_.pop_back();
       const Op op = code.blocks[at].op;
-      const bool begins = op == Op::While || op == Op::Do;
+      const bool begins = op == Op::While || op == Op::Do || op == Op::For;
       if (begins && of_.empty()) of_.assign(at - first_, -1);
       if (begins || !of_.empty()) of_.push_back(innermost());
       if (begins) open(at, code.statements[code.blocks[at].aux].end);

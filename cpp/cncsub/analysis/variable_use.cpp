@@ -6,13 +6,12 @@
 #include <unordered_set>
 #include <utility>
 
+#include "cncsub/code/names.hpp"
 #include "cncsub/code/references.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
-
-std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);  // TEMP
 
 namespace {
 

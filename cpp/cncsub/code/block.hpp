@@ -19,6 +19,7 @@ enum class Op : std::uint8_t {
   MacroCall,    // G65 and macro calls by code (aux: call)
   ModalCall,    // G66, G66.1 and modal calls by code (aux: call)
   CancelModal,  // G67, with words
+  RepeatPart,   // REPEAT LABEL (aux: call): blocks of a program once more
   Return,       // words, then M99 (aux: call; P and L are its operands)
   Jump,         // words, then M97 (aux: statement)
   EndProgram,   // words, then M02 or M30
@@ -27,14 +28,17 @@ enum class Op : std::uint8_t {
   Goto,         // aux: statement
   IfGoto,       // aux: statement
   IfThen,       // aux: statement
+  Switch,       // CASE OF, several IF GOTO (aux: statement, its alternatives follow it)
   If,
   Else,
   EndIf,  // aux: statement; If: to = after ELSE or ENDIF
   While,
   Do,
-  EndDo,  // aux: statement; While: to = after END; EndDo: to = the WHILE or DO
-  HCode,  // G65 H (aux: statement)
-  Print,  // DPRNT, BPRNT (aux: print)
+  For,     // aux: statement; to = after the end, end = at it, then = the first assignment
+  EndFor,  // aux: statement; to = the FOR, then = the assignment that counts
+  EndDo,   // aux: statement; While: to = after END; EndDo: to = the WHILE or DO
+  HCode,   // G65 H (aux: statement)
+  Print,   // DPRNT, BPRNT (aux: print)
   OpenOutput,
   CloseOutput,
   NameVariables,   // SETVN (aux: statement)
@@ -105,13 +109,18 @@ struct Block {
   std::uint32_t data = 0;
   std::uint32_t mask = 0;
   std::uint32_t aux = 0;
-  std::uint32_t skip : 10 = 0;  // bit k: not executed when switch k is on
+  std::uint32_t skip : 12 = 0;  // bit k: not executed when switch k is on; and kPartEnd
   std::uint32_t list : 12 = 0;  // where its codes are in Code::code_lists, if listed
   std::uint32_t g_count : 4 = 0;
   std::uint32_t m_count : 3 = 0;
   Op op = Op::Words;
   std::uint8_t flags = 0;
   std::uint16_t length = 0;  // bytes of text, at most 65535
+
+  /// Of `skip`: a pass of RepeatPart that is on its way to this block ends before it.
+  static constexpr std::uint32_t kPartEnd = 1U << 11;
+  /// Return whether a switch may skip the block.
+  bool can_be_skipped() const { return (skip & ~kPartEnd) != 0; }
 
   static constexpr std::uint8_t kHasExtra = 1;
   static constexpr std::uint8_t kCodeExpression =
@@ -149,8 +158,8 @@ struct Assigned {
 
   static constexpr std::uint32_t kMostIndex = (1U << 14) - 1, kMostPlace = 255;
   bool fits() const {
-    return target != Statement::Target::None && target <= Statement::Target::Indirect && index <= kMostIndex && at <= kMostPlace &&
-           width <= kMostPlace;
+    return target != Statement::Target::None && target <= Statement::Target::Indirect &&
+           index <= kMostIndex && at <= kMostPlace && width <= kMostPlace;
   }
 
   std::uint32_t data() const { return kind(target) | index << 2 | at << 16 | width << 24; }

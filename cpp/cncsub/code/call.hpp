@@ -31,7 +31,9 @@ enum class CallKind : std::uint8_t {
   TCode,
   SCode,
   BCode,
-  Ascii  // a letter whose every code calls
+  Ascii,     // a letter whose every code calls
+  Repeat,    // REPEAT LABEL: a part of the own program
+  CallBlock  // CALL BLOCK FIRST TO LAST
 };
 /// Return the name under which a kind is shown: M98, G66.1, T-code.
 std::string_view to_string(CallKind kind);
@@ -42,6 +44,8 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
     case CallKind::Local:
     case CallKind::OWord:
     case CallKind::Named:
+    case CallKind::Repeat:
+    case CallKind::CallBlock:
       return false;
     case CallKind::Macro:
     case CallKind::Modal:
@@ -82,9 +86,9 @@ struct JumpRecord {
 
 /// A value in the brackets of a call, in the order of the called program's parameters.
 struct ActualParameter {
-  Operand operand;       // absent: left out
+  Operand operand;  // absent: left out
   bool is_text = false;
-  Statement variable;    // its target is the variable that stands there and nothing else, if any
+  Statement variable;  // its target is the variable that stands there and nothing else, if any
 };
 
 /// What a return gives to a variable of the caller: the value of a local of the called program.
@@ -98,7 +102,12 @@ struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
-  char count = 'L';                    // the address of `l` as it is written
+  char count = 'L';             // the address of `l` as it is written
+  Address part_end = kNowhere;  // of RepeatPart: the block before which a pass ends
+  // Of a return: it has values: the block after the one that it names is meant, and how many
+  // levels it goes back.
+  bool by_values = false;
+  Operand after, levels;
   std::vector<ActualParameter> given;  // until the called program is known
   std::vector<HandedBack> back;
 };

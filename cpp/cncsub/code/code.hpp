@@ -129,8 +129,8 @@ struct Code {
   std::array<std::unordered_map<std::int32_t, std::uint32_t>, 2>
       named_at;                // locals, commons by index
   std::int32_t returned = -1;  // among the commons: what the last subprogram returned, and whether
-  std::vector<DefinedVariable> defined_variables;  // one program's after the other's
-  std::vector<DefinedVariable> shared_variables;   // of all programs
+  std::vector<DefinedVariable> defined_variables;             // one program's after the other's
+  std::vector<DefinedVariable> shared_variables;              // of all programs
   std::vector<std::pair<std::int32_t, double>> first_values;  // of commons, when a run begins
   Texts texts;                                                // the first is empty
   std::vector<cncsub::ParallelAssign> parallel_assigns;
@@ -179,6 +179,9 @@ struct Code {
   /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
 
+  /// Return the program that runs where none is named: the first one of the memory, or the first
+  /// that is named as a main program. kNoProgram where there is none.
+  std::int32_t main_program() const;
   /// Return the program of a number or name; kNoProgram where there is none.
   std::int32_t find(std::int64_t number, bool external = false) const;
   std::int32_t find(std::string_view name, bool external = false) const;
@@ -205,5 +208,8 @@ void list_statements(Code& code);
 
 /// Return the number in O0023, %23, :23 or 23; -1 where the name is none.
 std::int64_t number_in(std::string_view name);
+
+/// Return whether a file defines variables for the programs of all others, which are read after it.
+bool defines_for_all(const Spelling& spelling, const SourceFile& file);
 
 }  // namespace cncsub

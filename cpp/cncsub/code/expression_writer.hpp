@@ -106,6 +106,8 @@ class ExpressionWriter {
   std::uint32_t end(std::uint32_t at, std::uint32_t width) { return open_.end(at, width); }
   /// Write an expression of one instruction; return its number.
   std::uint32_t one(const Instruction& only, std::uint32_t at, std::uint32_t width);
+  /// Write an expression with one more operation, on its value; return its number.
+  std::uint32_t changed(std::uint32_t expression, Ins by);
   /// End an expression as a value: a number where it is this constant and nothing else.
   ValueRead end_value(std::optional<double> constant, std::uint32_t at, std::uint32_t width) {
     ValueRead value{!constant, constant.value_or(0), 0, at, width};

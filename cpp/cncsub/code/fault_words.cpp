@@ -31,8 +31,8 @@ struct Finder {
       if (place >= 0 && (name.addresses >> place & 1) != 0) return &word;
       const int own = code_of_word(word.address);
       if (word.address != "G" && own < 0) continue;
-      if (name.code >= 0 && (own >= 0 ? own == name.code
-                                      : !word.known || std::lround(word.value * 10) == name.code))
+      if (name.code >= 0 &&
+          (own >= 0 ? own == name.code : !word.known || std::lround(word.value * 10) == name.code))
         return &word;
       if ((group_of(word) & name.groups) != 0) return &word;
     }

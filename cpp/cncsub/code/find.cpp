@@ -93,6 +93,46 @@ void Code::register_programs(const std::function<bool()>& over) {
     if (programs[i].inside != kNoProgram) known(i);
 }
 
+namespace {
+
+/// Return whether a name ends as that of a main program: SHAFT.MPF, _N_SHAFT_MPF.
+bool ends_as_main(std::string_view name, std::string_view ending) {
+  const std::size_t size = ending.size() + 1;
+  if (name.size() < size) return false;
+  const std::string_view last = name.substr(name.size() - size);
+  return (last[0] == '.' || last[0] == '_') && same_name(last.substr(1), ending);
+}
+
+bool is_main(const Code& code, const Program& program) {
+  const std::string_view ending = code.spelling->main_ending;
+  const SourceFile& file = code.files[program.file];
+  if (program.name_length == Program::kOfFile) return ends_as_main(file.name, ending);
+  const std::string_view text = file.text.view();
+  const std::size_t end = std::size_t{program.name_at} + program.name_length;
+  return ends_as_main(text.substr(0, std::min(end + ending.size() + 1, text.size())), ending);
+}
+
+}  // namespace
+
+bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
+  const std::string_view ending = spelling.definitions, name = file.name;
+  return !ending.empty() && name.size() >= ending.size() &&
+         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
+                    [](char a, char b) { return a == upper(b); });
+}
+
+std::int32_t Code::main_program() const {
+  std::int32_t first = kNoProgram;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const SourceFile& file = files[programs[i].file];
+    if (file.external || file.system || defines_for_all(*spelling, file)) continue;
+    if (first == kNoProgram) first = static_cast<std::int32_t>(i);
+    if (spelling->main_ending.empty()) break;
+    if (is_main(*this, programs[i])) return static_cast<std::int32_t>(i);
+  }
+  return first;
+}
+
 std::int32_t Code::find(std::int64_t number, bool external) const {
   return by_number[external].find(static_cast<std::uint64_t>(number), numbered(*this, number));
 }

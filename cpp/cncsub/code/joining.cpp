@@ -84,7 +84,8 @@ class Joining {
   /// Return where the records of a kind of block begin; 0 for blocks without, or without in a part.
   std::uint32_t record_base(Op op) const {
     const auto is_one_of = [op](auto... ops) { return ((op == ops) || ...); };
-    if (is_one_of(Op::Call, Op::MacroCall, Op::ModalCall, Op::Return)) return calls_;
+    if (is_one_of(Op::Call, Op::MacroCall, Op::ModalCall, Op::RepeatPart, Op::Return))
+      return calls_;
     if (op == Op::Set) return expressions_;
     if (op >= Op::Assign && op <= Op::EndDo) return statements_;
     if (is_one_of(Op::OpenOutput, Op::CloseOutput, Op::NameVariables)) return statements_;

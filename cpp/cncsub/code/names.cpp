@@ -5,8 +5,6 @@
 
 namespace cncsub {
 
-std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);  // TEMP
-
 std::uint32_t Names::label(const std::string& name) {
   const auto place = static_cast<std::uint32_t>(code_.labels.size());
   const auto [found, is_new] = code_.label_places.try_emplace(name, place);

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cncsub/code/code.hpp"
 
 namespace cncsub {
+
+/// Return the place in Code::named_variables of a name, that of a local first; nothing where no
+/// variable has it.
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);
 
 class Names {
  public:

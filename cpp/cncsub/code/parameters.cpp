@@ -14,6 +14,16 @@ Fault fault(const ActualParameter& at, Cause cause, std::string detail) {
   return {cause, at.operand.at, at.operand.width, std::move(detail)};
 }
 
+/// Give a parameter that takes a character the code of the one in its text.
+void as_character(const Texts& texts, const FormalParameter& formal, ActualParameter& actual) {
+  if (!formal.is_character || !actual.is_text || actual.operand.kind != Operand::Kind::Constant)
+    return;
+  const std::string& text = texts.at(to_whole<std::size_t>(actual.operand.value));
+  if (text.size() != 1) return;
+  actual.is_text = false;
+  actual.operand.value = static_cast<unsigned char>(text[0]);
+}
+
 /// Return why a parameter does not take a value.
 std::optional<Fault> refused(const FormalParameter& formal, const ActualParameter& actual) {
   if (actual.is_text != formal.is_text)
@@ -39,7 +49,7 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
   CallExtras* const extras = call.extras.find();
   if (call.kind != CallKind::Named || extras == nullptr) return std::nullopt;
   if (!code.named_variables.empty()) call.locals = CallRecord::Locals::Own;
-  const std::vector<ActualParameter> given = std::exchange(extras->given, {});
+  std::vector<ActualParameter> given = std::exchange(extras->given, {});
   call.first_argument = static_cast<std::uint32_t>(code.arguments.size());
   const std::int32_t found = code.find(extras->name);
   std::span<const FormalParameter> formals;
@@ -62,6 +72,7 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
     value.kind = Operand::Kind::Constant;
     value.value = formal.otherwise;
     if (i < given.size() && is_given(given[i])) {
+      as_character(code.texts, formal, given[i]);
       if (auto wrong = refused(formal, given[i])) return wrong;
       value = given[i].operand;
       if (formal.by_reference) extras->back.push_back({formal.variable, given[i].variable});

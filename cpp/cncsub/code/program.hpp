@@ -39,14 +39,15 @@ struct FormalParameter {
   double otherwise = 0;       // its value where a call leaves it out
   bool by_reference = false;  // at the return the caller's variable takes its value
   bool is_text = false;       // takes a text
+  bool is_character = false;  // takes a text of one character too
 };
 
 /// A variable that a program defines by a name, or that all programs share, as it is shown.
 struct DefinedVariable {
   enum class Type : std::uint8_t { Real, Int, Bool, Char, Text, Axis } type = Type::Real;
   bool common = false;
-  std::int32_t index = 0;              // of the variable, or of the first element
-  std::vector<std::int32_t> extents;   // of an array
+  std::int32_t index = 0;             // of the variable, or of the first element
+  std::vector<std::int32_t> extents;  // of an array
   std::string name;
 
   std::int32_t size() const {

@@ -24,6 +24,7 @@ class ReferenceReader {
   static TextPlace place_of(const Operand& operand) { return {operand.at, operand.width}; }
 
   void call(const CallRecord& call);
+  void part(const CallRecord& call);
   void target_of(const CallRecord& call, CallReference& reference);
   void o_word(const OWord& own);
   void label_of(const OWord& own, CallReference& reference) const;
@@ -35,6 +36,7 @@ class ReferenceReader {
   void print(const Print& print);
   void parallel_assign(const ParallelAssign& all, bool conditional);
   void select(const Select& variant);
+  void alternatives(const Statement& choice);
 
   void operands(const CallRecord& call);
 
@@ -87,6 +89,21 @@ void ReferenceReader::call(const CallRecord& call) {
   reference.kind = call.kind;
   reference.place = {call.at, call.width};
   target_of(call, reference);
+  to_.calls.push_back(std::move(reference));
+  operands(call);
+}
+
+/// List a part of the own program that is executed as a call.
+void ReferenceReader::part(const CallRecord& call) {
+  CallReference reference;
+  reference.kind = call.kind;
+  reference.place = {call.at, call.width};
+  reference.found = call.target.program;
+  reference.program = code_.name_of(reference.found);
+  if (call.l.kind == Operand::Kind::Expression)
+    reference.computed_repeats = place_of(call.l.expression);
+  else if (call.l.present())
+    reference.repeats = to_whole<std::int64_t>(std::clamp(call.l.value, 0.0, 1e9));
   to_.calls.push_back(std::move(reference));
   operands(call);
 }
@@ -230,6 +247,14 @@ void ReferenceReader::statement(Op op, const Statement& statement, bool conditio
       used_.reads(statement.expression);
       read(code_.variants[statement.then], true);
       break;
+    case Op::For:
+      used_.reads(statement.expression);
+      used_.reads(code_.statements[statement.then].expression);
+      used_.written(code_.statements[statement.then]);
+      break;
+    case Op::Switch:
+      alternatives(statement);
+      break;
     default:
       break;
   }
@@ -240,6 +265,14 @@ void ReferenceReader::parallel_assign(const ParallelAssign& all, bool conditiona
     statement(Op::Assign, code_.statements[all.first_statement + i], conditional);
   if (all.print != OWord::kNone) print(code_.prints[all.print]);
   if (all.words != OWord::kNone) read(code_.variants[all.words], conditional);
+}
+
+void ReferenceReader::alternatives(const Statement& choice) {
+  if (choice.index == Statement::kHasValue) used_.reads(choice.expression);
+  for (const Statement* of = &choice + 1; of <= &choice + choice.number; ++of) {
+    if (of->index != Statement::kAlways) used_.reads(of->expression);
+    read(code_.variants[of->then], true);
+  }
 }
 
 void ReferenceReader::select(const Select& variant) {
@@ -254,6 +287,8 @@ void ReferenceReader::read(const Block& block, bool conditional) {
     case Op::MacroCall:
     case Op::ModalCall:
       return call(code_.calls[block.aux]);
+    case Op::RepeatPart:
+      return part(code_.calls[block.aux]);
     case Op::Return:
       return back(code_.calls[block.aux], conditional);
     case Op::Jump:
@@ -264,8 +299,10 @@ void ReferenceReader::read(const Block& block, bool conditional) {
     case Op::Goto:
     case Op::IfGoto:
     case Op::IfThen:
+    case Op::Switch:
     case Op::If:
     case Op::While:
+    case Op::For:
       return statement(block.op, code_.statements[block.aux], conditional);
     case Op::HCode:
       return h_code(code_.h_codes[block.aux]);

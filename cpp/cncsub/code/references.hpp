@@ -57,8 +57,8 @@ constexpr bool is_call(Op op) {
 }
 /// Return whether a block of this kind can call, itself or as one of its variants.
 constexpr bool may_call(Op op) {
-  return is_call(op) || op == Op::OWord || op == Op::Select || op == Op::IfThen ||
-         op == Op::ParallelAssign;
+  return is_call(op) || op == Op::RepeatPart || op == Op::OWord || op == Op::Select ||
+         op == Op::IfThen || op == Op::ParallelAssign;
 }
 /// Return the references of a block of a program. A block that depends on switches or callers has
 /// those of each variant.

@@ -22,6 +22,9 @@ struct Spelling {
     int first = 0, last = -1;
   };
   Around comment, value, message, head;
+  // What the name of a main program ends in, after _ or a point; nothing where the first program is
+  // the main one.
+  std::string_view main_ending{};
 
   // The spelling of expressions.
   Around brackets{"[", "]"};

@@ -12,7 +12,9 @@
 namespace cncsub {
 
 struct Statement {
-  std::uint32_t expression = 0;  // the condition, or the value to assign, or the jump's number
+  // The condition, or the value to assign, or the jump's number; For: the last value; Switch: the
+  // value that an alternative must be, where it has one.
+  std::uint32_t expression = 0;
   std::uint32_t variable =
       0;  // Assign: an expression that gives the variable's number, when target is Indirect
   enum class Target : std::uint8_t {
@@ -24,15 +26,20 @@ struct Statement {
     Element,       // of an array: `variable` gives its place from `index` on, of `number` elements;
     CommonElement  // `count` elements from it on take the value, 0: all
   } target = Target::None;
-  std::int32_t index = 0;   // Local, Common: the place; Variable: the number
-  Address to = kNowhere;    // where a jump goes, when known
-  Address end = kNowhere;   // Do, While: the address of the END; a jump: another block of its label
-  std::int32_t number = 0;  // DO m, GOTO n, Hm of G65
+  std::int32_t index = 0;  // Local, Common: the place; Variable: the number; see kAlways, kHasValue
+  Address to = kNowhere;   // where a jump goes, when known
+  // Do, While, For: the address of the END; a jump: another block of its label.
+  Address end = kNowhere;
+  std::int32_t number = 0;  // DO m, GOTO n, Hm of G65; Switch: how many alternatives follow it
   std::int32_t count = 1;
   std::uint32_t at = 0, width = 1;
   std::uint32_t variable_at = 0, variable_width = 1;
   std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
-  std::uint32_t then = 0;                   // IfThen: the variant block to execute
+  // IfThen, an alternative: the variant block to execute. For, EndFor: the assignment, a statement.
+  std::uint32_t then = 0;
+
+  static constexpr std::int32_t kAlways = 1;    // `index` of an alternative without a condition
+  static constexpr std::int32_t kHasValue = 1;  // `index` of a Switch whose alternatives are values
 };
 
 /// G65 Hm Pn Qn Rn.
@@ -54,11 +61,13 @@ struct PrintField {
 struct Print {
   bool binary = false;
   bool alarms = false;         // the text is that of an alarm
-  std::string number{};        // the number of the alarm; empty: that of the control
   std::string_view command{};  // the word of the comment that says it, where that is no message
   bool logs() const { return command.starts_with("LOG"); }
   std::vector<PrintField> fields;
   std::int32_t shown_if = 0;  // the variable that must be above 0, or nothing is said; 0: none
+  // Of an alarm with a number: the expression that gives it, and the numbers that it may be.
+  std::uint32_t number = 0;
+  std::int32_t first_number = 0, last_number = 0;  // 0: it has none
   std::uint32_t at = 0;
 };
 

@@ -245,13 +245,6 @@ bool begin_with(const std::vector<SourceFile>& files, char mark) {
 
 }  // namespace
 
-bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
-  const std::string_view ending = spelling.definitions, name = file.name;
-  return !ending.empty() && name.size() >= ending.size() &&
-         std::equal(ending.begin(), ending.end(), name.end() - std::ssize(ending),
-                    [](char a, char b) { return a == upper(b); });
-}
-
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted,

@@ -12,9 +12,6 @@
 
 namespace cncsub {
 
-/// Return whether a file defines variables for the programs of all others, which are read after it.
-bool defines_for_all(const Spelling& spelling, const SourceFile& file);
-
 /// Read the files into one library of compiled programs. Never fails: what the control would refuse
 /// becomes a fault. Without an external device, M198 finds the programs that M98 finds, in memory.
 /// `interrupted` is asked fifty times a second; once it gives true, the result is null. The library

@@ -338,8 +338,8 @@ bool OtherWriter::put_values(std::string& to, const NcWords& words) {
 bool OtherWriter::write(std::string& to, const Block& block, const NcWords& words) {
   if (words.forms.any())
     return refuse("a word counts by a form of its own, which the other control has no word for");
-  if (words.has('D') && control_of(from_).motion.tool_edges.value !=
-                            control_of(to_).motion.tool_edges.value)
+  if (words.has('D') &&
+      control_of(from_).motion.tool_edges.value != control_of(to_).motion.tool_edges.value)
     return refuse("D names an edge of a tool on one of the controls alone");
   const std::size_t before = to.size();
   std::array<int, 1> of_move{path_code(block)};

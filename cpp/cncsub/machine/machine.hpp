@@ -14,8 +14,8 @@
 #include "cncsub/machine/state/context.hpp"
 #include "cncsub/machine/state/options.hpp"
 #include "cncsub/machine/state/state.hpp"
+#include "cncsub/machine/values/named_variables.hpp"
 #include "cncsub/machine/values/texts.hpp"
-#include "cncsub/machine/values/variables.hpp"
 #include "cncsub/motion/motion.hpp"
 #include "cncsub/trace/trace.hpp"
 

@@ -48,15 +48,14 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
   set_seconds_per_mm(state);
   const bool waits = compensating(state) || state.lookahead.engaged ||
                      !state.lookahead.radius.empty() || tool_waits(state);
-  state.plain = !facts.general_only && !waits && (path >= 0 || leaves_nothing(motion)) &&
-                !in_cycle(state) && !state.pending_angle.waiting() &&
-                state.lookahead.corner.empty() && !polar(state) && facts.limits.empty() &&
-                !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
-                !state.rigid_waits && facts.control->motion.max_feed.value == 0 &&
-                state.frame_angle == 0 && !state.diameter && !state.no_motion &&
-                !centre_is_absolute(state) && !feed_of_each_cut(m) && !is_turned(state) &&
-                same_bits(state.unmoved, Axes{}) &&
-                !state.surface && state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
+  state.plain =
+      !facts.general_only && !waits && (path >= 0 || leaves_nothing(motion)) && !in_cycle(state) &&
+      !state.pending_angle.waiting() && state.lookahead.corner.empty() && !polar(state) &&
+      facts.limits.empty() && !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
+      !state.rigid_waits && facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
+      !state.diameter && !state.no_motion && !centre_is_absolute(state) && !feed_of_each_cut(m) &&
+      !is_turned(state) && same_bits(state.unmoved, Axes{}) && !state.surface &&
+      state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
 
 void take_code(const MotionFacts& facts, MotionState& state, int code) {

@@ -87,6 +87,16 @@ std::optional<Fault> Motion::finish(Moves* moves) {
   return commit(end_waiting(plan), moves, rows);
 }
 
+void Motion::set_frame(const GeneralFrame& frame) {
+  MotionState& state = now();
+  if (state.frame == frame) return;
+  const Axes from = increments_from(state);
+  state.frame = frame;
+  refresh_offset(state);
+  keep_increments(*facts_, state, from);
+  prepare_fast_path(*facts_, state);
+}
+
 void Motion::reset() {
   const Control& c = *facts_->control;
   MotionState& state = now();

@@ -50,6 +50,8 @@ class Motion {
   std::optional<Fault> finish(Moves* moves);
   /// Set whether the spindle turns.
   void set_turning(bool turns) { now().turns = turns; }
+  /// Put a frame of the program in force, as the return to saved modes does.
+  void set_frame(const GeneralFrame& frame);
   /// Note that a program writes over what the control has set, see MotionState::set_anew.
   void write_over(std::size_t kind, double value) {
     now().set_anew[kind] = false;

@@ -30,7 +30,7 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 
 SavedModes modes_of(MotionView m) {
   return {m.state.modal, feed_of(m), speed_of(m.state), m.state.shifted, is_extended(m.state),
-          m.state.turns, false};
+          m.state.turns, false,      m.state.frame};
 }
 
 ReturnToModes units_to(MotionView m, const SavedModes& saved) {

@@ -25,33 +25,36 @@ void reading(Control& c) {
 }
 
 void frames_and_tools(Control& c) {
-  c.motion.machine_move = {MachineMove::ModalWithTool, kKnown, Inferred};
+  c.motion.machine_move = {MachineMove::ModalWithTool,
+                           "840Dk p.1-7: G53, G153, SUPA; the tool is general knowledge", Inferred};
   c.motion.max_extra_systems = {100, "NCI, ggroups.json: G505 to G599, and G500", Secondary};
   c.motion.extra_system_codes = {500, "NCI, ggroups.json: G505 to G599", Secondary};
-  c.motion.tool_edges = {true, kKnown, Inferred};
+  c.motion.tool_edges = {true, "840Dw p.13, MD 20270; the delivered value is general knowledge",
+                         Inferred};
   c.motion.max_offset_number = {9999, kKnown, Inferred};
-  c.motion.shifts_move_increments = {
-      true, "NCI, trans2.mpf with its table; SD 42440 and 42442 are general knowledge", Secondary};
-  c.motion.length_type = {LengthType::Normal, kKnown, Inferred};
-  c.motion.rotation_words = {"E", "NCI grammar: RPL", Secondary};
+  c.motion.shifts_move_increments = {true, "840Dk p.1-7: SD 42440; NCI, trans2.mpf with its table",
+                                     Secondary};
+  c.motion.rotation_words = {"E", "SONE p.309: RPL", Secondary};
 }
 
 void paths(Control& c) {
-  c.motion.arc_angle_words = {"Q", "NCI grammar: AR", Secondary};
-  c.motion.added_turns = {"P", "NCI grammar: TURN", Secondary};
-  c.motion.poles = {true, "NCI grammar: G110 to G112, RP, AP", Secondary};
-  c.motion.chamfer_words = {",C ,D", "NCI grammar: CHR, CHF", Secondary};
-  c.motion.round_words = {",R", "NCI grammar: RND", Secondary};
-  c.motion.angle_words = {",A", "NCI grammar: ANG", Secondary};
-  c.motion.angles_on_mills = {true, "NCI grammar: ANG", Secondary};
+  c.motion.arc_angle_words = {"Q", "5AX p.98: AR", Secondary};
+  c.motion.added_turns = {"P", "5AX p.98: TURN", Secondary};
+  c.motion.drops_centre_across = {true, "NCI, arc.mpf with its table", Secondary};
+  c.motion.poles = {true, "840Df p.118: G110 to G112, RP, AP", Secondary};
+  c.motion.chamfer_words = {",C ,D", "840De p.4-72: CHR, CHF", Secondary};
+  c.motion.round_words = {",R", "840De p.4-72: RND", Secondary};
+  c.motion.angle_words = {",A", "SONE p.220: ANG", Secondary};
+  c.motion.angles_on_mills = {true, "SONE p.220: ANG", Secondary};
   c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};
-  c.motion.acute_corner = {AcuteCorner::ByCode, "general knowledge of the SINUMERIK 840D: G450, G451",
-                           Inferred};
+  c.motion.acute_corner = {AcuteCorner::ByCode, "840Df p.364: G450, G451", Secondary};
+  c.motion.idle_blocks = {3, "general knowledge of the SINUMERIK 840D: MD 20250", Inferred};
 }
 
 void motion(Control& c) {
   c.motion.g_meanings = {
-      "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis 332=thread-by-axis 53=machine 58=not-computed "
+      "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
+      "332=thread-by-axis 58=not-computed "
       "59=not-computed 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
       "75=second-reference-direct 96=not-computed 97=not-computed "
       "110=pole-from-tool 111=pole 112=pole-from-pole 153=machine-all 450=corner-arc "

@@ -19,6 +19,9 @@ void calls_and_returns(Control& c) {
   c.calls.main_return = {MainReturn::Ends, kManual, Manual};
   c.calls.max_repeats = {9999, kKnown, Inferred};
   c.calls.zero_repeats = {ZeroRepeats::Alarm, kKnown, Inferred};
+  c.calls.end_in_subprogram = {
+      EndInSubprogram::Returns,
+      "MD840, MD 20800: M17 and M2, M30 are the M functions of a subprogram's end", Secondary};
   give_role(c.calls.roles, "M17", Role::Return, kManual, Manual);
   give_role(c.calls.roles, "M6", Role::ToolChange, kKnown, Inferred);
   give_role(c.calls.roles, "M2", Role::End, kManual, Manual);
@@ -38,6 +41,23 @@ void alarms(Control& c) {
                 }});
 }
 
+/// Number the causes of jumps, control structures and calls.
+void flow_alarms(Control& c) {
+  using enum Cause;
+  constexpr const char* kAlarms = "general knowledge of the SINUMERIK alarms";
+  c.alarms[IllegalRepeatCount] = {"14013", "number of subprogram passes invalid", kAlarms,
+                                  Inferred};
+  c.alarms[RepeatCountDigits] = c.alarms[IllegalRepeatCount];
+  c.alarms[EndOfRecord] = {"14000", "illegal end of file", kAlarms, Inferred};
+  c.alarms[ReturnTargetNotFound] = {"14080", "jump destination not found", kAlarms, Inferred};
+  c.alarms[PartNotFound] = {"14082", "label of a program part not found", kAlarms, Inferred};
+  for (const Cause cause : {IfWithoutEnd, MissingEnd, MissingDo})
+    c.alarms[cause] = {"12640", "invalid nesting of control structures", kAlarms, Inferred};
+  for (const Cause cause : {IfTooDeep, LoopsTooDeep})
+    c.alarms[cause] = {"12641", "maximum nesting depth of control structures exceeded", kAlarms,
+                       Inferred};
+}
+
 }  // namespace
 
 Control siemens_one() {
@@ -45,6 +65,7 @@ Control siemens_one() {
   c.title = "Siemens SINUMERIK ONE mill";
   calls_and_returns(c);
   alarms(c);
+  flow_alarms(c);
   return c;
 }
 

@@ -47,10 +47,11 @@ class BlockRow:
 @dataclass(frozen=True, slots=True)
 class BranchRow:
     """One outcome of a block that decides. `kind`: `if-goto` (UNTIL too), `if-then`, `if`,
-    `elseif`, `h-jump`, `input-jump`, `do-while`, `while`, `repeat`. `outcome`: `taken` and
-    `not taken` (whether the condition held); of the loops `while` and `repeat` the number of passes
-    of an entry: `none`, `once`, `many`. `block-skip`, of a block with a slash before it: `skipped`
-    and `not skipped`; a slash inside a block is no branch.
+    `elseif`, `h-jump`, `input-jump`, `do-while`, `for` (ENDFOR: whether the loop goes on), `case`
+    (CASE, several IF GOTO in a block: whether one of them jumps), `while`, `repeat`. `outcome`:
+    `taken` and `not taken` (whether the condition held); of the loops `while` and `repeat` the
+    number of passes of an entry: `none`, `once`, `many`. `block-skip`, of a block with a slash
+    before it: `skipped` and `not skipped`; a slash inside a block is no branch.
     """
 
     program: str

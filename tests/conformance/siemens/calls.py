@@ -50,12 +50,12 @@ case(
     program="%_N_MAIN_MPF\nN5 R1=2\nN10 L100 P=R1\nN20 M30\n%_N_L100_SPF\nN40 M17", runs="N5 N10 N40*2 N20",
 )
 case(
-    "P is at most 9999", pins="max_repeats too_many_repeats", **KNOWN,
+    "P is at most 9999", pins="max_repeats too_many_repeats", number="14013", **KNOWN,
     program="%_N_MAIN_MPF\nN10 L100 P10000\nN20 M30\n%_N_L100_SPF\nN40 M17",
     runs="", alarm="repeat-count-digits", at="MAIN N10", word="P10000",
 )
 case(
-    "P0 is no count", pins="zero_repeats", **KNOWN,
+    "P0 is no count", pins="zero_repeats", number="14013", **KNOWN,
     program="%_N_MAIN_MPF\nN10 L100 P0\nN20 M30\n%_N_L100_SPF\nN40 M17",
     runs="", alarm="illegal-repeat-count", at="MAIN N10", word="P0",
 )
@@ -99,20 +99,184 @@ case(
 case(
     "M30 ends it too", pins="roles:M30=end", **MANUAL, program="%_N_MAIN_MPF\nN10 G0 X1\nN20 M30\nN30 X3", runs="N10 N20",
 )
+for words in ("P-1", "P=-1", "P=R1-3"):
+    case(
+        f"{words} is no count either", number="14013", **KNOWN,
+        program=f"%_N_MAIN_MPF\nN10 L100 {words}\nN20 M30\n%_N_L100_SPF\nN40 M17",
+        runs="", alarm="illegal-repeat-count", at="MAIN N10", word=words,
+    )
 case(
-    "a program that ends in nothing alarms", pins="missing_end", **KNOWN,
+    "a program that ends in nothing alarms", pins="missing_end", number="14000", **KNOWN,
     program="%_N_MAIN_MPF\nN10 G0 X1", runs="N10", alarm="end-of-record", at="MAIN",
 )
 case(
     "R parameters are the same in all programs", **KNOWN,
     program="%_N_MAIN_MPF\nN10 R1=5\nN20 PART\nN30 M30\n%_N_PART_SPF\nN40 R1=R1+1\nN50 RET", vars={1: 6},
 )
+ENDS = {"control": ONE, "source": "MD840, MD 20800: M17 and M2, M30 are the M functions of a subprogram's end", "evidence": "secondary"}
+for code in ("M30", "M2", "M02"):
+    case(
+        f"{code} in a subprogram returns, as M17 does", pins="end_in_subprogram", **ENDS,
+        program=f"%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 {code}", runs="N10 N30 N40 N20",
+    )
 case(
-    "M30 ends the run from a subprogram too", pins="end_in_subprogram", **KNOWN,
-    program="%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 M30", runs="N10 N30 N40",
+    "M30 in a subprogram lets its passes go on", **ENDS,
+    program="%_N_MAIN_MPF\nN10 PART P2\nN20 M30\n%_N_PART_MPF\nN30 R1=R1+1\nN40 M30", runs="N10 (N30 N40)*2 N20",
 )
 case(
     "a program may call the one that called it", pins="caller_call", **KNOWN,
     program="%_N_MAIN_MPF\nN10 ONE\nN20 M30\n%_N_ONE_SPF\nN30 R1=R1+1\nN40 IF R1>1 GOTOF OUT\nN50 TWO\nN60 OUT: M17\n%_N_TWO_SPF\nN70 ONE\nN80 M17",
     runs="N10 N30 N40 N50 N70 N30 N40 N60 N80 N60 N20",
+)
+
+# ---- which program runs, and which is called ----
+
+NAMES = {"control": ONE, "source": "SONE p.43, _MPF of main programs, _SPF of subprograms", "evidence": "maker's manual"}
+case(
+    "of files the main program is the one that ends in MPF", **NAMES,
+    files={"AA1.SPF": "N30 M17\n", "BB1.MPF": "N10 AA1\nN20 M30\n"}, runs="N10 N30 N20",
+)
+case(
+    "of programs in one text it is the one that is named so", **NAMES,
+    program="%_N_AA1_SPF\nN30 M17\n%_N_BB1_MPF\nN10 AA1\nN20 M30", runs="N10 N30 N20",
+)
+case(
+    "without one it is the first", **NAMES, files={"AA1.SPF": "N10 BB1\nN20 M17\n", "BB1.SPF": "N30 M17\n"}, runs="N10 N30 N20",
+)
+case(
+    "of a main program and a subprogram of one name the first counts", control=ONE, source="828D p.490, search path", evidence="secondary",
+    files={"MAIN.MPF": "N10 PART\nN20 M30\n", "PART.MPF": "N30 M30\n", "PART.SPF": "N40 M17\n"}, runs="N10 N30 N20",
+)
+for name in ("L1", "L01", "L001"):
+    case(
+        f"{name} is a program of its own", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+        program=f"%_N_MAIN_MPF\nN10 {name}\nN20 M30\n%_N_L1_SPF\nR1=1\nM17\n%_N_L01_SPF\nR1=2\nM17\n%_N_L001_SPF\nR1=3\nM17",
+        vars={1: len(name) - 1},
+    )
+case(
+    "what follows the name of a head is told, and not obeyed", control=ONE, source="policy, nobody says", evidence="inferred",
+    program="%_N_MAIN_MPF N5 G0 X9\nN10 G0 X1\nN20 M30", moves_x=[1], dropped=["N5 G0 X9"],
+)
+case(
+    "a comment may follow it", control=ONE, source="policy, nobody says", evidence="inferred",
+    program="%_N_MAIN_MPF ; X9\nN10 G0 X1\nN20 M30", runs="N10 N20", dropped=[],
+)
+
+# ---- calls that begin with a word ----
+
+for words in (
+    'CALL "PART"', 'CALL "/_N_SPF_DIR/_N_PART_SPF"', 'EXTCALL("PART")', 'EXTCALL "PART.SPF"', 'EXTCALL("C:/PROGS/PART.SPF")',
+    "PCALL PART", "PCALL /_N_WKS_DIR/_N_SHAFT_WPD/PART", "PCALL /_N_SPF_DIR/PART()",
+):
+    case(
+        f"{words} calls a program", control=ONE, source="828Dj p.198, EXTCALL; general knowledge", evidence="inferred",
+        program=f"%_N_MAIN_MPF\nN10 {words}\nN20 M30\n%_N_PART_SPF\nN30 M17", runs="N10 N30 N20", calls="call:PART",
+    )
+case(
+    "PCALL hands values over", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 PCALL /_N_SPF_DIR/PART(4,R2)\nN20 M30\n%_N_PART_SPF\nN30 PROC PART(REAL WIDE, VAR REAL HIGH)\nN40 HIGH=WIDE+1\nN50 M17",
+    vars={2: 5},
+)
+for words in ('CALL "NONE"', 'EXTCALL("NONE.SPF")', "PCALL NONE(1)"):
+    case(
+        f"{words} alarms where there is no such program", number="14011", control=ONE, source="828Dj p.198, the program is cancelled",
+        evidence="secondary",
+        program=f"N10 {words}\nN20 M30", runs="", alarm="named-program-not-found", at="MAIN N10",
+    )
+for words in ('EXTCALL("PART"', "PCALL PART(1"):
+    case(
+        f"{words} lacks its bracket", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10",
+    )
+for words in ('CALL ""', "PCALL /_N_SPF_DIR/"):
+    case(
+        f"{words} names no program", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="illegal-program-name", at="MAIN N10",
+    )
+for words in ("CALL NAME", 'ISOCALL "PART"', 'CALL "PA"<<R1'):
+    case(
+        f"{words} is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
+        program=f"N10 {words}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+    )
+case(
+    "nothing follows CALL", **KNOWN, program='N10 CALL "PART" X5\nN20 M30', runs="", alarm="statement-format", at="MAIN N10", word="X5",
+)
+
+# ---- SETAL ----
+
+SETAL = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+case(
+    "SETAL raises an alarm of the user", number="65000", **SETAL,
+    program="N10 G0 X1\nN20 SETAL(65000)\nN30 X2\nN40 M30", runs="N10 N20", alarm="user-alarm", at="MAIN N20",
+)
+case(
+    "with a text of its own and a number that is computed", number="65012", **SETAL,
+    program='N10 R1=12\nN20 SETAL(65000+R1, "door open")\nN30 M30', runs="N10 N20", alarm="user-alarm", at="MAIN N20",
+)
+for number in (64999, 66000):
+    case(
+        f"SETAL({number}) is no alarm of the user", **SETAL,
+        program=f"N10 SETAL({number})\nN20 M30", runs="", alarm="illegal-user-alarm", at="MAIN N10", word="SETAL",
+    )
+case("SETAL needs brackets", **SETAL, program="N10 SETAL 65000\nN20 M30", runs="", alarm="bracket-not-opened", at="MAIN N10")
+case("that close", **SETAL, program="N10 SETAL(65000\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
+
+# ---- skip levels ----
+
+LEVELS = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D: / and /0 are the first of ten skip levels", "evidence": "inferred"}
+for level in ("", *"0123456789"):
+    first = 1 if level == "" else int(level) + 1
+    for skip in (first, first % 10 + 1):
+        case(
+            f"/{level} is skip level {first}: switch {skip} on", **LEVELS,
+            program=f"/{level} N10 G0\nN20 M30", skip=[skip], runs="N20" if skip == first else "N10 N20",
+        )
+
+# ---- RET with values ----
+
+RET = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+
+
+def _two_levels(back):
+    return (
+        "%_N_MAIN_MPF\nN10 ONE1\nN20 R1=R1+1\nN30 LAB: R2=R2+1\nN40 R3=R3+1\nN50 M30\n"
+        f"%_N_ONE1_SPF\nN60 TWO2\nN65 LAB: R4=1\nN70 M17\n%_N_TWO2_SPF\nN80 {back}"
+    )
+
+
+for back, runs in (
+    ("RET()", "N10 N60 N80 N65 N70 N20 N30 N40 N50"),
+    ('RET("LAB")', "N10 N60 N80 N65 N70 N20 N30 N40 N50"),
+    ('RET("N70")', "N10 N60 N80 N70 N20 N30 N40 N50"),
+    ('RET("lab", 1)', "N10 N60 N80 N70 N20 N30 N40 N50"),
+    ("RET(,,2)", "N10 N60 N80 N20 N30 N40 N50"),
+    ('RET("LAB",,2)', "N10 N60 N80 N30 N40 N50"),
+    ('RET("LAB",1,2)', "N10 N60 N80 N40 N50"),
+    ('RET("N40",0,1+1)', "N10 N60 N80 N40 N50"),
+    ("RET(,,9)", "N10 N60 N80 N20 N30 N40 N50"),
+):
+    case(f"{back} returns to its block, over its levels", **RET, program=_two_levels(back), runs=runs)
+case(
+    "the block is searched for after the call, then from the beginning", **RET,
+    program="%_N_MAIN_MPF\nN10 R1=R1+1\nN20 IF R1>1 GOTOF N50\nN30 PART\nN50 M30\n%_N_PART_SPF\nN60 RET(\"N10\")",
+    runs="N10 N20 N30 N60 N10 N20 N50",
+)
+case(
+    "RET with a block leaves the passes that are left", **RET,
+    program="%_N_MAIN_MPF\nN10 PART P3\nN20 M30\nN30 LAB: M30\n%_N_PART_SPF\nN60 RET(\"LAB\")", runs="N10 N60 N30",
+)
+case(
+    "RET with values ends the main program too", **RET, program='N10 RET("N30")\nN20 G0\nN30 M30', runs="N10",
+)
+case(
+    "RET to a block that is not there", number="14080", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program=_two_levels('RET("NONE")'), runs="N10 N60", alarm="return-target-not-found", at="TWO2 N80", word='"NONE"',
+)
+case(
+    "its fourth value is told and has no effect", **RET,
+    program=_two_levels("RET(,,1,1)"), runs="N10 N60 N80 N65 N70 N20 N30 N40 N50", dropped=["1"],
+)
+case("the values of RET stand in brackets that close", **RET, program="N10 RET(,,1\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
+case("nothing follows them", **RET, program="N10 RET() X5\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5")
+case(
+    "a block that is no text is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
+    program="N10 RET(R1)\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word="R1",
 )

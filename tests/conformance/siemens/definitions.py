@@ -177,3 +177,17 @@ case(
     files={"UGUD.DEF": "N10 DEF NCK REAL DEPTH=9\nN20 DEF CHAN INT DEPTH\nM30\n"}, main="UGUD",
     runs="N10", alarm="variable-given-twice", number="12170", at="UGUD N20", word="DEPTH",
 )
+case(
+    "DEFINE gives a number a name", **KNOWN,
+    files={"MAIN.MPF": "N10 DEF REAL GRID[SIDES]=REP(2)\nN20 R1=SIDES*2 R2=GRID[SIDES-1] R3=LOW\nN30 M30\n",
+           "UMAC.DEF": "DEFINE SIDES AS 6 ; of a nut\nDEFINE LOW AS -2.5\nM17\n"},
+    vars={1: 12, 2: 2, 3: -2.5},
+)
+case(
+    "which takes no value", **KNOWN,
+    program="N10 DEFINE SIDES AS 6\nN20 SIDES=7\nN30 M30", runs="N10", alarm="statement-format", at="MAIN N20", word="SIDES",
+)
+case(
+    "other macros are not computed", **POLICY,
+    program="N10 DEFINE MILLING AS M3\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+)

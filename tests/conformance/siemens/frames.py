@@ -40,7 +40,7 @@ case(
 )
 case(
     "TRANS counts in the unit in force, by expressions, and shifts rotary axes", **KNOWN, setup=PLAIN,
-    program="N10 R1=1\nN20 G70\nN30 TRANS X=R1+1 A=15\nN40 G0 X0 A1\nN50 M30", final_machine="X50.8 Y0 Z0 A16",
+    program="N10 R1=1\nN20 G70\nN30 TRANS X=R1+1 A=15\nN40 G0 X0\nN50 G53 A30\nN60 M30", moves="R X0\nR A15", final_machine="X50.8 Y0 Z0",
 )
 case(
     "TRANS does not move", **KNOWN, program="N10 TRANS X5\nN20 M30", moves="none", runs="N10 N20",
@@ -107,6 +107,23 @@ case(
     program="N10 TRANS X10\nN20 AMIRROR X0 Y0\nN30 G0 X1 Y2\nN40 M30", final_machine="X109.125 Y18.25 Z-40.5",
 )
 
+case(
+    "a mirror changes the side of a compensated radius", **KNOWN, setup={"tools": {1: {"R": 5}}, **ZERO},
+    program="N10 T1 M6\nN20 MIRROR X0\nN30 G41 G1 X10 Y10 F100\nN40 Y30\nN50 X40\nN60 G40 X50 Y50\nN70 M30", time=52.237,
+)
+case(
+    "a scale makes corners larger", **KNOWN, setup=ZERO,
+    program="N10 SCALE X2 Y2\nN20 G1 X10 Y0 RND=1 F100\nN30 Y10\nN40 M30", moves="F X18 Y0\nCCW X20 Y2 C X18 Y2\nF X20 Y20",
+)
+case(
+    "no G word reaches the codes that are words", **KNOWN, program="N10 G900.1 X5\nN20 M30", runs="", alarm="g-code-not-available", number="12470",
+    at="MAIN N10", word="G900.1",
+)
+case(
+    "a value that is too large is out of range, not beyond all numbers", **KNOWN, setup=ZERO,
+    program="N10 SCALE X1EX30 Y1EX30\nN20 ASCALE X1EX30 Y1EX30\nN30 G0 X1\nN40 M30", runs="N10", alarm="value-out-of-range", at="MAIN N20",
+)
+
 # ---- G54, G500, G505, G53, G153, SUPA ----
 
 SYSTEMS = {
@@ -117,19 +134,19 @@ SYSTEMS = {
     **PLAIN,
 }
 case(
-    "G505 to G599 are zero points too, and G500 is none", pins="extra_system_codes max_extra_systems g_meanings:500=extra-system-100", **GROUPS,
+    "G505 to G599 are zero points too, and G500 is none", pins="g_meanings:500=extra-system-100", **GROUPS,
     setup=SYSTEMS,
     program="N10 G505 G0 X1\nN20 G599 X1\nN30 G500 X1\nN40 M30", moves_x=[1, 1, 1], final_machine="X1001 Y7 Z0",
 )
 case(
-    "G599 is the last of them", **GROUPS, setup=SYSTEMS, program="N10 G599 G0 X1\nN20 M30", final_machine="X1600.5 Y7 Z0",
+    "G599 is the last of them", pins="extra_system_codes max_extra_systems", **GROUPS, setup=SYSTEMS, program="N10 G599 G0 X1\nN20 M30", final_machine="X1600.5 Y7 Z0",
 )
 case(
     "a zero point leaves the frame of the program in force", **KNOWN, setup=SYSTEMS,
     program="N10 TRANS X10\nN20 G505 G0 X1\nN30 M30", final_machine="X1016.5 Y7 Z0",
 )
 case(
-    "G53 leaves out the zero point and the frame of its block, and no basic frame", pins="machine_move g_meanings:53=machine", **KNOWN, setup=SYSTEMS,
+    "G53 leaves out the zero point and the frame of its block, and no basic frame", pins="machine_move", **KNOWN, setup=SYSTEMS,
     program="N10 TRANS X10\nN20 G53 G0 X1\nN30 M30", final_machine="X1001 Y7 Z0",
 )
 for word, pin in (("G153", "153=machine-all"), ("SUPA", "901.1=machine-all")):
@@ -156,11 +173,11 @@ case(
 
 TOOLS = {"tools": {1: {"Z": 50.25, "R": 5}, 2: {"Z": 70.5}}, **ZERO}
 case(
-    "a tool comes with its first edge, whose length counts from the next move along its axis", pins="tool_edges", **KNOWN, setup=TOOLS,
+    "a tool comes with its first edge, whose length counts from the next move along its axis", **KNOWN, setup=TOOLS,
     program="N10 G0 X1 Z1\nN20 T1\nN30 M6\nN40 X2\nN50 M30", final_machine="X102.125 Y20.25 Z-39.5",
 )
 case(
-    "the length is in the machine position", **KNOWN, setup=TOOLS,
+    "the length is in the machine position", pins="tool_edges", **KNOWN, setup=TOOLS,
     program="N10 T1 M6\nN20 G0 Z1\nN30 T2 M6\nN40 Z1\nN50 M30", moves="R Z1\nR Z1", final_machine="X100.125 Y20.25 Z31",
 )
 case(
@@ -183,4 +200,18 @@ case(
 case(
     "an edge has a number from 0", pins="max_offset_number", **KNOWN,
     program="N10 T1 M6\nN20 D10000\nN30 M30", runs="N10", alarm="offset-number", at="MAIN N20", word="D10000",
+)
+
+# ---- ends ----
+
+case(
+    "SAVE of a PROC brings the frame of the caller back", **KNOWN, setup=ZERO,
+    program="%_N_MAIN_MPF\nN10 TRANS X10\nN20 SUB1\nN30 G0 X1\nN40 M30\n"
+    "%_N_SUB1_SPF\nPROC SUB1 SAVE\nN10 TRANS X50 Y5\nN20 AROT Z90\nN30 G0 X3 Y4\nN40 RET",
+    final_machine="X111.125 Y28.25 Z-40.5",
+)
+case(
+    "without SAVE the frame of the subprogram stays", **KNOWN, setup=ZERO,
+    program="%_N_MAIN_MPF\nN10 TRANS X10\nN20 SUB1\nN30 G0 X1\nN40 M30\n%_N_SUB1_SPF\nPROC SUB1\nN10 TRANS X50 Y5\nN20 RET",
+    final_machine="X151.125 Y20.25 Z-40.5",
 )

@@ -75,8 +75,91 @@ case(
     "a jump needs a target", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
     program="N10 GOTOF\nN20 M30", runs="", alarm="statement-format", at="MAIN N10",
 )
+
+# ---- several jumps in a block ----
+
+for value, runs in ((1, "N10 N20 N30"), (2, "N10 N20 N40"), (3, "N10 N20 N25 N30")):
+    case(
+        f"several conditions in a block are tested in order: R1={value}", **JUMP,
+        program=f"N10 R1={value}\nN20 IF R1==1 GOTOF AA1 IF R1==2 GOTOF AA2 IF R1==1 GOTOF AA2\nN25 G0\nN30 AA1: M30\nN40 AA2: M30", runs=runs,
+    )
 case(
-    "a second condition in a block is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program="N10 IF R1==1 GOTOF A1 IF R1==2 GOTOF A2\nN20 A1: M30\nN30 A2: M30",
-    runs="", alarm="code-not-computed", at="MAIN N10", word="IF",
+    "the jump of a second condition that finds nothing alarms when it is made", number="14080", **MODEL,
+    program="N10 IF R1==1 GOTOF NONE IF R1==0 GOTOF NOWHERE\nN20 M30",
+    runs="", alarm="jump-target-not-found", at="MAIN N10", word="NOWHERE",
+)
+case(
+    "and is not missed where it is not", **MODEL,
+    program="N10 IF R1==0 GOTOF DONE IF R1==1 GOTOF NOWHERE\nN15 G0\nN20 DONE: M30", runs="N10 N20",
+)
+case(
+    "a second condition needs a jump", **JUMP,
+    program="N10 IF R1==1 GOTOF AA1 IF R1==2\nN20 AA1: M30", runs="", alarm="if-format", at="MAIN N10",
+)
+case(
+    "GOTOC as one of several goes on", **JUMP,
+    program="N10 IF R1==0 GOTOC NOWHERE IF R1==1 GOTOF AA1\nN15 G0\nN20 AA1: M30", runs="N10 N15 N20",
+)
+
+CASES = {"control": ONE, "source": "NCI, test_jumps.py: manual 4.1.5.3", "evidence": "secondary"}
+for value, runs in ((7, "N10 N20 N40"), (9, "N10 N20 N50"), (8, "N10 N20 N60")):
+    case(
+        f"CASE jumps by its value, or to DEFAULT: {value}", **CASES,
+        program=f"N10 R1={value}\nN20 CASE(R1) OF 7 GOTOF AA1 9 GOTOF AA2 DEFAULT GOTOF AA3\nN30 M30\nN40 AA1: M30\nN50 AA2: M30\nN60 AA3: M30", runs=runs,
+    )
+case(
+    "CASE computes its value, and needs no DEFAULT", **CASES,
+    program="N10 R1=2\nN20 CASE(R1*2-1) OF 4 GOTOF AA1\nN30 G0\nN40 AA1: M30", runs="N10 N20 N30 N40",
+)
+case(
+    "CASE jumps back, and without brackets around its value", **CASES,
+    program="N10 BACK: R1=R1+1\nN20 CASE R1 OF 1 GOTOB BACK 2 GOTO DONE\nN30 G0\nN40 DONE: M30", runs="(N10 N20)*2 N40",
+)
+case(
+    "the first of two equal values counts", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program="N10 CASE(1) OF 1 GOTOF AA1 1 GOTOF AA2\nN20 AA1: M30\nN30 AA2: M30", runs="N10 N20",
+)
+case(
+    "CASE takes negative values", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program="N10 R1=-1\nN20 CASE(R1) OF 1 GOTOF AA1 -1 GOTOF AA2\nN25 G0\nN30 AA1: M30\nN40 AA2: M30", runs="N10 N20 N40",
+)
+case(
+    "a target of CASE that is not there alarms when it is jumped to", number="14080", **CASES,
+    program="N10 CASE(1) OF 2 GOTOF NONE 1 GOTOF NOWHERE DEFAULT GOTOF NONE\nN20 M30",
+    runs="", alarm="jump-target-not-found", at="MAIN N10", word="NOWHERE",
+)
+case(
+    "CASE leads into no structure", number="14080", **CASES,
+    program="N10 CASE(1) OF 1 GOTOF INSIDE\nN20 IF R1==0\nN30 INSIDE: G0\nN40 ENDIF\nN50 M30",
+    runs="", alarm="jump-target-not-found", at="MAIN N10", word="INSIDE",
+)
+for words, where in (("CASE(1) 1 GOTOF AA1", None), ("CASE(1) OF 1 AA1", "AA1"), ("CASE(1) OF 1 GOTOF", None), ("CASE(1) OF 1 GOTOF AA1 DEFAULT GOTOF AA1 2 GOTOF AA1", "2")):
+    case(
+        f"{words} is no CASE", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+        program=f"N10 {words}\nN20 AA1: M30", runs="", alarm="statement-format", at="MAIN N10", **({"word": where} if where else {}),
+    )
+case(
+    "a label stands before CASE", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program="N10 GOTOF HERE\nN20 M30\nN30 HERE: CASE(1) OF 1 GOTOB N20", runs="N10 N30 N20",
+)
+
+# ---- GOTOS, and targets that are texts ----
+
+START = {"control": ONE, "source": "NCI, test_jumps.py: manual 4.1.5.1", "evidence": "secondary"}
+case(
+    "GOTOS goes on where the PLC does not ask for the beginning", **START,
+    program="N10 GOTOS\nN20 IF R1==0 GOTOS\nN30 M30", runs="N10 N20 N30",
+)
+case(
+    "nothing follows GOTOS", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program="N10 GOTOS DONE\nN20 DONE: M30", runs="", alarm="statement-format", at="MAIN N10",
+)
+case(
+    "a target may be a text", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
+    program='N10 GOTOF "DONE"\nN20 G0\nN30 DONE: M30', runs="N10 N30",
+)
+case(
+    "a target in a variable is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
+    program='N10 DEF STRING[20] WHERE="DONE"\nN20 GOTOF WHERE\nN30 DONE: M30',
+    runs="N10", alarm="code-not-computed", at="MAIN N20", word="WHERE",
 )

@@ -175,3 +175,22 @@ case(
     program="%_N_MAIN_MPF\nN10 G1 X60 F60\nN20 PART\nN30 X240\nN40 M30\n%_N_PART_SPF\nN50 PROC PART SAVE\nN60 G1 X120 F120\nN70 M17",
     time=60 + 30 + 60,
 )
+case(
+    "a CHAR takes a character between quotes", **TYPES,
+    program=_call('PART("A", 66)', "(CHAR FIRST, CHAR LAST)", "N50 R1=FIRST R2=LAST\n"), vars={1: 65, 2: 66},
+)
+case(
+    "and no text of two", **TYPES,
+    program=_call('PART("AB")', "(CHAR FIRST)"), runs="", alarm="statement-format", at="MAIN N20",
+)
+case(
+    "an element of an array may stand for a VAR parameter, and R[...]", **KNOWN,
+    program=_call("PART(GRID[AT],R[AT+1],GRID[AT,0])".replace("GRID[AT,0]", "R4"), "(VAR REAL FIRST, VAR REAL NEXT, VAR REAL LAST)",
+                  "N50 FIRST=FIRST+1 NEXT=NEXT+2 LAST=9\n", "N5 DEF REAL GRID[3]=SET(10,20,30)\nN7 DEF INT AT=1\nN10 R2=5\n")
+    .replace("N30 M30", "N25 R5=GRID[0] R6=GRID[1] R7=GRID[2]\nN30 M30"),
+    vars={2: 7, 4: 9, 5: 10, 6: 21, 7: 30},
+)
+case(
+    "an element with an operator beside it is no variable", **KNOWN,
+    program=_call("PART(GRID[1]+1)", "(VAR REAL FIRST)", "", "N5 DEF REAL GRID[3]\n"), runs="N5", alarm="statement-format", at="MAIN N20",
+)

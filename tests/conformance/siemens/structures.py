@@ -44,7 +44,7 @@ case(
 )
 case(
     "an ENDIF that is searched for is", **SEARCHED,
-    program="N10 IF R1==1\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+    program="N10 IF R1==1\nN20 M30", runs="", alarm="if-without-end", number="12640", at="MAIN N10",
 )
 case(
     "an IF without ENDIF whose condition does not hold goes on after its ELSE", **SEARCHED,
@@ -52,21 +52,21 @@ case(
 )
 case(
     "and alarms at the ELSE where it holds", **SEARCHED,
-    program="N10 IF R1==0\nN20 R2=1\nN30 ELSE\nN40 R2=2\nN50 M30", runs="N10 N20", alarm="if-without-end", at="MAIN N30",
+    program="N10 IF R1==0\nN20 R2=1\nN30 ELSE\nN40 R2=2\nN50 M30", runs="N10 N20", alarm="if-without-end", number="12640", at="MAIN N30",
 )
 case(
     "an inner IF without ENDIF takes the one of the outer", **SEARCHED,
     program="N10 IF R1==0\nN20 IF R1==0\nN30 R2=1\nN40 ENDIF\nN50 M30", runs="N10 N20 N30 N40 N50",
 )
 case(
-    "an ENDIF without IF", **KNOWN, program="N10 ENDIF\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+    "an ENDIF without IF", **KNOWN, program="N10 ENDIF\nN20 M30", runs="", alarm="if-without-end", number="12640", at="MAIN N10",
 )
 case(
-    "an ELSE without IF", **KNOWN, program="N10 ELSE\nN20 M30", runs="", alarm="if-without-end", at="MAIN N10",
+    "an ELSE without IF", **KNOWN, program="N10 ELSE\nN20 M30", runs="", alarm="if-without-end", number="12640", at="MAIN N10",
 )
 case(
     "a WHILE without its end alarms where its condition does not hold", **SEARCHED,
-    program="N10 WHILE R1==1\nN20 M30", runs="", alarm="missing-end", at="MAIN N10",
+    program="N10 WHILE R1==1\nN20 M30", runs="", alarm="missing-end", number="12640", at="MAIN N10",
 )
 case(
     "and not before", **SEARCHED,
@@ -78,30 +78,21 @@ for word in ("LOOP", "REPEAT"):
         program=f"N10 {word}\nN20 G0 X1\nN30 M30", runs="N10 N20 N30",
     )
 case(
-    "an end without its loop", **KNOWN, program="N10 ENDLOOP\nN20 M30", runs="", alarm="missing-do", at="MAIN N10",
+    "an end without its loop", **KNOWN, program="N10 ENDLOOP\nN20 M30", runs="", alarm="missing-do", number="12640", at="MAIN N10",
 )
 case(
     "a loop does not cross a branch", **KNOWN,
-    program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="N10 N20", alarm="missing-do", at="MAIN N30",
+    program="N10 LOOP\nN20 IF R1==0\nN30 ENDLOOP\nN40 ENDIF\nN50 M30", runs="N10 N20", alarm="missing-do", number="12640", at="MAIN N30",
 )
 case(
     "nothing stands after a statement", **KNOWN,
     program="N10 LOOP X5\nN20 ENDLOOP\nN30 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5",
 )
-case(
-    "FOR is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program="N10 FOR R1=1 TO 3\nN20 ENDFOR\nN30 M30", runs="", alarm="code-not-computed", at="MAIN N10",
-)
-case(
-    "nor is the repetition of a part of a program", control=ONE, source="policy, nobody says", evidence="inferred",
-    program="N10 LAB: G0 X1\nN20 REPEAT LAB P=2\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
-)
-
 # ---- blocks of a structure take no label and no slash ----
 
 for words, rest in (
     ("IF R1==1", "N20 ENDIF\n"), ("WHILE R1==1", "N20 ENDWHILE\n"), ("LOOP", "N20 ENDLOOP\n"),
-    ("REPEAT", "N20 UNTIL R1==0\n"), ("ENDIF", ""), ("ELSE", ""), ("ENDWHILE", ""), ("ENDLOOP", ""), ("UNTIL R1==0", ""),
+    ("REPEAT", "N20 UNTIL R1==0\n"), ("FOR R1=1 TO 2", "N20 ENDFOR\n"), ("ENDFOR", ""), ("ENDIF", ""), ("ELSE", ""), ("ENDWHILE", ""), ("ENDLOOP", ""), ("UNTIL R1==0", ""),
 ):
     case(
         f"no label stands before {words.split()[0]}", **MANUAL, number="12630",
@@ -131,6 +122,7 @@ for mark in ("LAB: ", "/"):
 
 for kind, first, last in (
     ("IF", "IF R1==0", "ENDIF"), ("WHILE", "WHILE R1==0", "ENDWHILE"), ("LOOP", "LOOP", "ENDLOOP"), ("REPEAT", "REPEAT", "UNTIL R1==0"),
+    ("FOR", "FOR R1=1 TO 2", "ENDFOR"),
 ):
     case(
         f"no jump leads into {kind}", **TESTS, number="14080",
@@ -171,3 +163,17 @@ case(
     program="N10 IF R1==1 GOTOF INSIDE\nN20 IF R1==0 GOTOF INSIDE\nN30 LOOP\nN40 INSIDE: G0 X1\nN50 ENDLOOP\nN60 M30",
     runs="N10", alarm="jump-target-not-found", at="MAIN N20", word="INSIDE",
 )
+
+# ---- how many structures inside each other ----
+
+case(
+    "sixteen control structures stand inside each other", **KNOWN,
+    program="".join("IF R1==0\n" for _ in range(16)) + "N10 R1=1\n" + "".join("ENDIF\n" for _ in range(16)) + "N20 M30",
+    vars={1: 1},
+)
+for words, end, cause in (("IF R1==0", "ENDIF", "if-too-deep"), ("LOOP", "ENDLOOP", "loops-too-deep")):
+    case(
+        f"the seventeenth, {words.split()[0]}, is 12641", number="12641", **KNOWN,
+        program="".join("IF R1==0\n" for _ in range(16)) + f"N10 {words}\n{end}\n" + "".join("ENDIF\n" for _ in range(16)) + "N20 M30",
+        alarm=cause, at="MAIN N10",
+    )

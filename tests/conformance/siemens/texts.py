@@ -38,7 +38,7 @@ case(
     program=said('"Index:"<<IDX<<"/value:"<<VALUE', "N10 DEF INT IDX=2\nN15 DEF REAL VALUE=9.654\n"),
     messages=["Index:2/value:9.654"],
 )
-for number, written in (("5", "5"), ("2.50", "2.5"), ("-0.125", "-0.125"), ("1/4", "0.25"), ("0.1+0.2", "0.3"), ("100000", "100000")):
+for number, written in (("5", "5"), ("2.50", "2.5"), ("-0.125", "-0.125"), ("1/4", "0.25"), ("0.1+0.2", "0.3"), ("100000", "100000"), ("12345678901", "12345678901"), ("-0", "0")):
     case(f"{number} is written as {written}", **KNOWN, program=said(f"<<{number}"), messages=[written])
 case(
     "a truth is written as 1 or 0, a character as it is, an axis by its letter", **KNOWN,
@@ -164,6 +164,20 @@ case(
 )
 case(
     "an AXIS takes axes and nothing else", **TYPES,
-    program="N10 DEF AXIS WAY=X\nN15 WAY=Y\nN20 R1=WAY==Y R2=WAY==X\nN30 WAY=5\nN40 M30",
-    vars={1: 1, 2: 0}, runs="N10 N15 N20", alarm="expression-format", at="MAIN N30",
+    program="N10 DEF AXIS WAY=X, NONE=NO_AXIS\nN15 WAY=Y\nN20 R1=WAY==Y R2=WAY==X R3=NONE==NO_AXIS\nN30 WAY=5\nN40 M30",
+    vars={1: 1, 2: 0, 3: 1}, runs="N10 N15 N20", alarm="expression-format", at="MAIN N30",
+)
+case(
+    "a joined text of more than 1,000 characters is not computed", **POLICY,
+    program='N10 DEF STRING[200] TAG="' + "A" * 200 + '"\nN20 R1=STRLEN(TAG<<TAG<<TAG<<TAG<<TAG)\nN30 R2=STRLEN(TAG<<TAG<<TAG<<TAG<<TAG<<1)\nN40 M30',
+    vars={1: 1000}, runs="N10 N20", alarm="code-not-computed", at="MAIN N30",
+)
+case(
+    "AXNAME is the axis of a name", **KNOWN,
+    program='N10 DEF AXIS WAY=AXNAME("Y"), NEXT\nN20 NEXT=AXNAME("z")\nN30 MSG(WAY<<NEXT)\nN40 R1=AXNAME("Q9")==NO_AXIS\nN50 M30',
+    messages=["YZ"], vars={1: 1},
+)
+case(
+    "a tool may have the name in a variable, and the word is told as dropped", **KNOWN,
+    program='N10 DEF STRING[20] TOOL="MILL"\nN20 T=TOOL\nN30 M6\nN40 M30', runs="N10 N20 N30 N40", dropped=["T=TOOL"],
 )

@@ -119,7 +119,7 @@ case(
     vars={1: 4, 2: 4, 3: -3, 4: -3, 5: 3},
 )
 case(
-    "EXP is the power of e", **KNOWN, program="N10 R1=EXP(0) R2=ROUND(EXP(1)*1000) R3=LN(EXP(2))\nN20 M30", vars={1: 1, 2: 2718, 3: 2},
+    "EXP is the power of the number e", **KNOWN, program="N10 R1=EXP(0) R2=ROUND(EXP(1)*1000) R3=LN(EXP(2))\nN20 M30", vars={1: 1, 2: 2718, 3: 2},
 )
 case(
     "two whole numbers have a quotient with a fraction, and DIV has none", control=ONE, source="NCI, basic_math.mpf", evidence="secondary",

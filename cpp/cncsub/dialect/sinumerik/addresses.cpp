@@ -18,11 +18,8 @@ struct Form {
   bool incremental;
   unsigned rotary;  // the first bit of its axes in WordForms::rotary; 32: it is no form of them
 };
-constexpr std::array<Form, 5> kForms = {{{"AC", false, 32},
-                                         {"IC", true, 32},
-                                         {"DC", false, 0},
-                                         {"ACP", false, 8},
-                                         {"ACN", false, 16}}};
+constexpr std::array<Form, 5> kForms = {
+    {{"AC", false, 32}, {"IC", true, 32}, {"DC", false, 0}, {"ACP", false, 8}, {"ACN", false, 16}}};
 
 const Form* form_named(std::string_view name) {
   for (const Form& of : kForms)
@@ -45,8 +42,8 @@ bool BlockReader::form(Block& block, std::uint32_t at, int place, WordForms& for
   const std::uint32_t address = 1u << place;
   (of->incremental ? forms.incremental : forms.absolute) |= address;
   if (of->rotary == 32) return true;
-  const std::size_t axis = place < 26 ? kRotary.find(static_cast<char>('A' + place))
-                                      : std::string_view::npos;
+  const std::size_t axis =
+      place < 26 ? kRotary.find(static_cast<char>('A' + place)) : std::string_view::npos;
   if (axis == std::string_view::npos)
     return refuse(block, Cause::StatementFormat,
                   std::string(of->name) + " is a form of rotary axes", at);
@@ -133,10 +130,43 @@ bool BlockReader::report(Block& block, Words& words, std::string_view name, std:
     if (!line_.name().empty()) line_.pass(index.size());
     if (!line_.take(']')) return refuse(block, Cause::BracketNotClosed, "] is missing", at);
   }
-  if (!line_.take('=')) return refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
+  if (!line_.take('='))
+    return refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
   WordForms none;
   Value value;
   if (!form(block, at, 0, none, value)) return false;
+  words.drops.push_back({0, at, line_.width_from(at)});
+  words.any = true;
+  return true;
+}
+
+/// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
+bool BlockReader::report_call(Block& block, Words& words, std::string_view name, std::uint32_t at) {
+  line_.pass(name.size());
+  int depth = 0;
+  do {
+    const char c = line_.peek();
+    if (depth == 0 && c != '(') break;
+    if (c == '\0') return refuse(block, Cause::BracketNotClosed, ") is missing", at);
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == '"')
+      line_.pass_quoted();
+    else
+      line_.pass(1);
+  } while (depth > 0);
+  words.drops.push_back({0, at, line_.width_from(at)});
+  words.any = true;
+  return true;
+}
+
+/// Read RNDM=0: what begins with another value is not computed.
+bool BlockReader::off_at_zero(Block& block, Words& words, std::string_view name, std::uint32_t at) {
+  line_.pass(name.size());
+  if (!line_.take('='))
+    return refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
+  Value value;
+  if (!expression_.value(value)) return refuse(block);
+  if (value.computed || value.number != 0) return not_computed(block, capitals(name), at);
   words.drops.push_back({0, at, line_.width_from(at)});
   words.any = true;
   return true;

@@ -21,8 +21,7 @@ constexpr std::string_view kDropped = "H";  // reported, and without effect here
 
 /// Return whether a block of a control structure has a label or may be skipped. [840Dsl p.107]
 bool is_marked_structure(const Block& block, const Link& link, bool o_word) {
-  const bool structure = link.kind != Link::Kind::None && link.kind != Link::Kind::Jump;
-  return structure && (block.skip != 0 || o_word);
+  return link.is_structure() && (block.skip != 0 || o_word);
 }
 
 void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::uint32_t width) {
@@ -74,13 +73,13 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   return true;
 }
 
-/// Read the skip switches: `/` and `/0` are the first one, `/1` and up the one of this number.
+/// Read the skip levels: `/` and `/0` are the first of ten, `/9` is the tenth. [general knowledge]
 void BlockReader::skip_level(Block& block) {
   marked_at_ = line_.offset();
   while (line_.take('/')) {
     const char level = line_.ahead(0);
     if (is_digit(level)) line_.pass(1);
-    block.skip |= 1u << (is_digit(level) && level > '1' ? level - '0' : 1);
+    block.skip |= 1u << (is_digit(level) ? level - '0' + 1 : 1);
     marked_width_ = line_.width_from(marked_at_);
   }
 }
@@ -158,9 +157,11 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
   if (equals && definitions_.find(std::string(1, letter)) != nullptr)
     return not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
-  if (equals ? !form(block, at, letter - 'A', words.list.forms, value)
-             : !expression_.number(value) && !refuse(block))
-    return false;
+  bool is_text = false;
+  const bool read = !equals         ? expression_.number(value) || refuse(block)
+                    : letter == 'T' ? expression_.value_or_text(value, is_text) || refuse(block)
+                                    : form(block, at, letter - 'A', words.list.forms, value);
+  if (!read) return false;
   value.at = at;
   value.width = line_.width_from(at);
   words.any = true;
@@ -168,7 +169,7 @@ bool BlockReader::word(Block& block, Words& words, char letter, std::uint32_t at
     return equals ? refuse(block, Cause::StatementFormat, "G cannot have =", at)
                   : g_code(block, words, value);
   if (letter == 'M') return m_code(block, words, value);
-  if (!known) {
+  if (!known || is_text) {  // the number of a tool's name is the machine's affair
     words.drops.push_back({0, value.at, value.width});
     return true;
   }
@@ -185,7 +186,8 @@ bool BlockReader::Words::take_group(int group) {
 
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const auto code = to_whole<int>(std::round(value.number * 10));
-  if (value.number < 0 || !to_.control().reading.g_codes.value.has(code))
+  const bool whole = code % 10 == 0;  // tenths are those of codes that are written as words
+  if (value.number < 0 || !whole || !to_.control().reading.g_codes.value.has(code))
     return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
   if (!words.take_group(group_of(code / 10)))
     return refuse(block, Cause::AddressGivenTwice, "a second code of its G group", value.at);
@@ -229,7 +231,6 @@ bool BlockReader::named(Block& block, Words& words) {
   const std::string name = capitals(written);
   if (name == "MSG") return message(block, words, at);
   if (name == "MCALL") return modal_call(block, words, at);
-  if (name == "SETAL") return raise_alarm(block, words, at);
   if (const Definition* const of = definitions_.find(name)) {
     return expression_.assignments(*of, words.statements) || refuse(block);
   }
@@ -241,6 +242,8 @@ bool BlockReader::named(Block& block, Words& words) {
   if (const int code = code_of_word(name); code >= 0)
     return code_word(block, words, code, name, at);
   if (is_reported(name)) return report(block, words, name, at);
+  if (is_reported_call(name)) return report_call(block, words, name, at);
+  if (is_off_at_zero(name)) return off_at_zero(block, words, name, at);
   if (is_neutral(name)) {
     line_.pass(name.size());
     if (!words.take_group(group_of(name)))
@@ -291,7 +294,8 @@ void BlockReader::name_machine_axes(Words& words) const {
   for (int i = 0; i < words.list.g_count; ++i) {
     const double code = words.list.g[static_cast<std::size_t>(i)].value;
     if (code != 740 && code != 750) continue;
-    for (const auto& [letter, value] : words.machine_axes) words.list.set(letter - 'A', value, false);
+    for (const auto& [letter, value] : words.machine_axes)
+      words.list.set(letter - 'A', value, false);
     words.drops.clear();
   }
 }

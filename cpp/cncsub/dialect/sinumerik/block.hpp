@@ -10,30 +10,9 @@
 #include "cncsub/dialect/sinumerik/declarations.hpp"
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
+#include "cncsub/dialect/sinumerik/link.hpp"
 
 namespace cncsub::sinumerik {
-
-/// The part of a block that concerns other blocks of its program, used when all of them are known.
-struct Link {
-  enum class Kind : std::uint8_t {
-    None,
-    Jump,  // GOTOF, GOTOB, GOTO, GOTOC, after a condition or not
-    If,
-    Else,
-    EndIf,
-    While,
-    EndWhile,
-    Loop,
-    EndLoop,
-    Repeat,
-    Until
-  } kind = Kind::None;
-  char direction = '\0';     // of a jump: F, B, C, or none
-  bool conditional = false;  // IF stands before it
-  std::string target;        // its label, in capitals; empty: the number
-  std::int32_t number = -1;
-  std::uint32_t at = 0, width = 1;  // of the target
-};
 
 class BlockReader {
  public:
@@ -68,6 +47,12 @@ class BlockReader {
     bool take_group(int group);
   };
 
+  /// A jump of a block that has several: its condition, or the value that leads to it.
+  struct Alternative {
+    Statement choice;
+    JumpTarget target;
+  };
+
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
   bool refuse(Block& block);
   bool not_computed(Block& block, std::string_view what, std::uint32_t at);
@@ -88,6 +73,8 @@ class BlockReader {
   bool code_word(Block& block, Words& words, int code, std::string_view name, std::uint32_t at);
   bool tool_by_name(Words& words, std::uint32_t at);
   void name_machine_axes(Words& words) const;
+  bool report_call(Block& block, Words& words, std::string_view name, std::uint32_t at);
+  bool off_at_zero(Block& block, Words& words, std::string_view name, std::uint32_t at);
   bool axis_beyond(Block& block, Words& words, std::uint32_t at);
   bool g_code(Block& block, Words& words, const Value& value);
   bool m_code(Block& block, Words& words, const Value& value);
@@ -100,7 +87,6 @@ class BlockReader {
   bool write_call(Block& block, const Words& words, CallRecord call);
   bool modal_call(Block& block, Words& words, std::uint32_t at);
   bool write_modal_call(Block& block, const Words& words);
-  bool raise_alarm(Block& block, Words& words, std::uint32_t at);
   bool write_return(Block& block, const Words& words, std::uint32_t at);
   void write_beside(Block& block, const Words& words);
 
@@ -108,6 +94,27 @@ class BlockReader {
   bool statement(Block& block, Link& link, bool& read_it);
   bool conditional(Block& block, Link& link);
   bool jump(Block& block, Link& link, std::string_view word, Statement jump);
+  bool jump_target(Block& block, std::string_view word, JumpTarget& target);
+  bool condition_jumps(Block& block, Link& link, Statement first);
+  bool case_of(Block& block, Link& link, Statement choice);
+  bool one_case(Block& block, Alternative& one);
+  bool write_switch(Block& block, Link& link, Statement choice,
+                    std::vector<Alternative>& alternatives);
+  bool count_loop(Block& block, Link& link, Statement loop);
+  bool repeat(Block& block, Link& link, std::uint32_t at);
+  bool part(Block& block, Link& link, CallKind kind, std::uint32_t at, const Operand& count);
+  bool pass_count(Block& block, Operand& count);
+  bool other_call(Block& block, Link& link, const std::string& word, std::uint32_t at);
+  bool call_by_text(Block& block, Link& link, std::uint32_t at);
+  bool call_block(Block& block, Link& link, std::uint32_t at);
+  bool call_by_path(Block& block, std::uint32_t at);
+  bool external_call(Block& block, std::uint32_t at);
+  bool user_alarm(Block& block, std::uint32_t at);
+  bool return_by_values(Block& block, std::uint32_t at);
+  bool return_value(Block& block, Operand& operand);
+  bool text_here(Block& block, std::string& text);
+  bool named_call(Block& block, std::string_view path, std::uint32_t at,
+                  std::vector<ActualParameter> given);
   bool end_of_statement(Block& block);
 
   Builder& to_;

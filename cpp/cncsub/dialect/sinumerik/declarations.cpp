@@ -86,6 +86,7 @@ bool DeclarationReader::lacks_end(Block& block) {
 
 bool DeclarationReader::read(Block& block) {
   const std::string word = capitals(line_.name());
+  if (word == "DEFINE") return macro(block);
   if (word != "PROC" && word != "DEF" && word != "EXTERN") return false;
   const std::uint32_t at = line_.offset();
   line_.pass(word.size());
@@ -137,6 +138,7 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
                   declared.at);
   formal.variable = definition.local;
   formal.is_text = definition.type == Type::String;
+  formal.is_character = definition.type == Type::Char;
   if (declared.value && declared.value->computed)
     return refuse(block, Cause::CodeNotComputed, "a computed default value is not computed here",
                   declared.at);
@@ -180,6 +182,12 @@ bool DeclarationReader::def(Block& block) {
   return write(block, statements), true;
 }
 
+/// Return whether the program is a file of definitions.
+bool DeclarationReader::is_of_definitions() {
+  const std::string file = capitals(to_.code().files[to_.program().file].name);
+  return file.ends_with(".DEF") || capitals(to_.code().name_of(to_.program())).ends_with("_DEF");
+}
+
 /// Read NCK or CHAN, and who may read and write. Files of definitions say them. [840Da p.133]
 bool DeclarationReader::is_global(Block& block, bool& global) {
   const std::uint32_t at = line_.offset();
@@ -187,8 +195,7 @@ bool DeclarationReader::is_global(Block& block, bool& global) {
   global = first == "NCK" || first == "CHAN";
   if (!global) return true;
   line_.pass(first.size());
-  const std::string file = capitals(to_.code().files[to_.program().file].name);
-  if (!file.ends_with(".DEF") && !capitals(to_.code().name_of(to_.program())).ends_with("_DEF"))
+  if (!is_of_definitions())
     return refuse(block, Cause::CodeNotComputed,
                   "DEF " + first + " outside of a file of definitions is not computed here", at);
   for (std::string word = capitals(line_.name());
@@ -232,6 +239,28 @@ bool DeclarationReader::first_value(Block& block, const Declared& declared) {
     for (int i = 0; i < count; ++i) to_.names().first_value(of.index + i, value.cells()[0].value());
   }
   return true;
+}
+
+/// Read DEFINE SIDES AS 6: a name for a number. Other macros are left. [general knowledge]
+bool DeclarationReader::macro(Block& block) {
+  const Line before = line_;
+  const auto leave = [&] { return line_ = before, false; };
+  line_.pass(6);
+  const std::string name = capitals(line_.name());
+  line_.pass(name.size());
+  if (name.size() < 2 || capitals(line_.name()) != "AS") return leave();
+  line_.pass(2);
+  Definition number;
+  number.global = is_of_definitions();
+  Value value;
+  const bool read = expression_.number(value) && line_.at_end();
+  expression_.fault.reset();
+  if (!read) return leave();
+  if (definitions_.defines(name, number.global))
+    return refuse(block, Cause::VariableGivenTwice, name + " is defined already", value.at), true;
+  number.constant = value.number;
+  definitions_.add(name, number);
+  return write(block, {}), true;
 }
 
 // ---- both ----

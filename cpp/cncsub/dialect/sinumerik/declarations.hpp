@@ -31,6 +31,8 @@ class DeclarationReader {
   bool parameter(Block& block, std::vector<Statement>& conversions);
   bool attributes(Block& block);
   bool def(Block& block);
+  bool macro(Block& block);
+  bool is_of_definitions();
   bool is_global(Block& block, bool& global);
   bool add(Block& block, Declared& declared, std::vector<Statement>& statements);
   bool type(Block& block, Definition& definition);

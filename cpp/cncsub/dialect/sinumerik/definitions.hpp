@@ -29,6 +29,7 @@ struct Definition {
   std::int32_t length = kLongestText;  // of a STRING
   std::size_t dimensions = 0;          // of an array
   std::array<std::int32_t, kMostDimensions> extents{};
+  std::optional<double> constant{};  // the number that a macro stands for
 
   bool is_array() const { return dimensions > 0; }
   std::int32_t size() const {

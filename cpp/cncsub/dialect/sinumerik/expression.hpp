@@ -78,6 +78,7 @@ class ExpressionReader {
 
  private:
   bool finish(Value& value, std::uint32_t at);
+  bool parameter_side(Statement& statement);
   bool left_side(const Definition& to, Statement& statement);
   bool character_side(const Definition& to, Statement& statement);
   bool assigned_value(const Definition& to, Statement& statement);

@@ -88,6 +88,25 @@ Read read_values(OpenExpression& open, const Function& of, std::uint32_t at, int
   return of.type;
 }
 
+/// Read AXNAME(TEXT), the axis of a name; a name that no axis has is NO_AXIS.
+Read read_axis_name(OpenExpression& open, int depth) {
+  const auto push = [&](const char* text) {
+    open.emit(Ins::Constant, open.to.names().constant_text(text));
+  };
+  push(" X Y Z A B C U V W ");
+  push(" ");
+  if (!read_argument(open, 'T', depth) || !take_close(open)) return std::nullopt;
+  open.emit(Ins::JoinTexts, 0);
+  push(" ");
+  open.emit(Ins::JoinTexts, 0);
+  open.emit(Ins::UpperText);
+  open.emit(Ins::FindText);
+  open.emit(Ins::DivideConstant, 2);
+  open.emit(Ins::Floor);
+  open.emit(Ins::AddConstant, 1);
+  return Type::Axis;
+}
+
 /// Read SUBSTR(TEXT, from), or SUBSTR(TEXT, from, count).
 Read read_part(OpenExpression& open, std::uint32_t at, int depth) {
   if (!read_argument(open, 'T', depth) || !take_comma(open, at) || !read_argument(open, 'N', depth))
@@ -178,7 +197,7 @@ Read read_function(OpenExpression& open, std::string_view name, int depth) {
   const auto* const of = std::find_if(std::begin(kFunctions), std::end(kFunctions),
                                       [name](const Function& known) { return known.name == name; });
   const bool known = of != std::end(kFunctions);
-  if (!known && name != "SUBSTR" && name != "SPRINT") {
+  if (!known && name != "SUBSTR" && name != "SPRINT" && name != "AXNAME") {
     if (is_not_computed(name)) return fails(open.not_computed(name, at));
     return fails(open.wrong(
         Cause::CodeNotComputed,
@@ -187,6 +206,7 @@ Read read_function(OpenExpression& open, std::string_view name, int depth) {
   if (!open.line.take('(')) return fails(open.wrong(Cause::BracketNotOpened, "( is missing", at));
   if (!known) {
     open.constant.reset();
+    if (name == "AXNAME") return read_axis_name(open, depth);
     return name == "SUBSTR" ? read_part(open, at, depth) : read_format(open, at, depth);
   }
   return read_values(open, *of, at, depth);

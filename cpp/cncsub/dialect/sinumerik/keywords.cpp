@@ -32,82 +32,88 @@ struct Word {
 };
 
 // [NCI groups]
-constexpr Word kWords[] = {
-    {"TRANS", 3},   {"ATRANS", 3},  {"ROT", 3},      {"AROT", 3},    {"SCALE", 3},
-    {"ASCALE", 3},  {"MIRROR", 3},  {"AMIRROR", 3},  {"CIP", 1},     {"SUPA", 9},
-    {"DIAMON", 29}, {"DIAMOF", 29}, {"BRISK", 21},   {"DRIVE", 21},  {"SOFT", 21},
-    {"FFWOF", 24},  {"FFWON", 24},  {"WALIMON", 28}, {"WALIMOF", 28}};
+constexpr Word kWords[] = {{"TRANS", 3},  {"ATRANS", 3},   {"ROT", 3},     {"AROT", 3},
+                           {"SCALE", 3},  {"ASCALE", 3},   {"MIRROR", 3},  {"AMIRROR", 3},
+                           {"CIP", 1},    {"SUPA", 9},     {"DIAMON", 29}, {"DIAMOF", 29},
+                           {"BRISK", 21}, {"DRIVE", 21},   {"SOFT", 21},   {"FFWOF", 24},
+                           {"FFWON", 24}, {"WALIMON", 28}, {"WALIMOF", 28}};
 
 // Words that change no path: how an axis starts and brakes, how exactly and how fast the path is
 // followed, the orientation of a tool that no transformation turns, and what the screen shows. [NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNeutral[] = {
-    "BRISK",    "BRISKA",    "DRIVE",    "DRIVEA",   "SOFT",      "SOFTA",    "FFWOF",
-    "FFWON",    "SBLOF",     "SBLON",    "STOPRE",   "DISPLOF",   "DISPLON",  "WALIMON",
-    "WALIMOF",  "CFC",       "CFTCP",    "CFIN",     "CDON",      "CDOF",     "CDOF2",
-    "FNORM",    "FLIN",      "FCUB",     "COMPON",   "COMPOF",    "COMPCURV", "COMPCAD",
-    "CUT2D",    "NORM",      "FIFOCTRL", "STARTFIFO", "STOPFIFO", "SPCON",    "SPCOF",
-    "TRAFOOF",  "TOROTOF",   "PAROTOF",  "RTLION",   "RTLIOF",    "DYNNORM",  "DYNPOS",
-    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CPRECON", "CPRECOF",  "UPATH",    "SPATH",
-    "ORIWKS",   "ORIMKS",    "ORIAXES",  "ORIVECT",  "ORIPLANE",  "ORIEULER", "ORIRPY",
-    "ORIRPY2",  "ORIVIRT1",  "ORIVIRT2", "ORIC",     "ORID",      "OSOF",     "OSC",
-    "OSS",      "OSSE",      "OSD",      "OST",      "PTPG0",     "CP",       "LFON",
-    "LFOF",     "FENDNORM",  "WAITENC",  "RELIEVEON", "RELIEVEOF", "SUPD"};
+    "BRISK",    "BRISKA",     "DRIVE",     "DRIVEA",    "SOFT",      "SOFTA",    "FFWOF",
+    "FFWON",    "SBLOF",      "SBLON",     "STOPRE",    "DISPLOF",   "DISPLON",  "WALIMON",
+    "WALIMOF",  "CFC",        "CFTCP",     "CFIN",      "CDON",      "CDOF",     "CDOF2",
+    "FNORM",    "FLIN",       "FCUB",      "COMPON",    "COMPOF",    "COMPCURV", "COMPCAD",
+    "CUT2D",    "NORM",       "FIFOCTRL",  "STARTFIFO", "STOPFIFO",  "SPCON",    "SPCOF",
+    "TRAFOOF",  "TOROTOF",    "PAROTOF",   "RTLION",    "RTLIOF",    "DYNNORM",  "DYNPOS",
+    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CPRECON",   "CPRECOF",   "UPATH",    "SPATH",
+    "ORIWKS",   "ORIMKS",     "ORIAXES",   "ORIVECT",   "ORIPLANE",  "ORIEULER", "ORIRPY",
+    "ORIRPY2",  "ORIVIRT1",   "ORIVIRT2",  "ORIC",      "ORID",      "OSOF",     "OSC",
+    "OSS",      "OSSE",       "OSD",       "OST",       "PTPG0",     "CP",       "LFON",
+    "LFOF",     "FENDNORM",   "WAITENC",   "RELIEVEON", "RELIEVEOF", "SUPD"};
 
 // Words with a value, of an axis or a spindle in brackets too. [NCI grammar; general knowledge of
 // the SINUMERIK 840D]
 constexpr std::string_view kReported[] = {
-    "ACC",   "ACCLIMA", "JERKLIMA", "VELOLIMA", "VELOLIM", "ADIS",     "ADISPOS", "FA",    "FB",
-    "FD",    "FDA",     "FRC",      "FRCM",     "FL",      "FMA",      "LIMS",    "OVR",   "OVRA",
-    "OVRRAP", "SPOS",   "SPOSA",    "SCC",      "SVC",     "FZ",       "DISC",    "DITS",  "DITE",
-    "CTOL",  "OTOL",    "ATOL",     "STOLF",    "FGREF"};
+    "ACC",  "ACCLIMA", "JERKLIMA", "VELOLIMA", "VELOLIM", "ADIS", "ADISPOS", "FA",
+    "FB",   "FD",      "FDA",      "FRC",      "FRCM",    "FL",   "FMA",     "LIMS",
+    "OVR",  "OVRA",    "OVRRAP",   "SPOS",     "SPOSA",   "SCC",  "SVC",     "FZ",
+    "DISC", "DITS",    "DITE",     "CTOL",     "OTOL",    "ATOL", "STOLF",   "FGREF"};
+
+// Calls that change no path: spindles, feeds, channels, tool management, and the marks of editors.
+// [general knowledge of the SINUMERIK 840D]
+constexpr std::string_view kReportedCalls[] = {
+    "FGROUP", "SETMS",    "WAITP",       "WAITS",     "WAITM",        "WAITMC",    "WAITE",
+    "CLEARM", "SETM",     "GET",         "GETD",      "RELEASE",      "SPCON",     "SPCOF",
+    "BLSYNC", "TMON",     "TMOF",        "GWPSON",    "GWPSOF",       "DISABLE",   "ENABLE",
+    "CLRINT", "STOPREOF", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "WORKPIECE", "VELOLIM",
+    "LOCK",   "UNLOCK",   "CLGON",       "CLGOF",     "NPROT",        "CPROT",     "MSGL"};
+
+// [general knowledge of the SINUMERIK 840D]
+constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN"};
 
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups]
 constexpr std::string_view kNotComputed[] = {
-    "AROTS",    "ASPLINE",  "AXIS",       "BLOCK",    "BOOL",     "BSPLINE",  "CALL",
-    "CALLPATH", "CASE",     "CHAR",       "CLEARM",   "CROTS",    "CSPLINE",  "CT",
-    "CUT3DC",   "DEFAULT",    "DEFINE",   "DELETE",   "DIAM90",   "DO",
-    "ENDFOR",   "ENDLABEL", "EVERY",      "EXECSTRING", "EXTCALL", "FGROUP",  "FOR",
-    "FRAME",    "FROM",     "FXS",        "GET",      "GOTOS",    "ID",       "IDS",
-    "INIT",     "INT",      "INVCCW",     "INVCW",    "ISFILE",   "KONT",     "KONTC",
-    "KONTT",    "MEAS",       "MEAW",     "MPF",      "MSGL",     "OF",
-    "OFFN",     "PCALL",    "POLF",       "POLY",     "POS",      "POSA",     "POSP",
-    "PRESETON", "RDISABLE", "READ",       "REAL",     "RELEASE",  "REPEATB",  "RNDM",
-    "ROTS",     "ROUNDUP",  "SAVE",       "SET",      "SETINT",   "SETM",
-    "START",    "STRING",   "TO",         "TOFRAME",  "TOROT",    "TRACYL",   "TRAILON",
-    "TRAILOF",  "TRANSMIT", "TRAORI",     "UNLOCK",   "WAITE",    "WAITM",    "WAITMC",
-    "WAITP",    "WAITS",    "WHEN",       "WHENEVER", "WRITE",    "BAUTO",    "BNAT",
-    "BTAN",     "EAUTO",    "ENAT",       "ETAN",     "PW",       "SD",       "PL",
-    "AC",       "IC",       "DC",         "ACP",      "ACN"};
+    "AROTS",  "ASPLINE",  "AXIS",    "BLOCK",    "BOOL",     "BSPLINE", "CALL",       "CALLPATH",
+    "CASE",   "CHAR",     "CROTS",   "CSPLINE",  "CT",       "CUT3DC",  "DEFAULT",    "DEFINE",
+    "DELETE", "DIAM90",   "DO",      "ENDFOR",   "ENDLABEL", "EVERY",   "EXECSTRING", "EXTCALL",
+    "FOR",    "FP",       "FRAME",   "FROM",     "FXS",      "GOTOS",   "ID",         "IDS",
+    "INIT",   "INT",      "INVCCW",  "INVCW",    "ISFILE",   "KONT",    "KONTC",      "KONTT",
+    "MEAS",   "MEAW",     "MPF",     "OF",       "OFFN",     "PCALL",   "POLF",       "POLY",
+    "POS",    "POSA",     "POSP",    "PRESETON", "RDISABLE", "READ",    "REAL",       "REPEATB",
+    "RNDM",   "ROTS",     "ROUNDUP", "SAVE",     "SET",      "SETINT",  "START",      "STRING",
+    "TO",     "TOFRAME",  "TOROT",   "TRACYL",   "TRAILON",  "TRAILOF", "TRANSMIT",   "TRAORI",
+    "WHEN",   "WHENEVER", "WRITE",   "BAUTO",    "BNAT",     "BTAN",    "EAUTO",      "ENAT",
+    "ETAN",   "PW",       "SD",      "PL",       "AC",       "IC",      "DC",         "ACP",
+    "ACN"};
 
 // E, P and Q are no addresses of the language: others have their places. [NCI grammar]
-constexpr Spelling::LongAddress kLong[] = {{"CR", 'R' - 'A'},  {"RPL", 'E' - 'A'},
-                                           {"AR", 'Q' - 'A'},  {"TURN", 'P' - 'A'},
-                                           {"I1", 'I' - 'A'},  {"J1", 'J' - 'A'},
-                                           {"K1", 'K' - 'A'},  {"RP", kRadius},
-                                           {"AP", kAngle},     {"CHR", kCommaC},
-                                           {"CHF", kCommaD},   {"RND", kCommaR},
-                                           {"ANG", kCommaA}};
+constexpr Spelling::LongAddress kLong[] = {
+    {"CR", 'R' - 'A'}, {"RPL", 'E' - 'A'}, {"AR", 'Q' - 'A'}, {"TURN", 'P' - 'A'},
+    {"I1", 'I' - 'A'}, {"J1", 'J' - 'A'},  {"K1", 'K' - 'A'}, {"RP", kRadius},
+    {"AP", kAngle},    {"CHR", kCommaC},   {"CHF", kCommaD},  {"RND", kCommaR},
+    {"ANG", kCommaA}};
 
 /// The words that are not computed, and what they would need.
 struct Need {
   std::string_view word, needs;
 };
-constexpr Need kNeeds[] = {
-    {"TRAORI", "it needs the kinematics of the machine"},
-    {"TRANSMIT", "it needs the data of the transformation"},
-    {"TRACYL", "it needs the data of the transformation"},
-    {"TOFRAME", "it needs the direction of the tool"},
-    {"TOROT", "it needs the direction of the tool"},
-    {"CT", "it needs the direction of the move before it"},
-    {"BSPLINE", "the path between the points of a spline is not computed"},
-    {"ASPLINE", "the path between the points of a spline is not computed"},
-    {"CSPLINE", "the path between the points of a spline is not computed"},
-    {"POLY", "the path of a polynomial is not computed"},
-    {"KONT", "how the tool goes around the first point is not computed"},
-    {"KONTC", "how the tool goes around the first point is not computed"},
-    {"KONTT", "how the tool goes around the first point is not computed"}};
+constexpr Need kNeeds[] = {{"TRAORI", "it needs the kinematics of the machine"},
+                           {"TRANSMIT", "it needs the data of the transformation"},
+                           {"TRACYL", "it needs the data of the transformation"},
+                           {"TOFRAME", "it needs the direction of the tool"},
+                           {"TOROT", "it needs the direction of the tool"},
+                           {"CT", "it needs the direction of the move before it"},
+                           {"BSPLINE", "the path between the points of a spline is not computed"},
+                           {"ASPLINE", "the path between the points of a spline is not computed"},
+                           {"CSPLINE", "the path between the points of a spline is not computed"},
+                           {"POLY", "the path of a polynomial is not computed"},
+                           {"KONT", "how the tool goes around the first point is not computed"},
+                           {"KONTC", "how the tool goes around the first point is not computed"},
+                           {"KONTT", "how the tool goes around the first point is not computed"}};
 
 template <std::size_t Count>
 bool is_among(const std::string_view (&words)[Count], std::string_view word) {
@@ -129,6 +135,10 @@ int group_of(std::string_view word) {
 }
 
 bool is_neutral(std::string_view word) { return is_among(kNeutral, word); }
+
+bool is_reported_call(std::string_view word) { return is_among(kReportedCalls, word); }
+
+bool is_off_at_zero(std::string_view word) { return is_among(kOffAtZero, word); }
 
 bool is_reported(std::string_view word) { return is_among(kReported, word); }
 

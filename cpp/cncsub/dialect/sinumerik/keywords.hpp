@@ -27,6 +27,12 @@ extern const std::span<const Spelling::LongAddress> kLongAddresses;
 /// the machine goes, or turns a spindle: it is reported.
 bool is_reported(std::string_view word);
 
+/// Return whether a call of the language, WAITP(X) or GROUP_END(0,0), changes no path: it is
+/// reported.
+bool is_reported_call(std::string_view word);
+/// Return whether a word with the value 0 only says that what it begins is off: RNDM=0.
+bool is_off_at_zero(std::string_view word);
+
 /// Return whether no path depends on a word, as on how fast an axis starts or what the screen
 /// shows.
 bool is_neutral(std::string_view word);

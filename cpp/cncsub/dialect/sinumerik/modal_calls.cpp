@@ -1,6 +1,4 @@
-// MCALL, the call after each block that moves, and SETAL, by which a program raises an alarm.
-#include <algorithm>
-#include <cmath>
+// MCALL, the call after each block that moves.
 #include <utility>
 
 #include "cncsub/dialect/sinumerik/block.hpp"
@@ -32,28 +30,6 @@ bool BlockReader::write_modal_call(Block& block, const Words& words) {
   CallRecord call = *words.call;
   call.code_kind = CodeCallKind::Modal;
   to_.become(block, Op::ModalCall, std::move(call));
-  return true;
-}
-
-/// Read SETAL(65000). The number of an alarm that the control's own programs raise has its text.
-bool BlockReader::raise_alarm(Block& block, Words& words, std::uint32_t at) {
-  line_.pass(5);
-  Value number;
-  if (!line_.take('(')) return refuse(block, Cause::BracketNotOpened, "( is missing", at);
-  if (!expression_.value(number)) return refuse(block);
-  if (number.computed || line_.peek() != ')')
-    return not_computed(block, "SETAL with a computed number, or with a text", at);
-  line_.take(')');
-  const auto value = to_whole<std::int32_t>(std::clamp(std::round(number.number), 0.0, 99999.0));
-  std::string text;
-  for (const RaisedAlarm& of : to_.control().raised_alarms)
-    if (of.number == value) text = of.text;
-  Print print;
-  print.alarms = true;
-  print.number = std::to_string(value);
-  print.at = at;
-  print.fields.push_back({.text = text.empty() ? "raised by the program" : std::move(text)});
-  words.print = std::move(print);
   return true;
 }
 

@@ -90,6 +90,7 @@ Read read_variable(OpenExpression& open, const Definition& of, std::string_view 
   if (const char* const what = of.uncomputed())
     return fails(open.wrong(Cause::CodeNotComputed,
                             std::string(name) + ", " + what + ", is not computed here", at));
+  if (of.constant) return open.push_constant(*of.constant), Type::Real;
   if (of.is_array()) {
     if (!read_indices(open, of, depth + 1)) return std::nullopt;
     open.emit(of.global ? Ins::CommonElement : Ins::Element, of.local);
@@ -116,6 +117,11 @@ Read read_name(OpenExpression& open, const std::string& name, int depth) {
   if (name[0] == 'R' && (name.size() == 1 ? open.line.ahead(1) == '[' : is_digit(name[1])))
     return read_parameter(open, depth);
   if (name.size() == 1 && axis_number(name[0]) > 0) return read_axis(open);
+  if (name == "NO_AXIS") {
+    open.line.pass(name.size());
+    open.push_constant(0);
+    return Type::Axis;
+  }
   return read_function(open, name, depth);
 }
 
@@ -196,8 +202,7 @@ bool read_indices(OpenExpression& open, const Definition& of, int depth) {
     if (!read) return false;
     if (*read == Type::String || *read == Type::Axis)
       return open.wrong(Cause::ExpressionFormat, "an index is a number", at);
-    open.to.expressions().emit(
-        {Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
+    open.to.expressions().emit({Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
     if (i > 0) open.emit(Ins::Add);
     if (i + 1 < of.dimensions) open.emit(Ins::MultiplyConstant, of.extents[i + 1]);
   }

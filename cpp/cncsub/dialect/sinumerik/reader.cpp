@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/block.hpp"
 #include "cncsub/dialect/sinumerik/structure.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -47,10 +48,12 @@ class FileReader {
     program.file = file;
     program.line = line;
     program.text = at;
+    std::string_view rest;
     if (!head.empty()) {
-      std::string_view name = trimmed(head.substr(1));
-      std::size_t before = name.starts_with("_N_") || name.starts_with("_n_") ? 3 : 0;
-      name = name_in(name.substr(before));
+      const std::string_view said = trimmed(head.substr(1));
+      const std::size_t before = said.starts_with("_N_") || said.starts_with("_n_") ? 3 : 0;
+      std::string_view name = said.substr(before, name_in(said.substr(before)).size());
+      rest = trimmed(said.substr(before + name.size()));
       const std::string capital = capitals(name);
       if (capital.ends_with("_MPF") || capital.ends_with("_SPF")) name.remove_suffix(4);
       program.name_at = at + static_cast<std::uint32_t>(name.data() - head.data());
@@ -59,11 +62,24 @@ class FileReader {
     to_.begin_program(program);
     structure_.begin();
     blocks_.begin_program();
+    if (!rest.empty() && rest[0] != ';')
+      drop(rest, at + static_cast<std::uint32_t>(rest.data() - head.data()), line);
   }
 
   void end_program(std::uint32_t text_end, std::uint32_t line) {
     to_.end_program(text_end, line);
     structure_.match();
+  }
+
+  /// Add a block that says what of the head is no name: the control reads it and does not obey it.
+  void drop(std::string_view text, std::uint32_t at, std::uint32_t line) {
+    Block block;
+    block.text = at;
+    block.line = line;
+    block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), 65535));
+    to_.drop(at, static_cast<std::uint32_t>(text.size()));
+    to_.words(block, {});
+    to_.append(block);
   }
 
   void add(std::string_view text, std::uint32_t at, std::uint32_t line) {

@@ -4,9 +4,18 @@
 
 namespace cncsub::sinumerik {
 
+namespace {
+
+constexpr std::size_t kMostOpen = 16;  // control structures of a level [general knowledge]
+
+}  // namespace
+
 void Structure::add(const std::string& label, const Link& link) {
   const Address address = to_.next_address();
-  if (!label.empty()) labels_[label].push_back(address);
+  if (!label.empty()) {
+    labels_[label].push_back(address);
+    to_.names().head(to_.names().label(label), address);  // a return may name it
+  }
   if (link.kind != Link::Kind::None) links_.push_back({address, link});
 }
 
@@ -23,8 +32,12 @@ void Structure::match() {
     if (to_.interrupt().requested(InterruptCheck::kBlock)) return;
     match(met);
   }
-  for (const Met& met : links_)
+  for (const Met& met : links_) {
     if (met.link.kind == Link::Kind::Jump) resolve(met);
+    if (met.link.kind == Link::Kind::Switch)
+      for (const AlternativeJump& one : met.link.alternatives) resolve(met.address, one);
+    if (met.link.kind == Link::Kind::Part) resolve_part(met);
+  }
   for (const Open& open : open_) leave_open(open);
 }
 
@@ -36,6 +49,7 @@ void Structure::leave_open(const Open& open) {
     if (open.other != kNowhere) return refuse(open.other, Cause::IfWithoutEnd, kNoEndif);
     return refuse_otherwise(open.address, Cause::IfWithoutEnd, kNoEndif);
   }
+  if (open.kind == Link::Kind::For) return;  // where it does not begin, its end is searched for
   if (open.kind == Link::Kind::While)
     return refuse_otherwise(open.address, Cause::MissingEnd, "no ENDWHILE follows");
   Block& block = to_.block(open.address);
@@ -52,15 +66,7 @@ void Structure::refuse_otherwise(Address address, Cause cause, const char* detai
   Block instead = block;
   to_.refuse(instead, {cause, block.text, 0, detail});
   condition.then = to_.keep(instead);
-  const Expression of = to_.code().expression(condition.expression);
-  std::vector<Instruction> instructions;
-  for (const Instruction each : of) instructions.push_back(each);
-  const std::uint32_t at = of.at(), width = of.width();
-  to_.expressions().begin();
-  for (const Instruction& each : instructions)
-    if (each.op != Ins::End) to_.expressions().emit(each);
-  to_.expressions().emit({Ins::Not, 0, at, 0});
-  condition.expression = to_.expressions().end(at, width);
+  condition.expression = to_.expressions().changed(condition.expression, Ins::Not);
   to_.become(block, Op::IfThen, condition);
 }
 
@@ -70,6 +76,7 @@ void Structure::match(const Met& met) {
     case If:
     case While:
     case Loop:
+    case For:
     case Repeat:
       return open(met);
     case Else:
@@ -80,9 +87,13 @@ void Structure::match(const Met& met) {
       return close(met, While);
     case EndLoop:
       return close(met, Loop);
+    case EndFor:
+      return close(met, For);
     case Until:
       return close(met, Repeat);
     case Jump:  // resolved when the structures are known
+    case Switch:
+    case Part:
     case None:
       return;
   }
@@ -90,6 +101,11 @@ void Structure::match(const Met& met) {
 
 void Structure::open(const Met& met) {
   const std::size_t around = open_.empty() ? 0 : open_.back().span;
+  if (open_.size() >= kMostOpen) {
+    const bool branch = met.link.kind == Link::Kind::If;
+    refuse(met.address, branch ? Cause::IfTooDeep : Cause::LoopsTooDeep,
+           "the control allows 16 control structures inside each other");
+  }
   spans_.push_back({met.address, kNowhere, around});
   marks_.push_back({met.address + 1, spans_.size()});
   open_.push_back({met.address, met.link.kind, kNowhere, spans_.size()});
@@ -130,57 +146,71 @@ void Structure::close(const Met& met, Link::Kind opener) {
     if (open.other == kNowhere && runs(open.address, Op::If)) statement(open.address).to = end;
     return;
   }
-  if (runs(open.address, Op::While) || runs(open.address, Op::Do)) {
+  const bool counts = runs(open.address, Op::For);
+  if (counts || runs(open.address, Op::While) || runs(open.address, Op::Do)) {
     statement(open.address).end = end;
     statement(open.address).to = end + 1;
   }
-  if (runs(end, Op::EndDo) || runs(end, Op::IfGoto)) statement(end).to = open.address;
+  if (runs(end, Op::EndDo) || runs(end, Op::EndFor) || runs(end, Op::IfGoto))
+    statement(end).to = open.address;
+  if (counts && runs(end, Op::EndFor))
+    statement(end).then = static_cast<std::uint32_t>(statement(open.address).number);
+}
+
+/// Return the blocks of a label, or of a block number, in their order.
+const std::vector<Address>& Structure::blocks_of(const JumpTarget& target) {
+  if (!target.label.empty()) {
+    const auto found = labels_.find(target.label);
+    if (found != labels_.end()) return found->second;
+  }
+  numbered_.clear();
+  if (!target.label.empty()) return numbered_;
+  const Code& code = to_.code();
+  const Program& program = code.programs.back();
+  for (Address a = code.first_of(program, target.number); a != kNowhere;
+       a = code.next_of(program, target.number, a))
+    numbered_.push_back(a);
+  return numbered_;
 }
 
 /// Return the nearest block of the label, or of the number, in the direction of the search. `other`
 /// becomes one more block that has it, if there is one. [NCI labels]
-Address Structure::target(const Met& met, Address& other) {
-  const Link& link = met.link;
-  std::vector<Address> blocks;
-  if (link.target.empty()) {
-    const Program& program = to_.program();
-    for (Address a = to_.code().first_of(program, link.number); a != kNowhere;
-         a = to_.code().next_of(program, link.number, a))
-      blocks.push_back(a);
-  }
-  const auto found = labels_.find(link.target);
-  const std::vector<Address>& of =
-      !link.target.empty() && found != labels_.end() ? found->second : blocks;
-  const auto behind = std::upper_bound(of.begin(), of.end(), met.address);
-  const bool forward = link.direction != 'B';
+Address Structure::target(Address from, const JumpTarget& sought, Address& other) {
+  const std::vector<Address>& of = blocks_of(sought);
+  const auto behind = std::upper_bound(of.begin(), of.end(), from);
   Address found_at = kNowhere;
-  if (forward && behind != of.end())
+  if (sought.direction != 'B' && behind != of.end())
     found_at = *behind;
-  else if (link.direction != 'F' && behind != of.begin())  // backwards a block may name itself
+  else if (sought.direction != 'F' && behind != of.begin())  // backwards a block may name itself
     found_at = *std::prev(behind);
   if (of.size() > 1) other = of.front() == found_at ? of.back() : of.front();
   return found_at;
 }
 
+/// Make a block the fault of a jump that finds nothing; GOTOC goes on instead.
+void Structure::refuse_jump(Block& block, const JumpTarget& target, bool inside) {
+  block.op = Op::Words;
+  block.data = 0;
+  if (target.direction == 'C') return;
+  to_.refuse(block, {Cause::JumpTargetNotFound, target.at, target.width,
+                     inside ? "the block is inside a control structure, and the jump is outside it"
+                            : "no such block in the direction of the search"});
+}
+
 void Structure::resolve(const Met& met) {
+  const JumpTarget& sought = met.link.target;
   Address other = kNowhere;
-  const Address to = target(met, other);
-  Block& block = to_.block(met.address);
+  const Address to = target(met.address, sought, other);
   const bool inside = to != kNowhere && leads_inside(met.address, to);
   if (to != kNowhere && !inside) {
     statement(met.address).to = to;
     statement(met.address).end = other;
     return;
   }
-  // A jump that finds nothing is reported when it is made; GOTOC goes on instead.
+  // It is reported when the jump is made.
+  Block& block = to_.block(met.address);
   Block instead = block;
-  instead.op = Op::Words;
-  instead.data = 0;
-  if (met.link.direction != 'C')
-    to_.refuse(instead,
-               {Cause::JumpTargetNotFound, met.link.at, met.link.width,
-                inside ? "the block is inside a control structure, and the jump is outside it"
-                       : "no such block in the direction of the search"});
+  refuse_jump(instead, sought, inside);
   if (!met.link.conditional) {
     block = instead;
     return;
@@ -188,6 +218,59 @@ void Structure::resolve(const Met& met) {
   Statement condition = statement(met.address);
   condition.then = to_.keep(instead);
   to_.become(block, Op::IfThen, condition);
+}
+
+/// Resolve one of several jumps of a block.
+void Structure::resolve(Address from, const AlternativeJump& one) {
+  Address other = kNowhere;
+  const Address to = target(from, one.target, other);
+  const bool inside = to != kNowhere && leads_inside(from, to);
+  Block& block = to_.record<Block>(one.variant);
+  if (to == kNowhere || inside) return refuse_jump(block, one.target, inside);
+  Statement& jump = to_.record<Statement>(block.aux);
+  jump.to = to;
+  jump.end = other;
+}
+
+/// Return the block after a part that begins at `first`; kNowhere where the part has no end.
+Address Structure::part_end(const Met& met, Address first) {
+  const auto behind = [&](const JumpTarget& label) {
+    const std::vector<Address>& of = blocks_of(label);
+    const auto found = std::lower_bound(of.begin(), of.end(), first);
+    return found == of.end() ? kNowhere : *found + 1;
+  };
+  if (met.link.part_end == Link::PartEnd::Block) return first + 1;
+  JumpTarget last = met.link.last;
+  if (met.link.part_end == Link::PartEnd::Here) last.label = "ENDLABEL";
+  const Address end = behind(last);
+  if (met.link.part_end == Link::PartEnd::Called) return end;
+  // Where its end does not stand before the repeating block, that block ends it.
+  return first < met.address && (end == kNowhere || end > met.address) ? met.address : end;
+}
+
+/// Find the blocks of a part: its first one is searched for before the repeating block, then after
+/// it. [general knowledge]
+void Structure::resolve_part(const Met& met) {
+  Block& block = to_.block(met.address);
+  const std::vector<Address>& of = blocks_of(met.link.target);
+  const auto behind = std::lower_bound(of.begin(), of.end(), met.address);
+  Address first = kNowhere;
+  if (behind != of.begin())
+    first = *std::prev(behind);
+  else if (behind != of.end() && *behind != met.address)
+    first = *behind;
+  const Address end = first == kNowhere ? kNowhere : part_end(met, first);
+  if (end == kNowhere) {
+    const JumpTarget& missing =
+        first == kNowhere || met.link.last.at == 0 ? met.link.target : met.link.last;
+    return to_.refuse(
+        block, {Cause::PartNotFound, missing.at, missing.width,
+                first == kNowhere ? "no block has this label" : "no block with its end follows"});
+  }
+  CallRecord& call = to_.record<CallRecord>(block.aux);
+  call.target.start = first;
+  call.extras.make().part_end = end;
+  to_.block(end).skip |= Block::kPartEnd;
 }
 
 }  // namespace cncsub::sinumerik

@@ -5,7 +5,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "cncsub/dialect/sinumerik/block.hpp"
+#include "cncsub/code/builder.hpp"
+#include "cncsub/dialect/sinumerik/link.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -53,7 +54,12 @@ class Structure {
   void close(const Met& met, Link::Kind opener);
   void match_else(Address address);
   void resolve(const Met& met);
-  Address target(const Met& met, Address& other);
+  void resolve(Address from, const AlternativeJump& one);
+  void resolve_part(const Met& met);
+  void refuse_jump(Block& block, const JumpTarget& target, bool inside);
+  const std::vector<Address>& blocks_of(const JumpTarget& target);
+  Address target(Address from, const JumpTarget& sought, Address& other);
+  Address part_end(const Met& met, Address first);
   bool leads_inside(Address from, Address to) const;
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
@@ -63,6 +69,7 @@ class Structure {
 
   Builder& to_;
   std::unordered_map<std::string, std::vector<Address>> labels_;
+  std::vector<Address> numbered_;  // the blocks of the number that was searched for last
   std::vector<Met> links_;
   std::vector<Open> open_;
   std::vector<Span> spans_;  // by their numbers, less 1

@@ -26,37 +26,30 @@ void ExpressionReader::push_converted(const Definition& of) {
 }
 
 Statement ExpressionReader::variable_alone() {
+  const Line before = open_.line;
   Statement found;
-  Line& line = open_.line;
-  found.variable_at = line.offset();
-  const std::string_view written = line.name();
-  std::size_t end = written.size();
-  while (end < line.rest().size() && is_blank(line.ahead(end))) ++end;
-  if (written.empty() || (line.ahead(end) != ',' && line.ahead(end) != ')')) return found;
-  const std::string name = capitals(written);
-  found.variable_width = static_cast<std::uint32_t>(name.size());
-  VariablePlace place;
-  std::int32_t number = 0;
-  if (const Definition* const of = open_.definitions.find(name); of != nullptr) {
-    if (of->is_array()) return found;
-    found.target = target_of(*of);
-    found.index = of->local;
-  } else if (name[0] == 'R' && parameter_number(open_, name.substr(1), 0, place, number)) {
-    found.target = Statement::Target::Common;
-    found.index = place.index;
-  }
+  found.at = found.variable_at = open_.line.offset();
+  const std::string name = capitals(open_.line.name());
+  const Definition* const of = open_.definitions.find(name);
+  bool read = false;
+  if (of != nullptr && (!of->is_array() || open_.line.ahead(name.size()) == '['))
+    read = left_side(*of, found);
+  else if (of == nullptr && name.starts_with('R'))
+    read = parameter_side(found);
+  const char next = open_.line.peek();
+  if (!read || (next != ',' && next != ')')) found.target = Statement::Target::None;
+  open_.line = before;
   fault.reset();
   return found;
 }
 
 // ---- one value ----
 
-/// Read the left side, then the value. Only then does the variable count as assigned: R1=R1+1.
-bool ExpressionReader::assignment(Statement& statement) {
+/// Read R1 or R[R2].
+bool ExpressionReader::parameter_side(Statement& statement) {
   Line& line = open_.line;
-  const std::uint32_t at = line.offset();
+  const std::uint32_t at = statement.variable_at = line.offset();
   std::int32_t number = -1;
-  statement.variable_at = at;
   line.pass(1);  // R
   if (line.ahead(0) == '[') {
     open_.to.expressions().begin();
@@ -68,13 +61,21 @@ bool ExpressionReader::assignment(Statement& statement) {
     if (!parameter_number(open_, line.take_digits(), at, place, number)) return false;
     statement.target = Statement::Target::Common;
     statement.index = place.index;
+    statement.number = number;
   }
   statement.variable_width = line.width_from(at);
-  if (!line.take('='))
+  return true;
+}
+
+/// Read the left side, then the value. Only then does the variable count as assigned: R1=R1+1.
+bool ExpressionReader::assignment(Statement& statement) {
+  const std::uint32_t at = open_.line.offset();
+  if (!parameter_side(statement)) return false;
+  if (!open_.line.take('='))
     return open_.wrong(Cause::MissingEquals, "R1 alone has no effect: write R1=5, or X=R1", at);
   if (!assigned_value(real(), statement)) return false;
-  if (number >= 0)
-    open_.assigned.insert(number);
+  if (statement.target == Statement::Target::Common)
+    open_.assigned.insert(statement.number);
   else
     open_.assigned_any = true;
   return true;
@@ -88,6 +89,8 @@ bool ExpressionReader::left_side(const Definition& to, Statement& statement) {
   line.pass(name.size());
   if (const char* const what = to.uncomputed())
     return open_.wrong(Cause::CodeNotComputed, name + ", " + what + ", is not computed here", at);
+  if (to.constant)
+    return open_.wrong(Cause::StatementFormat, name + " is a number, and takes none", at);
   statement.target = target_of(to);
   statement.index = to.local;
   if (to.is_array()) {

@@ -14,11 +14,10 @@ namespace sinumerik {
 
 namespace {
 
-constexpr std::string_view kStatements[] = {"GOTO",  "GOTOB", "GOTOC", "GOTOF", "IF",
-                                            "WHILE", "FOR",   "CASE",  "UNTIL", "REPEAT",
-                                            "DEF",   "PROC",  "EXTERN"};
-constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
-                                         "TO",  "B_AND", "B_OR", "B_XOR"};
+constexpr std::string_view kStatements[] = {
+    "GOTO",  "GOTOB",  "GOTOC",   "GOTOF", "GOTOS", "IF",      "WHILE", "FOR",  "CASE",
+    "UNTIL", "REPEAT", "REPEATB", "CALL",  "PCALL", "EXTCALL", "DEF",   "PROC", "EXTERN"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR", "B_XOR"};
 
 template <class List>
 bool is_in(const List& list, std::string_view word) {
@@ -138,10 +137,11 @@ const std::string_view sinumerik_rules =
     "modal_locals modal_trigger second_modal_call cancel_alone calls_in_modal "
     "roles main_return end_in_subprogram commons "
     "machine g_meanings rapid_rate max_feed arc_tolerance arc_tolerance_share no_radius "
-    "small_radius negative_radius helix dwell_words arc_angle_words added_turns poles "
+    "small_radius negative_radius helix dwell_words arc_angle_words added_turns "
+    "drops_centre_across poles "
     "machine_move max_extra_systems extra_system_codes max_offset_number tool_edges "
-    "shifts_move_increments length_type rotation_words start_up acute_corner idle_blocks "
-    "missing_radius_offset chamfer_words round_words angle_words angles_on_mills "
+    "shifts_move_increments rotation_words start_up acute_corner idle_blocks "
+    "chamfer_words round_words angle_words angles_on_mills "
     "dwell_turn_words unit_change computed_lengths";
 
 const std::span<const WordUse> sinumerik_word_uses;
@@ -149,6 +149,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .value = {"=(", ")"},
                                   .message = {"MSG(\"", "\")"},
                                   .head = {"%_N_", "_MPF"},
+                                  .main_ending = "MPF",
                                   .brackets = {"(", ")"},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,

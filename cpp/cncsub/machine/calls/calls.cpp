@@ -11,6 +11,7 @@
 #include "cncsub/machine/calls/words.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/machine/values/variables.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -33,6 +34,8 @@ bool by_name(CallKind kind) {
     case CallKind::Local:
     case CallKind::OWord:
     case CallKind::Named:
+    case CallKind::Repeat:
+    case CallKind::CallBlock:
     case CallKind::Macro:
     case CallKind::Modal:
     case CallKind::ModalEveryBlock:
@@ -297,17 +300,23 @@ CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord&
   return open;
 }
 
-/// Give variables of the caller the values of the parameters that stand for them.
-void hand_back(Run& run, const CallRecord& record) {
-  State& s = run.state;
-  for (const auto& [from, to] : record.back()) {
-    const double value = s.locals[run.local_at(s.level, from)];
-    const auto index = static_cast<std::size_t>(to.index);
-    if (to.target == Statement::Target::Common)
-      s.commons[index] = value;
-    else
-      s.locals[run.local_at(s.level - 1, to.index)] = value;
-  }
+/// Return what the open program hands back to its caller, in the order of the call.
+std::vector<double> values_back(const Run& run, const OpenFrame& open) {
+  std::vector<double> values;
+  if (open.hands_back < 0) return values;
+  for (const HandedBack& of : run.code->calls[static_cast<std::size_t>(open.hands_back)].back())
+    values.push_back(run.state.locals[run.local_at(run.state.level, of.from)]);
+  return values;
+}
+
+/// Give variables of the caller, whose level is open again, the values of the parameters that
+/// stand for them.
+bool hand_back(Run& run, const OpenFrame& open, const std::vector<double>& values) {
+  if (open.hands_back < 0) return true;
+  const auto& back = run.code->calls[static_cast<std::size_t>(open.hands_back)].back();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!store(run, back[i].to, is_vacant(values[i]) ? 0 : values[i])) return false;
+  return true;
 }
 
 }  // namespace
@@ -338,7 +347,9 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
     record_call(run, index, target, open,
                 run.block.is_step && !by_move ? run.block.step : s.executed - 1);
   s.frames.push_back(open);
-  if (run.code->programs[static_cast<std::size_t>(target.program)].keeps_modes)
+  run.frame().part_end = record.extras.get().part_end;
+  const bool part = run.frame().part_end != kNowhere;
+  if (!part && run.code->programs[static_cast<std::size_t>(target.program)].keeps_modes)
     keep_modes_of_caller(run);
   if (s.frames.size() > kLongText) look_soon(run);  // each call looks at all of them
   s.pc = target.start;
@@ -360,12 +371,12 @@ bool leave(Run& run, Address to, bool goes_on) {
     std::copy_n(own, run.code->locals_per_level + 1,
                 s.locals.data() + run.local_at(s.level - 1, 0));
   }
-  if (open.hands_back >= 0)
-    hand_back(run, run.code->calls[static_cast<std::size_t>(open.hands_back)]);
+  const std::vector<double> values = values_back(run, open);
   if (open.own_locals) {
     --s.level;
     s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)));
   }
+  if (!hand_back(run, open, values)) return false;
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();

@@ -4,6 +4,7 @@
 
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/modal.hpp"
+#include "cncsub/machine/calls/parts.hpp"
 #include "cncsub/machine/calls/returns.hpp"
 #include "cncsub/machine/calls/words.hpp"
 #include "cncsub/machine/state/limits.hpp"
@@ -89,16 +90,19 @@ bool execute_generally(Run& run, const Block& block) {
   return dispatch(run, block);
 }
 
-/// Skip the block at State::pc and return true if a block-skip switch says so. A program of nothing
+/// Skip the block at State::pc and return true if a block-skip switch says so, or if a pass of
+/// RepeatPart ends before it. A program of nothing
 /// but such blocks that starts over and over is stopped: no limit counts it.
 bool passes_over(Run& run, const Block& block) {
   State& s = run.state;
   if ((block.skip & run.options.skips) == 0) return false;
+  const bool passed = (block.skip & Block::kPartEnd) != 0 && end_pass(run);
+  if (!passed && (block.skip & run.options.skips & ~Block::kPartEnd) == 0) return false;
   if (s.skipped_behind != s.executed) s.skipped = 0;
   s.skipped_behind = s.executed;
   if (static_cast<std::size_t>(++s.skipped) > run.code->blocks.size() + kManySkipped)
     end_run(run, Stop::Limit);
-  ++s.pc;
+  if (!passed) ++s.pc;
   return true;
 }
 
@@ -166,9 +170,9 @@ inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_
   while (s.executed < run.watch.look_at && s.stop == Stop::Running) {
     const Block& block = blocks[s.pc];
     if ((block.skip & run.options.skips) != 0) [[unlikely]] {
-      passes_over(run, block);
+      const bool passes = passes_over(run, block);
       if (++passed % kLookSkipped == 0) look_soon(run);
-      continue;
+      if (passes) continue;
     }
     if (pause && pause()) return false;
     if constexpr (watched)
@@ -258,6 +262,8 @@ bool dispatch(Run& run, const Block& block) {
       return modal_call(run, block);
     case Op::CancelModal:
       return cancel_modal(run, block);
+    case Op::RepeatPart:
+      return repeat_part(run, block);
     case Op::Return:
       return return_from_call(run, block);
     case Op::Jump:
@@ -277,12 +283,15 @@ bool dispatch(Run& run, const Block& block) {
     case Op::IfGoto:
     case Op::While:
     case Op::Do:
+    case Op::For:
+    case Op::EndFor:
     case Op::EndDo:
       return statements(run, true);
     case Op::Set:
     case Op::Assign:
     case Op::Goto:
     case Op::IfThen:
+    case Op::Switch:
     case Op::If:
     case Op::Else:
     case Op::EndIf:

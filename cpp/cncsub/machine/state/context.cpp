@@ -25,6 +25,7 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   std::shared_ptr<const Workpiece>& workpiece = options.inputs.workpiece;
   if (workpiece)  // it stays where it is, whatever the program does to zero points
     workpiece = std::make_shared<const Workpiece>(placed(motion.view(), *workpiece));
+  options.skips |= Block::kPartEnd;
   trace.depth = options.trace;
   state.locals.assign(static_cast<std::size_t>(code->locals), kVacant);
   if (control().macros.call_passes_words.value) state.programmed.assign(state.locals.size(), 0);

@@ -74,7 +74,7 @@ std::uint64_t memory(const Run& run) {
          (s.frames.size() - 1) * (sizeof(OpenFrame) + sizeof(Frame)) +
          static_cast<std::size_t>(s.level) * (locals + elements) + s.texts.bytes() +
          s.modals.size() * (sizeof(ModalCall) + locals) + s.waiting.size() * sizeof(WaitingBlock) +
-         s.loops.size() * sizeof(Address) + (s.system.size() + s.names.size()) * kNodeBytes +
+         s.loops.size() * sizeof(OpenLoop) + (s.system.size() + s.names.size()) * kNodeBytes +
          s.commons.size() * sizeof(double);
 }
 

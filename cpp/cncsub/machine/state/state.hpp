@@ -36,6 +36,7 @@ struct OpenFrame {
   std::int32_t modal = -1;        // the modal call that it is the macro of
   std::int32_t modal_limit = 0;   // only modal calls below this one follow its moves
   std::uint32_t loops = 0;        // how many of the open loops belong to frames below
+  Address part_end = kNowhere;    // of RepeatPart: the block before which each pass ends
   std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
   bool shares_locals = false;     // the numbered locals of its level are the caller's
@@ -102,13 +103,21 @@ struct Labels {
   bool operator==(const Labels&) const = default;
 };
 
+/// A WHILE, DO or FOR that is open.
+struct OpenLoop {
+  Address start = 0;
+  double last = 0;  // of a FOR: the last value
+
+  bool operator==(const OpenLoop&) const = default;
+};
+
 struct State {
   // The place of the run.
   Address pc = 0;                   // the block to be executed next
   std::vector<OpenFrame> frames;    // the main program first
   int subprograms = 0, macros = 0;  // how many of the open calls are subprograms, and macros
   Labels labels;
-  std::vector<Address> loops;         // the WHILE and DO blocks that are open, of all frames
+  std::vector<OpenLoop> loops;        // of all frames
   std::vector<ModalCall> modals;      // in the order they were declared
   std::vector<WaitingBlock> waiting;  // one for each frame that `interrupts`
   struct ModalStackEntry {
@@ -121,13 +130,13 @@ struct State {
   Address moved_at = 0;  // the block whose move a modal call follows, or that called last
 
   // Variables.
-  int level = 0;                          // the present level of locals
-  std::vector<double> locals;             // level after level, Code::locals each
-  std::vector<std::uint8_t> programmed;   // of each local how its word was programmed, for AR[]; or
-                                          // nothing where the control does not ask
-  std::vector<double> commons;            // by their place, see Code::place
-  std::vector<double> elements;           // of arrays: level after level, Code::elements each
-  Texts texts;                            // those that blocks made; numbered after those of the code
+  int level = 0;                         // the present level of locals
+  std::vector<double> locals;            // level after level, Code::locals each
+  std::vector<std::uint8_t> programmed;  // of each local how its word was programmed, for AR[]; or
+                                         // nothing where the control does not ask
+  std::vector<double> commons;           // by their place, see Code::place
+  std::vector<double> elements;          // of arrays: level after level, Code::elements each
+  Texts texts;                           // those that blocks made; numbered after those of the code
   std::map<std::int64_t, double> system;  // what was written to system variables
   // Written variables that the control sets too, each with its place in MotionState::set_anew.
   std::map<std::int64_t, std::size_t> written_over;

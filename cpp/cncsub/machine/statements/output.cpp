@@ -13,6 +13,7 @@
 #include "cncsub/machine/values/expressions.hpp"
 #include "cncsub/machine/values/texts.hpp"
 #include "cncsub/machine/values/variables.hpp"
+#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -110,6 +111,16 @@ std::string shown(const Run& run, const Print& print, const PrintField& field, d
       std::clamp(std::round(value * std::pow(10.0, field.decimals)), -2147483648.0, 2147483647.0)));
 }
 
+/// Evaluate the number of an alarm that a program raises.
+bool alarm_number(Run& run, const Print& print, double& number) {
+  if (!evaluate(run, print.number, number)) return false;
+  number = is_vacant(number) ? 0 : std::round(number);
+  return (number >= print.first_number && number <= print.last_number) ||
+         alarm(run, {Cause::IllegalUserAlarm, print.at, 0,
+                     "a program may raise alarms " + std::to_string(print.first_number) + " to " +
+                         std::to_string(print.last_number)});
+}
+
 bool is_shown(const Run& run, const Print& print) {
   double value = 1;
   if (print.shown_if != 0) read_variable(run, print.shown_if, run.state.level, value);
@@ -120,6 +131,8 @@ bool is_shown(const Run& run, const Print& print) {
 
 bool print(Run& run, const Print& print) {
   if (!is_shown(run, print)) return true;
+  double number = 0;
+  if (print.last_number > 0 && !alarm_number(run, print, number)) return false;
   std::string line(print.logs() ? print.command : "");  // the text of a log says that it is one
   std::size_t left = kLongText;
   for (const PrintField& field : print.fields) {
@@ -139,11 +152,15 @@ bool print(Run& run, const Print& print) {
   }
   if (run.observer != nullptr) run.observer->print = &print;
   run.watch.in_block = 0;
+  if (print.last_number > 0) {
+    Statement statement;
+    statement.at = print.at;
+    return alarm_of_program(run, statement, line, system::shortest(number));
+  }
   if (print.alarms) {
     Fault fault{Cause::UserAlarm, print.at, 1, line};
     fault.text = std::move(line);
     alarm(run, fault);
-    if (run.state.alarm && !print.number.empty()) run.state.alarm->number = print.number;
     return false;
   }
   say(run, std::move(line));

@@ -17,11 +17,6 @@ namespace {
 
 // ---- assignments ----
 
-/// Return the number of the variable that an expression gives.
-std::int64_t to_number(double value) {
-  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
-}
-
 /// Give a value to a variable that is neither written as a local nor as a common.
 bool set_other(Run& run, const Block& block, const Assigned& assigned, const Places& places,
                double value) {
@@ -30,7 +25,7 @@ bool set_other(Run& run, const Block& block, const Assigned& assigned, const Pla
   double number = 0;
   if (!evaluate(run, run.code->expression(block.aux - assigned.index), places, number))
     return false;
-  const std::int64_t variable = to_number(number);
+  const std::int64_t variable = number_of_variable(number);
   double* const place = places.near(*run.code, variable, true);
   if (place == nullptr || !run.state.programmed.empty())
     return store_number(run, variable, value, assignment_of(*run.code, block));
@@ -55,23 +50,6 @@ inline bool set(Run& run, const Block& block, const Places& places) {
 bool assign(Run& run, const Statement& statement) {
   double value = 0;
   return evaluate(run, statement.expression, value) && store(run, statement, value);
-}
-
-/// Raise the alarm of #3000 = n (TEXT). It is what the block does, so that the block is a step.
-bool user_alarm(Run& run, double n, const Statement& statement) {
-  const Control& control = run.control();
-  const double number = std::round(n);
-  const int last = control.macros.user_alarm_last.value;
-  if (number < 0 || number > last)
-    return alarm(run, {Cause::IllegalUserAlarm, statement.at, statement.width,
-                       "a program may raise alarms 0 to " + std::to_string(last)});
-  const std::string text = comment_of(run, statement);
-  std::string shown =
-      std::to_string(control.macros.user_alarm_offset.value + to_whole<std::int64_t>(number));
-  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
-  return alarm_of_program(run, statement, text,
-                          control.user_alarm_number.empty() ? control.user_alarm_prefix + shown
-                                                            : control.user_alarm_number);
 }
 
 // ---- jumps and loops ----
@@ -144,14 +122,14 @@ bool open_loop(Run& run, const Statement& statement) {
       run.state.loops.size() >= static_cast<std::size_t>(rules.max_loops.value))
     return alarm(run, {Cause::LoopsTooDeep, statement.at, statement.width,
                        "more loops inside each other than the control allows"});
-  run.state.loops.push_back(run.state.pc);
+  run.state.loops.push_back({run.state.pc});
   return true;
 }
 
 /// Execute a WHILE whose condition is known, or a DO, whose condition always holds.
 inline bool loop(Run& run, const Statement& statement, bool holds) {
-  std::vector<Address>& loops = run.state.loops;
-  const bool inside = loops.size() > run.frame().loops && loops.back() == run.state.pc;
+  std::vector<OpenLoop>& loops = run.state.loops;
+  const bool inside = loops.size() > run.frame().loops && loops.back().start == run.state.pc;
   if (!holds) {
     if (inside) loops.pop_back();
     run.block.next = statement.to;
@@ -160,14 +138,52 @@ inline bool loop(Run& run, const Statement& statement, bool holds) {
   return inside || open_loop(run, statement);
 }
 
+/// Leave the loops inside the one whose end this is; alarm where that one is not open.
+bool leave_inner_loops(Run& run, const Statement& statement) {
+  std::vector<OpenLoop>& loops = run.state.loops;
+  while (loops.size() > run.frame().loops && loops.back().start != statement.to) loops.pop_back();
+  return loops.size() > run.frame().loops ||
+         alarm(run,
+               {Cause::MissingDo, statement.at, statement.width, "a jump leads into this loop"});
+}
+
 bool end_loop(Run& run, const Statement& statement) {
-  std::vector<Address>& loops = run.state.loops;
-  while (loops.size() > run.frame().loops && loops.back() != statement.to) loops.pop_back();
-  if (loops.size() == run.frame().loops)
-    return alarm(run,
-                 {Cause::MissingDo, statement.at, statement.width, "a jump leads into this loop"});
-  if (waits_here(run)) return false;
+  if (!leave_inner_loops(run, statement) || waits_here(run)) return false;
   run.block.next = statement.to;
+  return true;
+}
+
+/// Execute a FOR: what counts takes its first value. The last value is evaluated once, here.
+bool begin_count(Run& run, const Statement& statement, const Places& places, bool& holds) {
+  const Statement& first = run.code->statements[statement.then];
+  double last = 0, value = 0;
+  if (!may_jump(run, statement) ||
+      !evaluate(run, run.code->expression(statement.expression), places, last) ||
+      !evaluate(run, run.code->expression(first.expression), places, value))
+    return false;
+  holds = value <= last;
+  if (!holds && statement.to == kNowhere)
+    return alarm(run,
+                 {Cause::MissingEnd, statement.at, statement.width, "no end of the loop follows"});
+  if (!store(run, first, value) || !loop(run, statement, holds)) return false;
+  if (holds) run.state.loops.back().last = last;
+  return true;
+}
+
+/// Count, and go back to the block after the FOR while the last value is not passed.
+bool end_count(Run& run, const Statement& statement, const Places& places, bool& holds) {
+  const Statement& next = run.code->statements[statement.then];
+  double value = 0;
+  if (!leave_inner_loops(run, statement) ||
+      !evaluate(run, run.code->expression(next.expression), places, value) ||
+      !store(run, next, value))
+    return false;
+  std::vector<OpenLoop>& loops = run.state.loops;
+  holds = value <= loops.back().last;
+  if (holds)
+    run.block.next = statement.to + 1;
+  else
+    loops.pop_back();
   return true;
 }
 
@@ -210,6 +226,10 @@ CNCSUB_ALWAYS_INLINE inline Ran run_one(Run& run, const Block& block, const Plac
                  loop(run, statement, holds));
     case Op::Do:
       return ran(may_jump(run, statement) && loop(run, statement, true));
+    case Op::For:
+      return ran(begin_count(run, statement, places, holds));
+    case Op::EndFor:
+      return ran(end_count(run, statement, places, holds));
     case Op::EndDo:
       return ran(end_loop(run, statement));
     default:
@@ -241,6 +261,34 @@ bool run_statements(Run& run, bool one, const Block*& instead) {
 }
 
 namespace {
+
+/// Execute a CASE, or several IF GOTO: choose the first alternative that has the value, or whose
+/// condition holds.
+bool choose_alternative(Run& run, const Statement& choice, bool& holds, const Block*& instead) {
+  const Places places = cncsub::places(run);
+  const bool by_value = choice.index == Statement::kHasValue;
+  double sought = 0;
+  if (by_value) {
+    run.state.last_condition = choice.expression;
+    if (!evaluate(run, choice.expression, sought)) return false;
+  }
+  const Statement* of = &choice + 1;
+  for (std::int32_t i = 0; i < choice.number; ++i, ++of) {
+    bool chosen = of->index == Statement::kAlways;
+    double value = 0;
+    if (!chosen && by_value) {
+      if (!evaluate(run, of->expression, value)) return false;
+      chosen = value == sought;
+    } else if (!chosen && !condition(run, of->expression, places, chosen)) {
+      return false;
+    }
+    if (!chosen) continue;
+    instead = &run.code->variants[of->then];
+    return true;
+  }
+  holds = false;
+  return true;
+}
 
 /// Record a statement that has done what it says as a step.
 bool end_statement(Run& run, const Block& block, bool holds) {
@@ -276,6 +324,10 @@ bool run_statement(Run& run, const Block& block, const Block*& instead) {
       }
       if (!holds && block.op == Op::If) run.block.next = statement->to;
       break;
+    case Op::Switch:
+      runs = choose_alternative(run, *statement, holds, instead);
+      if (runs && instead != nullptr) return true;
+      break;
     case Op::Else:
       run.block.next = statement->to;
       break;
@@ -294,88 +346,15 @@ bool run_statement(Run& run, const Block& block, const Block*& instead) {
   return runs && end_statement(run, block, holds);
 }
 
-bool store(Run& run, const Statement& statement, double value) {
-  State& s = run.state;
-  if (std::fabs(value) > kLargest)  // a vacant value compares false
-    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
-  const auto put = [&](double& place) {
-    if (!(place == value)) ++s.changes;
-    place = value;
-  };
-  switch (statement.target) {
-    case Statement::Target::Local:
-      put(s.locals[run.local_at(s.level, statement.index)]);
-      if (!s.programmed.empty()) s.programmed[run.local_at(s.level, statement.index)] = 0;
-      return true;
-    case Statement::Target::Common:
-      put(s.commons[static_cast<std::size_t>(statement.index)]);
-      return true;
-    case Statement::Target::Variable:
-      return store_number(run, statement.index, value, statement);
-    case Statement::Target::Indirect: {
-      double number = 0;
-      if (!evaluate(run, statement.variable, number)) return false;
-      return store_number(run, to_number(number), value, statement);
-    }
-    case Statement::Target::Element:
-    case Statement::Target::CommonElement: {
-      double place = 0;
-      return evaluate(run, statement.variable, place) &&
-             store_elements(run, statement, place, value);
-    }
-    case Statement::Target::None:
-      break;
-  }
-  return true;
-}
-
-bool store_elements(Run& run, const Statement& statement, double place, double value) {
-  if (std::fabs(value) > kLargest)
-    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
-  const auto from = to_whole<std::int32_t>(place);  // the indices are inside their extents
-  const std::int32_t left = statement.number - from;
-  const std::int32_t count = statement.count == 0 ? left : statement.count;
-  if (left < count)
-    return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
-                       "the array ends before the last value"});
-  State& s = run.state;
-  const auto first = static_cast<std::size_t>(statement.index + from);
-  double* const at = statement.target == Statement::Target::Element
-                         ? s.elements.data() + run.element_at(first)
-                         : s.commons.data() + first;
-  std::fill_n(at, count, value);
-  ++s.changes;
-  return true;
-}
-
-bool store_number(Run& run, std::int64_t number, double value, const Statement& statement) {
-  const VariablePlace place = run.code->place(number);
-  if (run.observer != nullptr && !place.is_local() && !place.is_common())
-    run.observer->assigned.push_back({number, value, comment_of(run, statement)});
-  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
-    return user_alarm(run, is_vacant(value) ? 0 : value, statement);
-  if (place.range != nullptr && place.kind == VariableKind::Message) {
-    say(run, comment_of(run, statement));
-    return wait_for_operator(run, "#" + std::to_string(number));
-  }
-  if (auto fault = write_variable(run, number, value)) {
-    fault->at = statement.variable_at;
-    fault->width = statement.variable_width;
-    return alarm(run, *fault);
-  }
-  ++run.state.changes;
-  return true;
-}
-
 bool may_jump(Run& run, const Statement& statement) {
   return !run.jumps_refused || run.state.frames.size() > 1 ||
          alarm(run, {Cause::JumpInMdi, statement.at, statement.width, "a jump or a loop in MDI"});
 }
 
 void leave_loops(Run& run, Address to) {
-  std::vector<Address>& loops = run.state.loops;
+  std::vector<OpenLoop>& loops = run.state.loops;
   while (loops.size() > run.frame().loops) {
-    const Address start = loops.back();
+    const Address start = loops.back().start;
     if (to >= start && to <= run.code->statements[run.code->blocks[start].aux].end) break;
     loops.pop_back();
   }

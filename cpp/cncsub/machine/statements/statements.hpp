@@ -18,6 +18,8 @@ bool h_code(Run& run, const HCode& h, bool& holds);
 /// Execute the assignments of a block that does something else too, all with the values from
 /// before, and its message. The words have their values already, and are executed after it.
 bool assign_in_parallel(Run& run);
+/// Return the number of the variable that an expression gives.
+std::int64_t number_of_variable(double value);
 /// Give the variable of an assignment its value.
 bool store(Run& run, const Statement& statement, double value);
 /// Give elements of an array a value, from the one at `place` on.

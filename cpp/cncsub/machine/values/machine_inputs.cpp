@@ -51,7 +51,7 @@ std::optional<Fault> profile_blocks(Run& run, const ProfileNumbers& numbers, Pro
   const Address last = run.code->first_from(program, nf, first);
   if (last == kNowhere) return missing('Q', nf);
   const auto passed = [&](Address a) {
-    return (run.code->blocks[a].skip & run.options.skips) != 0;
+    return (run.code->blocks[a].skip & run.options.skips & ~Block::kPartEnd) != 0;
   };
   Address next = run.state.pc + 1;
   while (next < first && passed(next)) ++next;

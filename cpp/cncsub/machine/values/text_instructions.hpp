@@ -27,6 +27,7 @@ inline std::string text_of_code(unsigned code) {
 
 /// Write a value as << does: a number with the digits it has.
 inline std::string written_as(E e, double value, WrittenAs how) {
+  constexpr double kPlain = 1e15;  // whole numbers below it have no exponent
   char digits[40];
   switch (how) {
     case WrittenAs::Text:
@@ -40,18 +41,23 @@ inline std::string written_as(E e, double value, WrittenAs how) {
     case WrittenAs::Number:
       break;
   }
-  std::snprintf(digits, sizeof digits, "%.10g", value == 0 ? 0.0 : value);
+  const bool whole = value == std::trunc(value) && std::fabs(value) < kPlain;
+  std::snprintf(digits, sizeof digits, whole ? "%.0f" : "%.10g", value == 0 ? 0.0 : value);
   return digits;
 }
 
 inline double written_as_text(E e, I at, double a) {
   return keep_text(e.run, written_as(e, a, static_cast<WrittenAs>(to_whole<int>(at.value()))));
 }
-inline double join_texts(E e, I at, double a, double b) {
+// Longer texts are no values: a block could make a very long one of each of its parts.
+constexpr std::size_t kLongestText = 1000;
+
+inline Fallible join_texts(E e, I at, double a, double b) {
   const int both = to_whole<int>(at.value());
   std::string text = written_as(e, a, static_cast<WrittenAs>(both / 16));
   text += written_as(e, b, static_cast<WrittenAs>(both % 16));
-  return keep_text(e.run, std::move(text));
+  if (text.size() <= kLongestText) return keep_text(e.run, std::move(text));
+  return fails(e, at, Cause::CodeNotComputed, "a text of more than 1,000 characters");
 }
 
 /// Return how many characters of a text a value counts.

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <vector>
 
 #include "cncsub/machine/state/context.hpp"
 
@@ -25,15 +24,6 @@ void set_from_outside(Run& run, std::int32_t number, double value);
 void clear_variables(Run& run);
 /// Return every variable that is not vacant or was ever written: commons and the locals of a level.
 std::map<std::int32_t, double> variables(const Run& run, int level);
-
-/// A variable that has a name, and where its values lie.
-struct NamedValues {
-  const DefinedVariable* variable;
-  const double* values;
-};
-/// Return the variables that the program of a level defines, then those of all programs. One that
-/// was not defined yet is left out.
-std::vector<NamedValues> named_variables(const Run& run, int level);
 
 // Predicates of a variable that hold in every run.
 

@@ -68,7 +68,7 @@ Result set_radius(MotionContext& m, BlockWords& block) {
   if (is_by_own_normal(m.facts))
     if (auto wrong = change_by_own_normal(m, block)) return wrong;
   m.state.modal[at(Group::Radius)] = block.code(Group::Radius);
-  if (given) return std::nullopt;
+  if (given || c.motion.tool_edges.value) return std::nullopt;
   if (compensating(m.state) && is_of_tool(m, block, 'D'))
     m.state.d = offset_of_tool(m.state, *m.state.tables.radius);
   if (!m.facts.lathe() && compensating(m.state) && m.state.d == 0 && !block.words.has('D') &&

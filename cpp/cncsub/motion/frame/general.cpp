@@ -1,4 +1,5 @@
-// The frame of the program: a matrix with a shift, which shifts, rotations, scales and mirrors make.
+// The frame of the program: a matrix with a shift, which shifts, rotations, scales and mirrors
+// make.
 #include <algorithm>
 #include <cmath>
 

@@ -156,14 +156,13 @@ void words_about_pole(MotionView m, const BlockWords& block, bool incremental, A
   const double pole_a = m.state.pole[static_cast<std::size_t>(plane.a)],
                pole_b = m.state.pole[static_cast<std::size_t>(plane.b)];
   double radius = std::hypot(end[plane.a] - pole_a, end[plane.b] - pole_b);
-  double angle =
-      radius < kStanding ? 0 : std::atan2(end[plane.b] - pole_b, end[plane.a] - pole_a);
-  const auto adds = [&](int place) {
-    return w.forms.is_incremental(1u << place, incremental);
-  };
-  if (w.has_place(kRadius))
-    radius = w.value[kRadius] * m.state.unit + (adds(kRadius) ? radius : 0);
-  if (w.has_place(kAngle)) angle = w.value[kAngle] * kPi / 180 + (adds(kAngle) ? angle : 0);
+  double angle = radius < kStanding ? 0 : std::atan2(end[plane.b] - pole_b, end[plane.a] - pole_a);
+  // A radius is absolute under G91 too. [840Df p.118]
+  const bool adds = w.forms.is_incremental(1u << kRadius, false);
+  if (w.has_place(kRadius)) radius = w.value[kRadius] * m.state.unit + (adds ? radius : 0);
+  if (w.has_place(kAngle))
+    angle = w.value[kAngle] * kPi / 180 +
+            (w.forms.is_incremental(1u << kAngle, incremental) ? angle : 0);
   end[plane.a] = pole_a + radius * std::cos(angle);
   end[plane.b] = pole_b + radius * std::sin(angle);
   named |= axis_bit(plane.a) | axis_bit(plane.b);

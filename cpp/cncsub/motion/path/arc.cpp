@@ -209,6 +209,7 @@ Result check_axes(MotionView m, const BlockWords& block, std::uint32_t named, bo
                         m.facts.refuses(Cause::HelixAxis) ? Cause::HelixAxis : Cause::ArcAxis);
   const char word = kCentreNames[static_cast<std::size_t>(across)];
   const bool counts = block.words[word] != 0 || m.facts.refuses(Cause::ArcAxis);
+  if (c.motion.drops_centre_across.value) return std::nullopt;
   if (!radius && block.words.has(word) && counts) return fault_at(word, Cause::ArcAxis, block);
   return std::nullopt;
 }
@@ -340,14 +341,15 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;
   if (auto wrong = check_axes(m, block, named, radius)) return wrong;
+  if (m.facts.control->motion.drops_centre_across.value)
+    m.outcome.drop(bit(centre_name(plane.across)));
   const bool clockwise = (meaning == Meaning::Cw) != mirrored_plane(m.state);
   Piece piece = make_piece(m, block, clockwise ? MoveKind::Cw : MoveKind::Ccw, end, named);
   piece.state.parallel = parallel_axes(m, named);
   if (auto wrong = corner_words(m, block, piece)) return wrong;
   if (auto wrong = check_parallel(m, block, piece)) return wrong;
-  if (auto wrong = angle != 0
-                       ? arc_by_angle(m, block, angle, centre, piece)
-                       : find_centre(m, block, radius, centre, piece, m.outcome))
+  if (auto wrong = angle != 0 ? arc_by_angle(m, block, angle, centre, piece)
+                              : find_centre(m, block, radius, centre, piece, m.outcome))
     return wrong;
   // R with the end at the start is no arc: only the move across the plane is left. [16TC p.67]
   const bool goes_across = (named & axis_bit(plane.across)) != 0;

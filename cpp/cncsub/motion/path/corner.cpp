@@ -1,4 +1,5 @@
 // Chamfers and corner rounds between two moves: the first waits for the second.
+#include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/path/geometry.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/state/modes.hpp"
@@ -56,6 +57,8 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   if (chamfer >= 0 && round >= 0)
     return fault_at({.addresses = 1u << round}, Cause::CornerFormat, block);
   piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
+  if (m.state.frame.turned)
+    piece.corner_size *= std::fabs(factor_in_plane(m.state.frame, plane_axes(piece.plane)));
   if (piece.corner_size != 0) piece.corner = chamfer == kCommaD ? 'L' : chamfer >= 0 ? 'C' : 'R';
   return std::nullopt;
 }

@@ -30,7 +30,7 @@ struct Piece {
   int side = 0;        // radius compensation: -1 left, 1 right, 0 off
   double radius = 0;
   std::array<double, 3> tip{};  // of a lathe: from the nose centre to the imaginary tip
-  char corner = 0;              // 'C', 'L' (by the chamfer's length) or 'R' between this piece and the next
+  char corner = 0;  // 'C', 'L' (by the chamfer's length) or 'R' between this piece and the next
   double corner_size = 0;
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;

@@ -1,0 +1,112 @@
+// Gives values to variables of any kind; some of them raise an alarm or show a message.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/statements/output.hpp"
+#include "cncsub/machine/statements/statements.hpp"
+#include "cncsub/machine/values/expressions.hpp"
+#include "cncsub/machine/values/variables.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// Raise the alarm of #3000 = n (TEXT). It is what the block does, so that the block is a step.
+bool user_alarm(Run& run, double n, const Statement& statement) {
+  const Control& control = run.control();
+  const double number = std::round(n);
+  const int last = control.macros.user_alarm_last.value;
+  if (number < 0 || number > last)
+    return alarm(run, {Cause::IllegalUserAlarm, statement.at, statement.width,
+                       "a program may raise alarms 0 to " + std::to_string(last)});
+  const std::string text = comment_of(run, statement);
+  std::string shown =
+      std::to_string(control.macros.user_alarm_offset.value + to_whole<std::int64_t>(number));
+  while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
+  return alarm_of_program(run, statement, text,
+                          control.user_alarm_number.empty() ? control.user_alarm_prefix + shown
+                                                            : control.user_alarm_number);
+}
+
+}  // namespace
+
+std::int64_t number_of_variable(double value) {
+  return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
+}
+
+bool store(Run& run, const Statement& statement, double value) {
+  State& s = run.state;
+  if (std::fabs(value) > kLargest)  // a vacant value compares false
+    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto put = [&](double& place) {
+    if (!(place == value)) ++s.changes;
+    place = value;
+  };
+  switch (statement.target) {
+    case Statement::Target::Local:
+      put(s.locals[run.local_at(s.level, statement.index)]);
+      if (!s.programmed.empty()) s.programmed[run.local_at(s.level, statement.index)] = 0;
+      return true;
+    case Statement::Target::Common:
+      put(s.commons[static_cast<std::size_t>(statement.index)]);
+      return true;
+    case Statement::Target::Variable:
+      return store_number(run, statement.index, value, statement);
+    case Statement::Target::Indirect: {
+      double number = 0;
+      if (!evaluate(run, statement.variable, number)) return false;
+      return store_number(run, number_of_variable(number), value, statement);
+    }
+    case Statement::Target::Element:
+    case Statement::Target::CommonElement: {
+      double place = 0;
+      return evaluate(run, statement.variable, place) &&
+             store_elements(run, statement, place, value);
+    }
+    case Statement::Target::None:
+      break;
+  }
+  return true;
+}
+
+bool store_elements(Run& run, const Statement& statement, double place, double value) {
+  if (std::fabs(value) > kLargest)
+    return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
+  const auto from = to_whole<std::int32_t>(place);  // the indices are inside their extents
+  const std::int32_t left = statement.number - from;
+  const std::int32_t count = statement.count == 0 ? left : statement.count;
+  if (left < count)
+    return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
+                       "the array ends before the last value"});
+  State& s = run.state;
+  const auto first = static_cast<std::size_t>(statement.index + from);
+  double* const at = statement.target == Statement::Target::Element
+                         ? s.elements.data() + run.element_at(first)
+                         : s.commons.data() + first;
+  std::fill_n(at, count, value);
+  ++s.changes;
+  return true;
+}
+
+bool store_number(Run& run, std::int64_t number, double value, const Statement& statement) {
+  const VariablePlace place = run.code->place(number);
+  if (run.observer != nullptr && !place.is_local() && !place.is_common())
+    run.observer->assigned.push_back({number, value, comment_of(run, statement)});
+  if (place.range != nullptr && place.kind == VariableKind::UserAlarm)
+    return user_alarm(run, is_vacant(value) ? 0 : value, statement);
+  if (place.range != nullptr && place.kind == VariableKind::Message) {
+    say(run, comment_of(run, statement));
+    return wait_for_operator(run, "#" + std::to_string(number));
+  }
+  if (auto fault = write_variable(run, number, value)) {
+    fault->at = statement.variable_at;
+    fault->width = statement.variable_width;
+    return alarm(run, *fault);
+  }
+  ++run.state.changes;
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,41 @@
+#include "cncsub/machine/values/named_variables.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// Return the program that opened a level of locals.
+const Program& program_of(const Run& run, int level) {
+  const std::vector<OpenFrame>& frames = run.state.frames;
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < frames.size() && level > 0; ++i)
+    if (frames[i].own_locals) --level, at = i;
+  return run.code->programs[static_cast<std::size_t>(frames[at].program)];
+}
+
+/// Return where the values of a variable lie.
+const double* values_of(const Run& run, const DefinedVariable& of, int level) {
+  const State& s = run.state;
+  const auto index = static_cast<std::size_t>(of.index);
+  if (of.common) return s.commons.data() + index;
+  if (of.extents.empty()) return s.locals.data() + run.local_at(level, of.index);
+  const auto each = static_cast<std::size_t>(run.code->elements);
+  return s.elements.data() + static_cast<std::size_t>(level) * each + index;
+}
+
+}  // namespace
+
+std::vector<NamedValues> named_variables(const Run& run, int level) {
+  std::vector<NamedValues> named;
+  const Program& program = program_of(run, level);
+  for (std::uint32_t i = 0; i < program.defined; ++i) {
+    const DefinedVariable& of = run.code->defined_variables[program.first_defined + i];
+    const double* const values = values_of(run, of, level);
+    if (!of.extents.empty() || !is_vacant(*values)) named.push_back({&of, values});
+  }
+  for (const DefinedVariable& of : run.code->shared_variables)
+    named.push_back({&of, values_of(run, of, level)});
+  return named;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,19 @@
+// Variables that have names, with their values, for whoever looks at a run.
+#pragma once
+
+#include <vector>
+
+#include "cncsub/machine/state/context.hpp"
+
+namespace cncsub {
+
+/// A variable that has a name, and where its values lie.
+struct NamedValues {
+  const DefinedVariable* variable;
+  const double* values;
+};
+/// Return the variables that the program of a level defines, then those of all programs. One that
+/// was not defined yet is left out.
+std::vector<NamedValues> named_variables(const Run& run, int level);
+
+}  // namespace cncsub
