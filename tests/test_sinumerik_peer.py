@@ -104,7 +104,6 @@ EXAMPLES = [
         20 11 -6 0
         20 12 -6 0
         """,
-        not_computed="FOR",
     ),
     Example(
         "axis_index_assignment",
@@ -156,7 +155,6 @@ EXAMPLES = [
         DONE: M30
         """,
         "30 2 0 0",
-        not_computed="CASE",
     ),
     Example(
         "case_insensitive_variables",
@@ -276,7 +274,6 @@ EXAMPLES = [
         10 60 0 0
         10 90 0 0
         """,
-        not_computed="FOR",
     ),
     Example(
         "function_calls",
@@ -599,7 +596,6 @@ REFUSED = {
     "an arc without a centre": ("G2 X3 Z10 F100\nM30", "no-radius"),
     "an axis that is in its block twice": ("G0 X1 X=3\nM30", "address-given-twice"),
     "a DEF of an R parameter": ("DEF REAL R0=0\nM30", "illegal-variable-name"),
-    "the pitch K of an arc in G17": ("G2 X0 Y0 Z10 I0 J-5 K5 F100\nM30", "arc-axis-not-in-plane"),
 }
 
 

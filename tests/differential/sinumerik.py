@@ -33,26 +33,11 @@ SHOWN = 3  # how many differences are printed
 
 # What cncsub does not compute yet: the programs leave it out. Each with a program that must be
 # refused as not computed: where the engine computes it, the entry has to go.
-NOT_COMPUTED: dict[str, str] = {
-    "for": "DEF INT II\nFOR II=1 TO 3\nENDFOR\nM30",
-    "case": "CASE(1) OF 1 GOTOF AA DEFAULT GOTOF AA\nAA: M30",
-    "several jumps": "R1=1\nIF R1==0 GOTOF AA IF R1==1 GOTOF AA\nAA: M30",
-    "again": "AA: R1=R1+1\nREPEAT AA P=2\nM30",
-    "var elements": (
-        "%_N_MAIN_MPF\nDEF REAL FIELD[2]\nPART(FIELD[1])\nM30\n"
-        "%_N_PART_SPF\nPROC PART(VAR REAL WIDE)\nWIDE=5\nM17"
-    ),
-}
+NOT_COMPUTED: dict[str, str] = {}
 
 # Where cncsub is known to do otherwise: the programs leave it out too. Each with a program and the
 # X in machine coordinates at its end that the rule asks for.
-DIFFERENT: dict[str, tuple[str, float]] = {
-    # SAVE gives the frame back, and not only the G codes.
-    "frames in SAVE": (
-        "%_N_MAIN_MPF\nG54 G0 X0\nPART\nX1\nM30\n%_N_PART_SPF\nPROC PART SAVE\nTRANS X10\nX2\nM17",
-        1.0,
-    ),
-}
+DIFFERENT: dict[str, tuple[str, float]] = {}
 
 USED = frozenset(FEATURES) - set(NOT_COMPUTED) - set(DIFFERENT)
 
