@@ -1,0 +1,94 @@
+"""Generated programs of SINUMERIK do what an independent evaluator says.
+
+`python tests/differential/sinumerik.py --programs 20000` does the same with more of them.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+
+import pytest
+
+import cncsub
+import sinumerik
+import sinumerik_evaluator
+import sinumerik_language as l
+from sinumerik import DIFFERENT, NOT_COMPUTED, compare, computed, evaluated, programs_of
+from sinumerik_values import FEATURES
+
+SEED = 1
+PLACES = range(300)
+
+
+def test_programs_do_what_the_evaluator_says(capsys: pytest.CaptureFixture[str]) -> None:
+    report = compare(SEED, PLACES)
+    assert report.different == [], capsys.readouterr().out
+    assert report.programs > 0.9 * len(PLACES)
+    assert report.moves > 10 * len(PLACES)
+    assert report.causes["jump-target-not-found"] > 0
+
+
+def test_what_the_programs_leave_out_is_refused_as_not_computed() -> None:
+    for feature, program in NOT_COMPUTED.items():
+        assert feature in FEATURES
+        run = cncsub.loads(program, control=sinumerik.CONTROL).run(max_blocks=1000)
+        assert run.alarm is not None, f"cncsub computes {feature}: take it out of NOT_COMPUTED"
+        assert run.alarm.cause == "code-not-computed"
+
+
+def test_what_is_known_to_differ_still_does() -> None:
+    for feature, (program, wanted) in DIFFERENT.items():
+        assert feature in FEATURES
+        last = computed(program).moves[-1]
+        assert last[1] - sinumerik.OFFSET[0] != pytest.approx(wanted), f"take {feature} out"
+
+
+def test_the_programs_go_over_the_whole_ground() -> None:
+    programs = [programs_of(SEED, place, frozenset(FEATURES)) for place in PLACES]
+    blocks = [b.action for of in programs for program in of.values() for b in program.blocks]
+    kinds = {type(action).__name__ for action in blocks}
+    assert kinds == {kind.__name__ for kind in l.Action.__args__}  # type: ignore[attr-defined]
+    opened = {action.kind for action in blocks if isinstance(action, l.Open)}
+    assert opened == {"IF", "WHILE", "FOR", "LOOP", "REPEAT"}
+    jumps = {way[1] for action in blocks if isinstance(action, l.Jump) for way in action.ways}
+    assert jumps == {"GOTO", "GOTOF", "GOTOB", "GOTOC"}
+    frames = {action.op for action in blocks if isinstance(action, l.Frame)}
+    assert frames == {a + op for a in ("", "A") for op in ("TRANS", "ROT", "SCALE", "MIRROR")}
+    types = {d.type for of in programs for program in of.values() for d in program.definitions}
+    assert types == {"INT", "REAL", "BOOL", "STRING"}
+
+
+@pytest.mark.parametrize(
+    "rule", ["rounding", "priority", "function", "default"], ids=lambda rule: f"another {rule}"
+)
+def test_another_rule_is_noticed(rule: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if rule == "rounding":
+        monkeypatch.setattr(sinumerik_evaluator, "converted", lambda value, to: _cut(value, to))
+    elif rule == "priority":
+        monkeypatch.setitem(l.PRIORITY, "AND", 10)
+    elif rule == "function":
+        monkeypatch.setitem(sinumerik_evaluator.FUNCTIONS, "POT", lambda value: value * 2)
+    else:
+        bare = lambda of: evaluated({name: _bare(each) for name, each in of.items()})  # noqa: E731
+        monkeypatch.setattr(sinumerik, "evaluated", bare)
+    assert compare(SEED, PLACES, told=False).different
+
+
+def _cut(value: float | int | bool | str, to: str) -> float | int | bool | str:
+    if to == "STRING":
+        return value or ""
+    return int(value) if to == "INT" else bool(value) if to == "BOOL" else float(value)
+
+
+def _bare(program: l.Program) -> l.Program:
+    """Return a program whose parameters have no value of their own."""
+    if program.formals is None:
+        return program
+    formals = tuple(dataclasses.replace(of, initial=None) for of in program.formals)
+    return dataclasses.replace(program, formals=formals)
+
+
+def test_moves_are_compared_in_machine_coordinates() -> None:
+    made = computed("G54 G71 F1000\nG90 G0 X1 Y2 Z3\nM30\n")
+    x, y, z = sinumerik.OFFSET
+    assert made.moves == [("rapid", x + 1, y + 2, z + 3)]
