@@ -30,7 +30,7 @@ std::int32_t operator_number(Ins op) {
 std::string_view written_operator(const Code& code, Ins op) {
   const auto rows = code.spelling->operators(code.control->macros.logic_order.value);
   const auto found = std::find_if(rows.begin(), rows.end(), [op](const OperatorRow& row) {
-    return op != Ins::End && (row.op == op || row.other == op);
+    return op != Ins::End && (exact(row.op) == op || row.other == op);
   });
   return found == rows.end() ? "" : found->spelling;
 }

@@ -40,7 +40,7 @@ std::optional<Counter> counter_of(const Code& code, const Instruction& ins) {
 
 /// Return the comparison that has the same meaning with its two sides exchanged.
 std::optional<Ins> turned(Ins op) {
-  switch (op) {
+  switch (exact(op)) {
     case Ins::Less:
       return Ins::Greater;
     case Ins::Greater:
@@ -51,7 +51,7 @@ std::optional<Ins> turned(Ins op) {
       return Ins::LessEqual;
     case Ins::Equal:
     case Ins::NotEqual:
-      return op;
+      return exact(op);
     default:
       return std::nullopt;
   }
@@ -74,7 +74,7 @@ std::optional<Asked> asked_by(const Code& code, const Expression& of) {
 }
 
 bool holds(Ins op, double a, double b) {
-  switch (op) {
+  switch (exact(op)) {
     case Ins::Less:
       return a < b;
     case Ins::Greater:
@@ -223,7 +223,7 @@ void CountingCheck::loop(Address at, std::uint32_t expression, Address from, Add
 
 /// Return the comparison that holds where `op` does not.
 Ins opposite(Ins op) {
-  switch (op) {
+  switch (exact(op)) {
     case Ins::Less:
       return Ins::GreaterEqual;
     case Ins::Greater:

@@ -23,6 +23,21 @@ enum class Ins : std::uint8_t {
 #undef INS
 };
 
+/// Return the comparison that an instruction makes, without how near values have to be.
+constexpr Ins exact(Ins op) {
+  constexpr int kApart = static_cast<int>(Ins::AlikeEqual) - static_cast<int>(Ins::Equal);
+  const bool alike = op >= Ins::AlikeEqual && op <= Ins::AlikeLessEqual;
+  return alike ? static_cast<Ins>(static_cast<int>(op) - kApart) : op;
+}
+static_assert(exact(Ins::AlikeLessEqual) == Ins::LessEqual);
+
+/// Return whether values count as equal that differ by no more than a share of the larger one.
+/// [NCI comparisons]
+inline bool is_alike(double a, double b) {
+  constexpr double kShare = 1e-12;
+  return std::fabs(a - b) <= kShare * std::fmax(std::fabs(a), std::fabs(b));
+}
+
 /// The kinds of what an instruction holds besides its place.
 enum class Holds : std::uint8_t { None, Variable, Value };
 

@@ -18,7 +18,7 @@ struct ExpressionForm {
  private:
   static constexpr bool is_variable(Ins op) { return op >= Ins::Local && op <= Ins::CommonRaw; }
   static_assert(static_cast<int>(Ins::CommonRaw) - static_cast<int>(Ins::Local) == 3);
-  static constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::LessEqual; }
+  static constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::AlikeLessEqual; }
   static constexpr bool joins(Ins op) { return op >= Ins::Add && op <= Ins::Multiply; }
 
   /// Return the same operation on two values.

@@ -9,7 +9,6 @@ namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr double kAlike = 1e-12;  // the share by which equal values may differ
 
 // The precedence falls from products to comparisons; NOT, B_NOT and signs belong to the operand.
 // [SONE p.444, priority of the operations]
@@ -26,19 +25,22 @@ constexpr OperatorRow kRows[] = {{"*", 9, Ins::Multiply},
                                  {"XOR", 3, Ins::OneTrue},
                                  {"OR", 2, Ins::EitherTrue},
                                  {"<<", 1, Ins::JoinTexts},
-                                 {"==", 0, Ins::Compare, Ins::Equal},
-                                 {"<>", 0, Ins::Compare, Ins::NotEqual},
-                                 {"<=", 0, Ins::Compare, Ins::LessEqual},
-                                 {">=", 0, Ins::Compare, Ins::GreaterEqual},
-                                 {"<", 0, Ins::Compare, Ins::Less},
-                                 {">", 0, Ins::Compare, Ins::Greater}};
+                                 {"==", 0, Ins::AlikeEqual},
+                                 {"<>", 0, Ins::AlikeNotEqual},
+                                 {"<=", 0, Ins::AlikeLessEqual},
+                                 {">=", 0, Ins::AlikeGreaterEqual},
+                                 {"<", 0, Ins::AlikeLess},
+                                 {">", 0, Ins::AlikeGreater}};
 
+bool compares(const OperatorRow& of) {
+  return of.op >= Ins::AlikeEqual && of.op <= Ins::AlikeLessEqual;
+}
 bool is_whole(Type type) { return type == Type::Int || type == Type::Char || type == Type::Bool; }
 
 /// Return the type of what an operator makes of two numbers.
 Type type_of(const OperatorRow& of, Type left, Type right) {
+  if (compares(of)) return Type::Bool;
   switch (of.op) {
-    case Ins::Compare:
     case Ins::BothTrue:
     case Ins::OneTrue:
     case Ins::EitherTrue:
@@ -85,17 +87,15 @@ class OperatorReader {
     const bool texts = *left == Type::String || *right == Type::String;
     const bool axes = *left == Type::Axis || *right == Type::Axis;
     if (texts || (axes && *left != *right)) return compare_texts(of, *left, *right, at);
-    if (axes && of.op != Ins::Compare) return refuse("an axis is no number", at);
-    // A comparison is of the values' difference, measured by their size, with 0. [NCI comparisons]
-    open_.emit(of.op, of.op == Ins::Compare ? kAlike : 0);
-    if (of.op == Ins::Compare) open_.emit(Ins::Constant, 0);
+    if (axes && !compares(of)) return refuse("an axis is no number", at);
+    open_.emit(of.op);
     if (of.other != Ins::End) open_.emit(of.other);
     return type_of(of, *left, *right);
   }
 
  private:
   Read refuse(const char* why, std::uint32_t at) {
-    open_.wrong(Cause::ExpressionFormat, why, at);
+    open_.wrong(Cause::TypeMismatch, why, at);
     return std::nullopt;
   }
   Read join(Type left, Type right, std::uint32_t at) {
@@ -106,8 +106,8 @@ class OperatorReader {
   }
   /// Compare two texts, or a text with a character.
   Read compare_texts(const OperatorRow& of, Type left, Type right, std::uint32_t at) {
-    if (of.op != Ins::Compare) return refuse("a text is no number: NUMBER makes one of it", at);
-    if (of.other != Ins::Equal && of.other != Ins::NotEqual) {
+    if (!compares(of)) return refuse("a text is no number: NUMBER makes one of it", at);
+    if (of.op != Ins::AlikeEqual && of.op != Ins::AlikeNotEqual) {
       open_.not_computed("which of two texts comes first", at);
       return std::nullopt;
     }
@@ -115,7 +115,7 @@ class OperatorReader {
     if (right == Type::Char) convert_to_text(open_, Type::Char);
     const auto fits = [](Type type) { return type == Type::String || type == Type::Char; };
     if (!fits(left) || !fits(right)) return refuse("a text is compared with a text", at);
-    open_.emit(of.other);
+    open_.emit(exact(of.op));
     return Type::Bool;
   }
 
@@ -177,7 +177,7 @@ bool ExpressionReader::value(Value& value) {
   const Read read = read_value(open_, 0);
   if (!read) return false;
   if (read == Type::String || read == Type::Axis)
-    return open_.wrong(Cause::ExpressionFormat,
+    return open_.wrong(Cause::TypeMismatch,
                        read == Type::Axis ? "an axis is no number" : "a text is no number", at);
   return finish(value, at);
 }

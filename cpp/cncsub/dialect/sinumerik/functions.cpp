@@ -64,7 +64,7 @@ bool read_argument(OpenExpression& open, char type, int depth) {
   const char* const what = type == 'T'   ? "the function takes a text"
                            : type == 'A' ? "the function takes an axis"
                                          : "the function takes a number";
-  return fits || open.wrong(Cause::ExpressionFormat, what, at);
+  return fits || open.wrong(Cause::TypeMismatch, what, at);
 }
 
 bool take_comma(OpenExpression& open, std::uint32_t at) {
@@ -147,7 +147,7 @@ bool read_formatted(OpenExpression& open, TextFormat format, std::uint32_t at, i
   if (!read) return false;
   open.constant.reset();
   if (!is_kind_for(format.kind, *read))
-    return open.wrong(Cause::ExpressionFormat, "the format is not one of this value", at);
+    return open.wrong(Cause::TypeMismatch, "the format is not one of this value", at);
   if (format.kind == 'S') convert_to_text(open, *read);
   open.emit(Ins::FormatText, format.packed());
   return true;

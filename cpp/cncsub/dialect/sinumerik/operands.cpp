@@ -20,7 +20,7 @@ Read read_signed(OpenExpression& open, char sign, std::string_view name, int dep
   const Read of = read_operand(open, depth + 1);
   if (!of) return of;
   if (*of == Type::String || *of == Type::Axis)
-    return fails(open.wrong(Cause::ExpressionFormat, "a text is no number", at));
+    return fails(open.wrong(Cause::TypeMismatch, "a text is no number", at));
   if (sign == '+') return of;
   if (open.constant && sign == '-') open.constant = -*open.constant;
   if (sign != '-') open.constant.reset();
@@ -201,7 +201,7 @@ bool read_indices(OpenExpression& open, const Definition& of, int depth) {
     const Read read = read_value(open, depth);
     if (!read) return false;
     if (*read == Type::String || *read == Type::Axis)
-      return open.wrong(Cause::ExpressionFormat, "an index is a number", at);
+      return open.wrong(Cause::TypeMismatch, "an index is a number", at);
     open.to.expressions().emit({Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
     if (i > 0) open.emit(Ins::Add);
     if (i + 1 < of.dimensions) open.emit(Ins::MultiplyConstant, of.extents[i + 1]);
@@ -277,7 +277,7 @@ bool convert_text(OpenExpression& open, const Definition& to, std::uint32_t at) 
     return true;
   }
   if (to.type != Type::Bool)
-    return open.wrong(Cause::ExpressionFormat, "a text is no number: NUMBER makes one of it", at);
+    return open.wrong(Cause::TypeMismatch, "a text is no number: NUMBER makes one of it", at);
   if (open.constant) open.constant = *open.constant != 0 ? 1 : 0;
   open.emit(Ins::Constant, 0);
   open.emit(Ins::NotEqual);
@@ -296,7 +296,7 @@ bool in_range(OpenExpression& open, double first, double last, const char* why, 
 /// A fraction of a half and more is rounded up; what is not 0 is TRUE. [840Da p.45, conversions]
 bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_t at) {
   if ((from == Type::Axis) != (to.type == Type::Axis))
-    return open.wrong(Cause::ExpressionFormat, "an axis is given to an AXIS only", at);
+    return open.wrong(Cause::TypeMismatch, "an axis is given to an AXIS only", at);
   if (from == Type::String && to.type != Type::String) return convert_text(open, to, at);
   switch (to.type) {
     case Type::Bool:
@@ -314,7 +314,7 @@ bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_
       return true;
     case Type::String:
       if (from == Type::Int || from == Type::Real)
-        return open.wrong(Cause::ExpressionFormat, "a number is no text: << makes one of it", at);
+        return open.wrong(Cause::TypeMismatch, "a number is no text: << makes one of it", at);
       convert_to_text(open, from);
       cut_text(open, to.length);
       return true;

@@ -47,8 +47,8 @@ inline bool take(const Fallible& from, double& value) {
 }
 
 constexpr bool compares(Ins op) {
-  return (op >= Ins::Equal && op <= Ins::LessEqual) || op == Ins::Compare ||
-         op == Ins::NearlyEqual || op == Ins::NearlyNotEqual;
+  return (op >= Ins::Equal && op <= Ins::AlikeLessEqual) || op == Ins::NearlyEqual ||
+         op == Ins::NearlyNotEqual;
 }
 
 /// Keeps nothing of what comparisons compare.
@@ -73,13 +73,8 @@ class KeepsCompared {
   void join() { left_ = right_ = false; }
 
   void keep(Ins op, double left, double right, double result) {
-    auto& rows = run_.trace.compared;
-    const bool joined = std::exchange(waits_, op == Ins::Compare);
-    if (!joined)
-      rows.push({run_.state.executed, left_ ? kVacant : left, right_ ? kVacant : right,
-                 run_.state.pc, op, result != 0});
-    else  // a comparison of what Compare has made with 0
-      rows.at(rows.size() - 1).op = op, rows.at(rows.size() - 1).holds = result != 0;
+    run_.trace.compared.push({run_.state.executed, left_ ? kVacant : left, right_ ? kVacant : right,
+                              run_.state.pc, exact(op), result != 0});
   }
   /// Keep a condition that compared nothing.
   void keep_value(double value) {
@@ -91,7 +86,6 @@ class KeepsCompared {
  private:
   Run& run_;
   std::size_t before_;
-  bool waits_ = false;                 // what Compare has made is compared next
   bool left_ = false, right_ = false;  // of the last two values: a vacant variable alone
 };
 

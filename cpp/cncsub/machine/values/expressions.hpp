@@ -46,6 +46,25 @@ inline Places places(Run& run) {
 bool evaluate_long(Run& run, Expression expression, const Places& places, double& value,
                    Address of = kNowhere);
 
+/// Compare two values by an instruction for which nearly equal ones are equal.
+inline bool compare_alike(Ins op, double a, double b) {
+  const bool alike = is_alike(a, b);
+  switch (op) {
+    case Ins::AlikeEqual:
+      return alike;
+    case Ins::AlikeNotEqual:
+      return !alike;
+    case Ins::AlikeGreater:
+      return a > b && !alike;
+    case Ins::AlikeLess:
+      return a < b && !alike;
+    case Ins::AlikeGreaterEqual:
+      return a > b || alike;
+    default:
+      return a < b || alike;
+  }
+}
+
 /// Compute one operation on two values; one without a finite result takes the long path.
 CNCSUB_ALWAYS_INLINE inline bool join(Run& run, Expression e, const Places& places, double a,
                                       double b, double& value, Address of) {
@@ -75,8 +94,11 @@ CNCSUB_ALWAYS_INLINE inline bool join(Run& run, Expression e, const Places& plac
     case Ins::GreaterEqual:
       value = a >= b ? 1 : 0;
       return true;
-    default:
+    case Ins::LessEqual:
       value = a <= b ? 1 : 0;
+      return true;
+    default:
+      value = compare_alike(e.op(), a, b) ? 1 : 0;
       return true;
   }
 }

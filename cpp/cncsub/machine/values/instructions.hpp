@@ -281,10 +281,16 @@ inline Fallible random_between(E e, I at, double a, double b) {
 
 // ---- as LinuxCNC computes ----
 
-inline double compared(E, I at, double a, double b) {
-  const double apart = at.value() * std::fmax(std::fabs(a), std::fabs(b));
-  return std::fabs(a - b) <= apart ? 0 : a < b ? -1 : 1;
+template <Ins kOp>
+double alike(E, I, double a, double b) {
+  return compare_alike(kOp, a, b) ? 1 : 0;
 }
+constexpr auto alike_equal = alike<Ins::AlikeEqual>;
+constexpr auto alike_not_equal = alike<Ins::AlikeNotEqual>;
+constexpr auto alike_greater = alike<Ins::AlikeGreater>;
+constexpr auto alike_less = alike<Ins::AlikeLess>;
+constexpr auto alike_greater_equal = alike<Ins::AlikeGreaterEqual>;
+constexpr auto alike_less_equal = alike<Ins::AlikeLessEqual>;
 
 constexpr double kNearly = 1e-4;  // values that differ by less are equal
 
