@@ -413,8 +413,8 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a count in P that is meant": ("", "O1\nN10 M98 P21000\nN20 M30\nO1000\nN30 M99\n", ""),
     "L0 that alarms is a refusal": ("gsk-988ta", "O1\nN10 M98 P2 L0\nN20 M30\nO2\nN30 M99\n", "CS101 N10"),
     "a start block on a control that has none": ("fanuc-0i-f", "O1\nN10 M98 P2 Q5\nN15 M98 P2 H5\nN20 M30\nO2\nN5 M99\n", "CS704 N10, CS704 N15"),
-    "an offset that is not computed is told once": (
-        "siemens-one", "N10 T1 M6\nN20 D1 G0 X10\nN30 D2 BRISK\nN40 D0\nN50 M30\n", "CS105 N20, CS105 N30, CS105 N40"),
+    "a word that is not computed is told": (
+        "siemens-one", "N10 T1 M6\nN20 H1 G0 X10\nN30 H2 BRISK\nN40 H0\nN50 M30\n", "CS105 N20, CS105 N30, CS105 N40"),
     "a start block on one that has it": ("gsk-988ta", "O1\nN10 M98 P2 Q5\nN20 M30\nO2\nN5 M99\n", ""),
     "H of a length offset in a block that calls": ("fanuc-0i-f", "O1\nN10 G43 H5 M98 P2\nN20 M30\nO2\nN5 M99\n", ""),
     "L where the count stands in P": ("gsk-980mdi", "O1\nN10 M98 P2 L3\nN20 M30\nO2\nN5 M99\n", "CS704 N10"),
