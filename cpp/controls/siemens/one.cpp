@@ -50,7 +50,7 @@ void flow_alarms(Control& c) {
   c.alarms[RepeatCountDigits] = c.alarms[IllegalRepeatCount];
   c.alarms[EndOfRecord] = {"14000", "illegal end of file", kAlarms, Inferred};
   c.alarms[ReturnTargetNotFound] = {"14080", "jump destination not found", kAlarms, Inferred};
-  c.alarms[PartNotFound] = {"14082", "label of a program part not found", kAlarms, Inferred};
+  c.alarms[PartIncomplete] = {"14082", "label of a program part not found", kAlarms, Inferred};
   for (const Cause cause : {IfWithoutEnd, MissingEnd, MissingDo})
     c.alarms[cause] = {"12640", "invalid nesting of control structures", kAlarms, Inferred};
   for (const Cause cause : {IfTooDeep, LoopsTooDeep})

@@ -24,6 +24,12 @@ case(
     program="N10 LAB: R1=R1+1\nN20 REPEAT LAB P=2\nN30 M30", calls="REPEAT:MAIN",
 )
 case(
+    "an alarm in a repeated part tells its pass", **KNOWN,
+    program="N10 R1=3\nN20 LAB: R1=R1-1\nN30 IF R1<1 GOTOF NOWHERE\nN40 REPEAT LAB P=5\nN50 M30",
+    runs="N10 N20 N30 N40 N20 N30 N20", alarm="jump-target-not-found", number="14080", at="MAIN N30", word="NOWHERE",
+    frames="MAIN N40 REPEAT",
+)
+case(
     "REPEATB repeats the block of the label alone", **KNOWN,
     program="N10 LAB: R1=R1+1\nN20 R2=R2+1\nN30 REPEATB LAB P=2\nN40 M30", runs="N10 N20 N30 N10*2 N40", vars={1: 3, 2: 1},
 )
@@ -113,15 +119,15 @@ for words in ("P=0", "P0", "P=-1"):
 for words, word in (("REPEAT NONE", "NONE"), ("REPEATB NONE P=2", "NONE"), ("CALL BLOCK NONE TO LAST", "NONE"), ("CALL BLOCK LAST TO NONE", "NONE")):
     case(
         f"{words} without its label is 14082", number="14082", **ALARM,
-        program=f"N10 R1=1\nN20 {words}\nN30 LAST: M30", runs="N10", alarm="part-not-found", at="MAIN N20", word=word,
+        program=f"N10 R1=1\nN20 {words}\nN30 LAST: M30", runs="N10", alarm="part-incomplete", at="MAIN N20", word=word,
     )
 case(
     "REPEAT of a label after it needs ENDLABEL", number="14082", **ALARM,
-    program="N10 REPEAT LAB\nN20 LAB: R1=1\nN30 M30", runs="", alarm="part-not-found", at="MAIN N10", word="LAB",
+    program="N10 REPEAT LAB\nN20 LAB: R1=1\nN30 M30", runs="", alarm="part-incomplete", at="MAIN N10", word="LAB",
 )
 case(
     "and two labels need the second", number="14082", **ALARM,
-    program="N10 REPEAT LAB LAST\nN20 LAB: R1=1\nN30 M30", runs="", alarm="part-not-found", at="MAIN N10", word="LAST",
+    program="N10 REPEAT LAB LAST\nN20 LAB: R1=1\nN30 M30", runs="", alarm="part-incomplete", at="MAIN N10", word="LAST",
 )
 case(
     "a part that is not reached is not missed", **ALARM, program="N10 GOTOF DONE\nN20 REPEAT NONE\nN30 DONE: M30", runs="N10 N30",

@@ -264,7 +264,7 @@ void Structure::resolve_part(const Met& met) {
     const JumpTarget& missing =
         first == kNowhere || met.link.last.at == 0 ? met.link.target : met.link.last;
     return to_.refuse(
-        block, {Cause::PartNotFound, missing.at, missing.width,
+        block, {Cause::PartIncomplete, missing.at, missing.width,
                 first == kNowhere ? "no block has this label" : "no block with its end follows"});
   }
   CallRecord& call = to_.record<CallRecord>(block.aux);
