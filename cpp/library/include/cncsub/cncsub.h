@@ -1,0 +1,144 @@
+/* The engine for every language that calls C: Rust, C#, Go, Delphi, JavaScript, Python's ctypes.
+ *
+ * Handles are opaque; each `..._new` and `..._run` gives one that its `..._free` takes back. Texts
+ * are UTF-8 and end in a zero byte; one that is returned belongs to its handle and holds until the
+ * handle is freed or the same function is called on it again. Numbers that are absent (a vacant
+ * variable, a block without a sequence number) are NaN, or -1. A function that can be refused
+ * returns 0, or NULL, and `cncsub_error` says why. Nothing here throws or aborts. A library and a
+ * run may be used by many threads, a machine by one at a time; the text of an error belongs to the
+ * thread.
+ *
+ * Structs only grow at their end, and functions only come: what was compiled for CNCSUB_ABI 1 runs
+ * on. */
+#ifndef CNCSUB_H
+#define CNCSUB_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define CNCSUB_ABI 1
+
+#if defined(_WIN32)
+#define CNCSUB_C
+#else
+#define CNCSUB_C __attribute__((visibility("default")))
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct cncsub_library cncsub_library;
+typedef struct cncsub_options cncsub_options;
+typedef struct cncsub_run cncsub_run;
+typedef struct cncsub_machine cncsub_machine;
+
+/* A place: a block of a program and the line of its file. */
+typedef struct cncsub_place {
+  const char *program, *file;
+  int64_t n;     /* -1: no sequence number */
+  uint32_t line; /* from 1 */
+} cncsub_place;
+
+typedef struct cncsub_alarm {
+  const char* number; /* as on the screen; "" where no source gives one */
+  const char* cause;  /* "program-not-found" */
+  const char* text;   /* the control's */
+  const char* shown;  /* what happened, where, the line with the word marked, the callers */
+  const char* cure;
+  cncsub_place at;
+  uint32_t column; /* from 1, in characters */
+} cncsub_alarm;
+
+typedef struct cncsub_call {
+  cncsub_place at;
+  const char *kind, *called; /* "G65", "O2" */
+  int64_t repeat, repeats;
+} cncsub_call;
+
+typedef struct cncsub_finding {
+  const char *rule, *severity, *message; /* "CS201", "error", ... */
+  cncsub_place at;
+  uint32_t column;
+} cncsub_finding;
+
+/* Columns of `cncsub_run_moves` values each; NULL: not wanted. Lengths in mm, times in s. */
+typedef struct cncsub_columns {
+  double *x, *y, *z;    /* ends, work coordinates */
+  double *mx, *my, *mz; /* ends of the tool, machine coordinates */
+  double *cx, *cy, *cz; /* centres of arcs, NaN elsewhere */
+  double *feed, *length, *time;
+  int32_t* kind; /* 0 rapid, 1 feed, 2 clockwise, 3 counterclockwise, 4 thread, 5 dwell */
+  int64_t* step;
+} cncsub_columns;
+
+CNCSUB_C const char* cncsub_version(void);
+CNCSUB_C int32_t cncsub_abi(void);
+/* Why the last call of this thread was refused. */
+CNCSUB_C const char* cncsub_error(void);
+/* The name of a control by its place from 0 on; NULL after the last one. */
+CNCSUB_C const char* cncsub_control(size_t index);
+
+/* Read `count` texts with their names and sizes in bytes. */
+CNCSUB_C cncsub_library* cncsub_library_new(const char* control, size_t count,
+                                            const char* const* names, const char* const* texts,
+                                            const size_t* sizes);
+CNCSUB_C void cncsub_library_free(cncsub_library* library);
+CNCSUB_C const char* cncsub_library_program(const cncsub_library* library, size_t index);
+/* Look for what is wrong without running; return how many findings there are. */
+CNCSUB_C size_t cncsub_library_check(cncsub_library* library);
+CNCSUB_C int32_t cncsub_library_finding(const cncsub_library* library, size_t index,
+                                        cncsub_finding* to);
+
+CNCSUB_C cncsub_options* cncsub_options_new(void);
+CNCSUB_C void cncsub_options_free(cncsub_options* options);
+/* "main" takes a text; "start", "max_blocks", "max_cycles", "max_seconds", "optional_stop",
+ * "record" (0 to 3: nothing, calls, blocks, moves), "block_skip" (a switch that is on) take
+ * numbers. */
+CNCSUB_C int32_t cncsub_options_text(cncsub_options* options, const char* name, const char* value);
+CNCSUB_C int32_t cncsub_options_number(cncsub_options* options, const char* name, double value);
+CNCSUB_C int32_t cncsub_options_variable(cncsub_options* options, int32_t number, double value);
+CNCSUB_C int32_t cncsub_options_signal(cncsub_options* options, int32_t number, double value);
+CNCSUB_C int32_t cncsub_options_work_offset(cncsub_options* options, const char* system, char axis,
+                                            double value);
+CNCSUB_C int32_t cncsub_options_length_offset(cncsub_options* options, int32_t number,
+                                              double value);
+
+/* `options` may be NULL. */
+CNCSUB_C cncsub_run* cncsub_library_run(const cncsub_library* library,
+                                        const cncsub_options* options);
+CNCSUB_C void cncsub_run_free(cncsub_run* run);
+/* "end", "alarm", "cycles", "limit", "waiting", "interrupted" */
+CNCSUB_C const char* cncsub_run_stop(const cncsub_run* run);
+/* Return 0 where the run had none. */
+CNCSUB_C int32_t cncsub_run_alarm(const cncsub_run* run, cncsub_alarm* to);
+CNCSUB_C int32_t cncsub_run_alarm_call(const cncsub_run* run, size_t index, cncsub_call* to);
+CNCSUB_C int64_t cncsub_run_blocks(const cncsub_run* run);
+CNCSUB_C double cncsub_run_variable(const cncsub_run* run, int64_t number);
+CNCSUB_C size_t cncsub_run_moves(const cncsub_run* run);
+CNCSUB_C int32_t cncsub_run_write_moves(const cncsub_run* run, const cncsub_columns* columns);
+
+CNCSUB_C cncsub_machine* cncsub_library_machine(const cncsub_library* library,
+                                                const cncsub_options* options);
+CNCSUB_C void cncsub_machine_free(cncsub_machine* machine);
+/* Execute one block; return 0 where the run has stopped. */
+CNCSUB_C int32_t cncsub_machine_step(cncsub_machine* machine);
+CNCSUB_C int32_t cncsub_machine_run_to(cncsub_machine* machine, const char* program, int64_t n);
+/* May be called by another thread while the machine runs. */
+CNCSUB_C void cncsub_machine_interrupt(cncsub_machine* machine);
+CNCSUB_C const char* cncsub_machine_stop(
+    const cncsub_machine* machine); /* "running" while it runs */
+CNCSUB_C void cncsub_machine_next(cncsub_machine* machine, cncsub_place* to);
+/* An open call, innermost first; return 0 after the last one. */
+CNCSUB_C int32_t cncsub_machine_call(cncsub_machine* machine, size_t index, cncsub_call* to);
+CNCSUB_C double cncsub_machine_position(const cncsub_machine* machine, char axis);
+CNCSUB_C double cncsub_machine_variable(const cncsub_machine* machine, int64_t number);
+CNCSUB_C int32_t cncsub_machine_set_variable(cncsub_machine* machine, int64_t number, double value);
+/* What has happened so far. */
+CNCSUB_C cncsub_run* cncsub_machine_so_far(const cncsub_machine* machine);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

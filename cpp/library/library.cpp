@@ -1,0 +1,125 @@
+// Reading programs, their check, and the list of controls.
+#include "cncsub/dialect/library.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "cncsub/analysis/check.hpp"
+#include "inside.hpp"
+
+namespace cncsub::api {
+
+namespace {
+
+/// Return the name of a program whose text does not name it: that of its file, without folder and
+/// ending.
+std::string stem_of(const std::string& name) {
+  const std::size_t slash = name.find_last_of("/\\");
+  const std::string file = slash == std::string::npos ? name : name.substr(slash + 1);
+  const std::size_t dot = file.rfind('.');
+  return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
+}
+
+const cncsub::Control* find_control(const std::string& name) {
+  for (const cncsub::Control& control : all_controls())
+    if (control.name == name) return &control;
+  return nullptr;
+}
+
+Finding finding_of(const Code& code, const cncsub::Finding& from) {
+  const CheckInfo& rule = info(from.check);
+  const cncsub::Alarm there = cncsub::alarm_of(
+      code, from.block, {.at = from.place.at, .width = from.place.width, .detail = from.detail});
+  Finding finding;
+  finding.rule = rule.number;
+  finding.name = rule.slug;
+  finding.severity = rule.severity;
+  finding.message = from.detail.empty() ? std::string(rule.meaning) : from.detail;
+  finding.hint = from.hint.empty() ? std::string(rule.hint) : from.hint;
+  finding.at = place_of(code, from.block);
+  finding.column = there.column;
+  finding.word = there.word;
+  finding.count = from.again.size() + 1;
+  if (from.alarm) finding.alarm = alarm_of(cncsub::alarm_of(code, from.alarm_block, *from.alarm));
+  return finding;
+}
+
+}  // namespace
+
+std::string_view version() { return CNCSUB_VERSION; }
+
+std::vector<Control> controls() {
+  std::vector<Control> all;
+  for (const cncsub::Control& control : all_controls())
+    all.push_back({control.name, control.title});
+  return all;
+}
+
+Result<Library> Library::read(std::vector<Source> sources, const std::string& control,
+                              const std::map<std::string, double>& parameters,
+                              const std::function<bool()>& interrupted) {
+  const cncsub::Control* const known = find_control(control);
+  if (known == nullptr)
+    return Error{"control", "there is no control " + control + "; controls() lists them"};
+  auto own = std::make_shared<cncsub::Control>(*known);
+  for (const auto& [name, value] : parameters)
+    if (const auto wrong = own->set_parameter(name, value)) return Error{"parameters", *wrong};
+  std::vector<SourceFile> files;
+  bool device = false;
+  for (Source& source : sources) {
+    device = device || source.external;
+    files.push_back({source.name, stem_of(source.name), FileText(source.text), source.external});
+  }
+  auto code = compile(std::move(own), std::move(files), device, interrupted);
+  if (code == nullptr) return Error{"", "the reading was interrupted"};
+  return Library(std::make_shared<const Inside>(Inside{std::move(code)}));
+}
+
+Result<Library> Library::load(const std::vector<std::string>& paths, const std::string& control,
+                              const std::map<std::string, double>& parameters) {
+  std::vector<Source> sources;
+  for (const std::string& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (!file.is_open() || file.bad()) return Error{"paths", path + " cannot be read"};
+    sources.push_back({path, std::move(text)});
+  }
+  return read(std::move(sources), control, parameters);
+}
+
+const std::string& Library::control() const { return inside_->code->control->name; }
+
+std::vector<std::string> Library::programs() const {
+  const Code& code = *inside_->code;
+  std::vector<std::string> names;
+  for (const Program& program : code.programs)
+    if (program.duplicate_of == kNoProgram) names.push_back(code.name_of(program));
+  return names;
+}
+
+Result<Machine> Library::machine(const Options& options) const {
+  Result<cncsub::Machine> machine = machine_of(inside_->code, options);
+  if (!machine) return machine.error();
+  return Machine(std::make_shared<Machine::Inside>(std::move(*machine)));
+}
+
+Result<Run> Library::run(const Options& options, const std::function<bool()>& interrupted) const {
+  Result<cncsub::Machine> machine = machine_of(inside_->code, options);
+  if (!machine) return machine.error();
+  machine->run(interrupted);
+  return Run(std::make_shared<const Run::Inside>(Run::Inside{std::move(*machine)}));
+}
+
+std::vector<Finding> Library::check() const {
+  const Code& code = *inside_->code;
+  std::vector<Finding> all;
+  InterruptCheck none;
+  const std::int32_t main = code.programs.empty() ? kNoProgram : 0;
+  for (const cncsub::Finding& finding : cncsub::check(code, {main, {}}, "", none))
+    all.push_back(finding_of(code, finding));
+  return all;
+}
+
+}  // namespace cncsub::api

@@ -1,0 +1,382 @@
+"""The engine as a library for C++ and C: installed from this build, used from outside."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import os
+import re
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import cncsub
+
+ROOT = Path(__file__).resolve().parent.parent
+INCLUDE = ROOT / "cpp" / "library" / "include" / "cncsub"
+PAGE = ROOT / "docs" / "engine-in-your-program.md"
+ALARMING = "O1\nN10 #100=1\nN20 G65 P2 A3\nN30 G1 X#100 F100\nN40 M30\nO2\nN50 #100=#1*2\nN60 #3000=1(BAD)\nM99\n"
+MOVING = "O1\nN10 G90 G54 G0 X0 Y0 Z5.\nN20 G1 X10. Y5.5 F200.\nN30 G2 X20. Y5.5 I5. J0\nN40 M30\n"
+
+
+def call(*command: object, **options: object) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [str(word) for word in command], capture_output=True, text=True, check=False, **options
+    )
+
+
+def done(*command: object, **options: object) -> str:
+    """Return what a command prints, which has to end well."""
+    result = call(*command, **options)
+    assert result.returncode == 0, result.stdout[-3000:] + result.stderr[-3000:]
+    return result.stdout
+
+
+def builds() -> Iterator[Path]:
+    """Yield the folders in which this engine was built for the module that is tested, newest first."""
+    caches = ROOT.glob("build/*/CMakeCache.txt")
+    for cache in sorted(caches, key=lambda file: file.stat().st_mtime, reverse=True):
+        told = dict(
+            line.split("=", 1)
+            for line in cache.read_text().splitlines()
+            if "=" in line and ":" in line
+        )
+        plain = not told.get("CNCSUB_SANITIZE:STRING")
+        if plain and cache.with_name("libcncsub_engine.a").exists():
+            yield cache.parent
+
+
+@pytest.fixture(scope="module")
+def build() -> Path:
+    found = next(builds(), None)
+    if found is None or shutil.which("cmake") is None:
+        pytest.skip("no folder with a built engine, from which the library could be linked")
+    return found
+
+
+@pytest.fixture(scope="module")
+def installed(build: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder into which the library was installed, and nothing else."""
+    prefix = tmp_path_factory.mktemp("installed")
+    done("cmake", "--build", build, "--target", "library")
+    done("cmake", "--install", build, "--component", "library", "--prefix", prefix)
+    return prefix
+
+
+@pytest.fixture(scope="module")
+def examples(installed: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return a folder with the examples, built in an empty folder by what the page says."""
+    folder = tmp_path_factory.mktemp("examples")
+    source = shutil.copytree(ROOT / "examples" / "cpp", folder / "source")
+    done("cmake", "-S", source, "-B", folder / "build", f"-DCMAKE_PREFIX_PATH={installed}")
+    done("cmake", "--build", folder / "build")
+    return folder / "build"
+
+
+@functools.cache
+def library_of(folder: Path) -> ctypes.CDLL:
+    found = next(path for path in folder.rglob("libcncsub.*") if path.suffix in (".so", ".dylib"))
+    return ctypes.CDLL(str(found))
+
+
+# ---- C++ ----
+
+
+def test_what_is_installed(installed: Path) -> None:
+    files = {str(path.relative_to(installed)) for path in installed.rglob("*") if path.is_file()}
+    lib = "lib" if (installed / "lib" / "libcncsub.a").exists() else "lib64"
+    expected = {
+        "include/cncsub/cncsub.h",
+        "include/cncsub/cncsub.hpp",
+        f"{lib}/libcncsub.a",
+        f"{lib}/libcncsub.so",
+        f"{lib}/pkgconfig/cncsub.pc",
+        f"{lib}/cmake/cncsub/cncsubConfig.cmake",
+        f"{lib}/cmake/cncsub/cncsubConfigVersion.cmake",
+        f"{lib}/cmake/cncsub/cncsub.cmake",
+    }
+    assert expected <= files
+    assert not [file for file in files - expected if "libcncsub.so" not in file and "-" not in file]
+
+
+def test_the_example_shows_the_alarm_of_the_command_line(examples: Path, tmp_path: Path) -> None:
+    file = tmp_path / "job.nc"
+    file.write_text(ALARMING)
+    ran = call(examples / "run_files", "fanuc-0i-f", file)
+    assert ran.returncode == 1
+    shown = call(sys.executable, "-m", "cncsub", "run", file, "-c", "fanuc-0i-f").stdout
+    first = shown.index("MC3001")
+    alarm = shown[first : shown.index("cure:")]
+    assert alarm in ran.stdout
+    assert "cure: see the program's message" in ran.stdout
+
+
+def test_the_example_steps_from_a_breakpoint(examples: Path, tmp_path: Path) -> None:
+    file = tmp_path / "job.nc"
+    file.write_text(ALARMING)
+    ran = call(examples / "single_step", "fanuc-0i-f", file, "O2", 50, 100)
+    assert ran.stdout.splitlines() == [
+        "before N50 #100=#1*2, after 2 blocks",
+        "  called by G65 in O1",
+        "O2: N50 #100=#1*2   #100 = 0.006000",
+        "O2: N60 #3000=1(BAD)",
+        "alarm",
+    ]
+    wrong = call(examples / "single_step", "fanuc-0i-f", file, "O2", 51, 100)
+    assert (wrong.returncode, wrong.stderr) == (2, "there is no block N51 in O2\n")
+
+
+def test_the_example_fills_buffers_with_the_moves_of_python(examples: Path, tmp_path: Path) -> None:
+    file = tmp_path / "job.nc"
+    file.write_text(MOVING)
+    ran = done(examples / "moves", "fanuc-0i-f", file).splitlines()
+    assert ran == ["3 moves, 2 of them cut", "100 to 120", "50 to 55.5", "-195 to -195"]
+
+
+def test_pkg_config_is_enough(installed: Path, tmp_path: Path) -> None:
+    if shutil.which("pkg-config") is None or shutil.which("c++") is None:
+        pytest.skip("no pkg-config or no c++")
+    pc = next(installed.rglob("cncsub.pc")).parent
+    environment = {**os.environ, "PKG_CONFIG_PATH": str(pc)}
+    assert (
+        done("pkg-config", "--modversion", "cncsub", env=environment).strip() == cncsub.__version__
+    )
+    flags = done("pkg-config", "--cflags", "--libs", "cncsub", env=environment).split()
+    source = ROOT / "examples" / "cpp" / "run_files.cpp"
+    done("c++", "-std=c++20", source, *flags, f"-Wl,-rpath,{pc.parent}", "-o", tmp_path / "run")
+    ran = done(tmp_path / "run", "gsk-988ta", ROOT / "examples/gsk/988ta-nested-self-call.nc")
+    assert ran.startswith("end, after 20 blocks")
+
+
+def test_the_snippets_of_the_page_compile_and_run(installed: Path, tmp_path: Path) -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    snippets = re.findall(r"```(cpp|c)\n(.*?)```\n+```text\n(.*?)```", text, re.DOTALL)
+    assert len(snippets) >= 2
+    library = next(installed.rglob("libcncsub.a"))
+    for number, (language, source, printed) in enumerate(snippets):
+        compiler = ("c++", "-std=c++20") if language == "cpp" else ("cc", "-std=c11")
+        file = tmp_path / f"snippet{number}.{language}"
+        file.write_text(source)
+        include = f"-I{installed / 'include'}"
+        warnings = ("-Wall", "-Wextra", "-Wpedantic", "-Werror")
+        done(*compiler, *warnings, include, "-c", file, "-o", f"{file}.o")
+        done("c++", f"{file}.o", library, "-pthread", "-o", tmp_path / "snippet")
+        assert done(tmp_path / "snippet") == printed
+
+
+def test_the_public_header_is_short() -> None:
+    assert len((INCLUDE / "cncsub.hpp").read_text().splitlines()) <= 300
+    assert len(functions()) <= 50
+
+
+# ---- C ----
+
+
+def functions() -> list[str]:
+    """Return the functions of the C face, in the order of its header."""
+    text = (INCLUDE / "cncsub.h").read_text()
+    return re.findall(r"^CNCSUB_C [^;(]*?(\w+)\(", text, re.MULTILINE)
+
+
+class Place(ctypes.Structure):
+    _fields_ = [
+        ("program", ctypes.c_char_p),
+        ("file", ctypes.c_char_p),
+        ("n", ctypes.c_int64),
+        ("line", ctypes.c_uint32),
+    ]
+
+
+class Alarm(ctypes.Structure):
+    _fields_ = [
+        *((name, ctypes.c_char_p) for name in ("number", "cause", "text", "shown", "cure")),
+        ("at", Place),
+        ("column", ctypes.c_uint32),
+    ]
+
+
+class Call(ctypes.Structure):
+    _fields_ = [
+        ("at", Place),
+        ("kind", ctypes.c_char_p),
+        ("called", ctypes.c_char_p),
+        ("repeat", ctypes.c_int64),
+        ("repeats", ctypes.c_int64),
+    ]
+
+
+class Finding(ctypes.Structure):
+    _fields_ = [
+        *((name, ctypes.c_char_p) for name in ("rule", "severity", "message")),
+        ("at", Place),
+        ("column", ctypes.c_uint32),
+    ]
+
+
+NUMBERS = ("x", "y", "z", "mx", "my", "mz", "cx", "cy", "cz", "feed", "length", "time")
+
+
+class Columns(ctypes.Structure):
+    _fields_ = [
+        *((name, ctypes.POINTER(ctypes.c_double)) for name in NUMBERS),
+        ("kind", ctypes.POINTER(ctypes.c_int32)),
+        ("step", ctypes.POINTER(ctypes.c_int64)),
+    ]
+
+
+STRUCTS = {
+    "cncsub_place": Place,
+    "cncsub_alarm": Alarm,
+    "cncsub_call": Call,
+    "cncsub_finding": Finding,
+    "cncsub_columns": Columns,
+}
+
+
+def face(folder: Path) -> ctypes.CDLL:
+    """Return the C face with the types that are not int."""
+    c = library_of(folder)
+    texts = ["version", "error", "control", "library_program", "run_stop", "machine_stop"]
+    handles = ["library_new", "options_new", "library_run", "library_machine", "machine_so_far"]
+    doubles = ["run_variable", "machine_variable", "machine_position"]
+    for names, type_ in (
+        (texts, ctypes.c_char_p),
+        (handles, ctypes.c_void_p),
+        (doubles, ctypes.c_double),
+    ):
+        for name in names:
+            getattr(c, f"cncsub_{name}").restype = type_
+    for name in ("run_moves", "library_check"):
+        getattr(c, f"cncsub_{name}").restype = ctypes.c_size_t
+    c.cncsub_run_blocks.restype = ctypes.c_int64
+    return c
+
+
+def read(c: ctypes.CDLL, control: str, *texts: str) -> ctypes.c_void_p | None:
+    bytes_ = [text.encode() for text in texts]
+    names = (ctypes.c_char_p * len(texts))(*(f"file{i}.nc".encode() for i in range(len(texts))))
+    data = (ctypes.c_char_p * len(texts))(*bytes_)
+    sizes = (ctypes.c_size_t * len(texts))(*map(len, bytes_))
+    handle = c.cncsub_library_new(control.encode(), ctypes.c_size_t(len(texts)), names, data, sizes)
+    return ctypes.c_void_p(handle) if handle else None
+
+
+def test_every_function_of_the_header_is_exported_and_nothing_else_of_c(installed: Path) -> None:
+    if shutil.which("nm") is None:
+        pytest.skip("no nm")
+    shared = next(path for path in installed.rglob("libcncsub.so"))
+    listed = done("nm", "-D", "--defined-only", shared)
+    exported = {line.split()[-1] for line in listed.splitlines() if " T cncsub_" in line}
+    assert exported == set(functions())
+
+
+def test_the_structs_are_laid_out_as_every_compiler_of_c_lays_them_out(
+    installed: Path, tmp_path: Path
+) -> None:
+    lines = [
+        f'printf("{name} %zu", sizeof({name}));'
+        + "".join(f'printf(" %zu", offsetof({name}, {field[0]}));' for field in struct._fields_)
+        + 'printf("\\n");'
+        for name, struct in STRUCTS.items()
+    ]
+    file = tmp_path / "layout.c"
+    file.write_text(
+        "#include <cncsub/cncsub.h>\n#include <stdio.h>\nint main(void) {"
+        + "\n".join(lines)
+        + "}\n"
+    )
+    flags = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{installed / 'include'}")
+    done("cc", *flags, file, "-o", tmp_path / "layout")
+    told = {
+        name: list(map(int, rest))
+        for name, *rest in map(str.split, done(tmp_path / "layout").splitlines())
+    }
+    for name, struct in STRUCTS.items():
+        offsets = [getattr(struct, field[0]).offset for field in struct._fields_]
+        assert told[name] == [ctypes.sizeof(struct), *offsets]
+
+
+def test_a_run_through_c_is_the_run_of_python(installed: Path) -> None:
+    c = face(installed)
+    assert c.cncsub_version().decode() == cncsub.__version__
+    assert c.cncsub_abi() == 1
+    names = []
+    while (name := c.cncsub_control(ctypes.c_size_t(len(names)))) is not None:
+        names.append(name.decode())
+    assert names == list(cncsub.controls)
+    library = read(c, "fanuc-0i-f", MOVING)
+    assert c.cncsub_library_program(library, ctypes.c_size_t(0)) == b"O1"
+    options = ctypes.c_void_p(c.cncsub_options_new())
+    assert c.cncsub_options_work_offset(options, b"G54", ctypes.c_char(b"X"), ctypes.c_double(7.5))
+    run = ctypes.c_void_p(c.cncsub_library_run(library, options))
+    setup = cncsub.Setup(work_offsets={"G54": {"X": 7.5}})
+    same = cncsub.loads(MOVING, control="fanuc-0i-f").run(setup=setup)
+    count = c.cncsub_run_moves(run)
+    assert count == len(same.moves)
+    columns = Columns()
+    room = {name: (ctypes.c_double * count)() for name in NUMBERS}
+    for name, array in room.items():
+        setattr(columns, name, ctypes.cast(array, ctypes.POINTER(ctypes.c_double)))
+    assert c.cncsub_run_write_moves(run, ctypes.byref(columns))
+    for name, array in room.items():
+        expected = getattr(same.moves, name)
+        assert list(array) == pytest.approx(list(expected), nan_ok=True), name
+    assert (c.cncsub_run_stop(run), c.cncsub_run_blocks(run)) == (b"end", 4)
+    for free, handle in (("run", run), ("options", options), ("library", library)):
+        getattr(c, f"cncsub_{free}_free")(handle)
+
+
+def test_an_alarm_through_c(installed: Path) -> None:
+    c = face(installed)
+    library = read(c, "fanuc-0i-f", ALARMING)
+    run = ctypes.c_void_p(c.cncsub_library_run(library, None))
+    alarm, caller = Alarm(), Call()
+    assert c.cncsub_run_alarm(run, ctypes.byref(alarm)) == 1
+    assert (alarm.number, alarm.cause, alarm.at.program, alarm.at.n) == (
+        b"MC3001",
+        b"user-alarm",
+        b"O2",
+        60,
+    )
+    assert c.cncsub_run_alarm_call(run, ctypes.c_size_t(0), ctypes.byref(caller)) == 1
+    assert (caller.kind, caller.called, caller.at.n) == (b"G65", b"O2", 20)
+    assert c.cncsub_run_alarm_call(run, ctypes.c_size_t(1), ctypes.byref(caller)) == 0
+    assert c.cncsub_run_variable(run, ctypes.c_int64(100)) == 0.006
+    count = c.cncsub_library_check(library)
+    finding = Finding()
+    found = []
+    for index in range(count):
+        assert c.cncsub_library_finding(library, ctypes.c_size_t(index), ctypes.byref(finding))
+        found.append(finding.rule.decode())
+    assert sorted(found) == sorted(
+        f.rule for f in cncsub.loads(ALARMING, control="fanuc-0i-f").check()
+    )
+    c.cncsub_run_free(run)
+    c.cncsub_library_free(library)
+
+
+def test_what_cannot_be_is_refused_with_a_reason(installed: Path) -> None:
+    c = face(installed)
+    assert read(c, "fanuc-99", MOVING) is None
+    assert c.cncsub_error() == b"there is no control fanuc-99; controls() lists them"
+    library = read(c, "fanuc-0i-f", ALARMING)
+    options = ctypes.c_void_p(c.cncsub_options_new())
+    assert not c.cncsub_options_number(options, b"speed", ctypes.c_double(1))
+    assert c.cncsub_options_text(options, b"main", b"O7")
+    assert not c.cncsub_library_run(library, options)
+    assert c.cncsub_error() == b"there is no program O7"
+    machine = ctypes.c_void_p(c.cncsub_library_machine(library, None))
+    assert not c.cncsub_machine_run_to(machine, b"O2", ctypes.c_int64(51))
+    assert c.cncsub_error() == b"there is no block N51 in O2"
+    assert not c.cncsub_machine_set_variable(machine, ctypes.c_int64(0), ctypes.c_double(1))
+    value = c.cncsub_machine_variable(machine, ctypes.c_int64(999_999))
+    assert value != value
+    assert c.cncsub_machine_run_to(machine, b"O2", ctypes.c_int64(50))
+    assert c.cncsub_machine_step(machine)
+    assert c.cncsub_machine_variable(machine, ctypes.c_int64(100)) == 0.006
+    for free, handle in (("machine", machine), ("options", options), ("library", library)):
+        getattr(c, f"cncsub_{free}_free")(handle)
