@@ -237,14 +237,17 @@ class Evaluator:
         to = list(self.local)
         for word in of.words:
             value = float(self.value(word.value, scope))
-            place = AXES.index(word.axis)
+            axis = AXES.index(word.axis)
             add = word.manner == "IC" or (word.manner == "" and not self.absolute)
-            to[place] = self.local[place] + value if add else value
-            if abs(to[place]) > LARGEST:
+            to[axis] = self.local[axis] + value if add else value
+            if abs(to[axis]) > LARGEST:
                 raise UnclearError
         self.local = to
         if of.words:
-            self.moves.append(("rapid" if self.rapid else "feed", *self.machine()))
+            place = self.machine()
+            if max(map(abs, place)) > LARGEST:
+                raise UnclearError
+            self.moves.append(("rapid" if self.rapid else "feed", *place))
 
     def machine(self) -> tuple[float, float, float]:
         """Return the position in machine coordinates."""
