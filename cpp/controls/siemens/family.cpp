@@ -91,9 +91,14 @@ void modal_calls(Control& c) {
   c.macros.cancel_alone = {CancelAlone::Ignored, kKnown, Inferred};
 }
 
-/// Add R0 to R99, which keep their values.
+/// Add R0 to R99, which keep their values, and the numbers of them that machines often have.
 void parameters(Control& c) {
+  constexpr const char* kNumber = "general knowledge of the SINUMERIK 840D: MD 28050";
   c.variables.push_back({0, 99, VariableKind::Kept, Access::ReadWrite, 0, kKnown, Inferred});
+  c.variable_choices = {
+      {"r-300", "R0 to R299, by machine datum 28050", "100-299", {}, kNumber, Inferred},
+      {"r-1000", "R0 to R999, by machine datum 28050", "100-999", {}, kNumber, Inferred},
+      {"r-10000", "R0 to R9999, by machine datum 28050", "100-9999", {}, kNumber, Inferred}};
 }
 
 /// Add the system variables that a run knows, at numbers that no R reaches: the language names

@@ -228,8 +228,8 @@ for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)'
     case(
         f"{text} changes no path", **POLICY, setup=ZERO, program=f"N10 G0 X1\nN20 {text}\nN30 X2\nN40 M30", moves_x=[1, 2], dropped=[text],
     )
-case("a bracket that stays open", **KNOWN, program="N10 WAITP(X\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
-case("FA needs =", **KNOWN, program="N10 FA[X] 500\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10")
-case("and closes its bracket", **KNOWN, program="N10 FA[X=500\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
-case("RP needs =", **GRAMMAR, program="N10 G0 RP 10\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10")
+case("a bracket that stays open", **KNOWN, program="N10 WAITP(X\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
+case("FA needs =", **KNOWN, program="N10 FA[X] 500\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
+case("and closes its bracket", **KNOWN, program="N10 FA[X=500\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
+case("RP needs =", **GRAMMAR, program="N10 G0 RP 10\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("AP twice", **KNOWN, program="N10 G0 AP=10 AP=20\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="AP=20")

@@ -185,7 +185,7 @@ for words in ('CALL "NONE"', 'EXTCALL("NONE.SPF")', "PCALL NONE(1)"):
     )
 for words in ('EXTCALL("PART"', "PCALL PART(1"):
     case(
-        f"{words} lacks its bracket", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10",
+        f"{words} lacks its bracket", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10",
     )
 for words in ('CALL ""', "PCALL /_N_SPF_DIR/"):
     case(
@@ -216,8 +216,8 @@ for number in (64999, 66000):
         f"SETAL({number}) is no alarm of the user", **SETAL,
         program=f"N10 SETAL({number})\nN20 M30", runs="", alarm="illegal-user-alarm", at="MAIN N10", word="SETAL",
     )
-case("SETAL needs brackets", **SETAL, program="N10 SETAL 65000\nN20 M30", runs="", alarm="bracket-not-opened", at="MAIN N10")
-case("that close", **SETAL, program="N10 SETAL(65000\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
+case("SETAL needs brackets", **SETAL, program="N10 SETAL 65000\nN20 M30", runs="", alarm="bracket-not-opened", number="12080", at="MAIN N10")
+case("that close", **SETAL, program="N10 SETAL(65000\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 
 # ---- skip levels ----
 
@@ -274,7 +274,7 @@ case(
     "its fourth value is told and has no effect", **RET,
     program=_two_levels("RET(,,1,1)"), runs="N10 N60 N80 N65 N70 N20 N30 N40 N50", dropped=["1"],
 )
-case("the values of RET stand in brackets that close", **RET, program="N10 RET(,,1\nN20 M30", runs="", alarm="bracket-not-closed", at="MAIN N10")
+case("the values of RET stand in brackets that close", **RET, program="N10 RET(,,1\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("nothing follows them", **RET, program="N10 RET() X5\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5")
 case(
     "a block that is no text is not computed", control=ONE, source="policy, nobody says", evidence="inferred",

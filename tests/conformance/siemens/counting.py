@@ -85,7 +85,7 @@ case(
 )
 case(
     "FOR needs =", **KNOWN,
-    program="N10 FOR R1 TO 3\nN20 ENDFOR\nN30 M30", runs="", alarm="missing-equals", at="MAIN N10",
+    program="N10 FOR R1 TO 3\nN20 ENDFOR\nN30 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10",
 )
 case(
     "nothing follows the last value", **KNOWN,

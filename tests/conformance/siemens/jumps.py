@@ -163,3 +163,19 @@ case(
     program='N10 DEF STRING[20] WHERE="DONE"\nN20 GOTOF WHERE\nN30 DONE: M30',
     runs="N10", alarm="code-not-computed", at="MAIN N20", word="WHERE",
 )
+
+# ---- a condition that is not computed ----
+
+UNKNOWN = {"control": "siemens-one", "source": "policy, nobody says", "evidence": "inferred"}
+case(
+    "a conditional jump whose condition is not computed opens no structure", **UNKNOWN,
+    program="N10 GOTOF EE\nN20 IF $A_DBB[1]==1 GOTOF EE\nN30 EE: G0 X2\nN40 M30", runs="N10 N30 N40",
+)
+case(
+    "and it may have a label", **UNKNOWN,
+    program="N10 G0 X1\nN20 LAB: IF NO_NAME>1 GOTOF EE\nN30 EE: M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)
+case(
+    "an IF of an unknown name opens a structure that can be left", **UNKNOWN,
+    program="N10 GOTOF OUT\nN20 IF $A_DBB[1]==1\nN30 G0 X1\nN40 ENDIF\nN50 OUT: M30", runs="N10 N50",
+)

@@ -51,7 +51,7 @@ case(
 for wrong in ("$AA_IW[1]", "$A_IN[X]"):
     case(
         f"{wrong} has another index", **KNOWN,
-        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10",
+        program=f"N10 R1={wrong}\nN20 M30", runs="", alarm="type-mismatch", number="12150", at="MAIN N10",
     )
 case(
     "an index beyond the last is refused", **KNOWN,

@@ -121,7 +121,7 @@ for wrong in ('TAG=5', 'TAG=R1', 'R1="A"', 'R1=TAG+1', 'G0 X=TAG', 'R1=-TAG', 'R
     case(
         f"a text is no number: {wrong}", **TYPES,
         program=f'N10 DEF STRING[3] TAG="A"\nN15 DEF REAL GRID[3]\nN20 {wrong}\nN30 M30',
-        runs="N10 N15", alarm="expression-format", number="12080", at="MAIN N20",
+        runs="N10 N15", alarm="type-mismatch", number="12150", at="MAIN N20",
     )
 case(
     "arrays hold texts", **KNOWN,
@@ -165,7 +165,7 @@ case(
 case(
     "an AXIS takes axes and nothing else", **TYPES,
     program="N10 DEF AXIS WAY=X, NONE=NO_AXIS\nN15 WAY=Y\nN20 R1=WAY==Y R2=WAY==X R3=NONE==NO_AXIS\nN30 WAY=5\nN40 M30",
-    vars={1: 1, 2: 0, 3: 1}, runs="N10 N15 N20", alarm="expression-format", number="12080", at="MAIN N30",
+    vars={1: 1, 2: 0, 3: 1}, runs="N10 N15 N20", alarm="type-mismatch", number="12150", at="MAIN N30",
 )
 case(
     "a joined text of more than 1,000 characters is not computed", **POLICY,

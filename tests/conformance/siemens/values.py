@@ -48,6 +48,12 @@ case(
     "R99 is the last parameter", pins="commons", **KNOWN,
     program="N10 R99=1\nN20 R100=1\nN30 M30", runs="N10", alarm="illegal-variable", at="MAIN N20", word="R100=1",
 )
+for option, last in (("r-300", 299), ("r-1000", 999), ("r-10000", 9999)):
+    case(
+        f"a machine with {option} has R{last}, and none after it", pins="commons", **KNOWN, replace={"commons": option},
+        program=f"N10 R{last}=1.5\nN20 R{last + 1}=1\nN30 M30", vars={last: 1.5}, runs="N10", alarm="illegal-variable", at="MAIN N20",
+        word=f"R{last + 1}=1",
+    )
 case(
     "a parameter of a computed number is looked for when the block runs", **KNOWN,
     program="N10 R1=100\nN20 R2=R[R1]\nN30 M30", runs="N10", alarm="illegal-variable", at="MAIN N20",
@@ -127,7 +133,7 @@ case(
     vars={1: 1, 2: 2, 3: 7, 4: 3, 5: 2.9000000000000004, 6: 1, 7: 17, 8: 0},
 )
 case(
-    "an axis is no number", **KNOWN, program="N10 R1=Y\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10", word="R1=Y",
+    "an axis is no number", **KNOWN, program="N10 R1=Y\nN20 M30", runs="", alarm="type-mismatch", number="12150", at="MAIN N10", word="R1=Y",
 )
 for function in ("MINVAL(1)", "BOUND(1,2)", "SUBSTR(\"A\")"):
     case(

@@ -174,3 +174,14 @@ case(
     pins="computed_lengths", control=ONE, source="840Di p.281: MD 10200", evidence="secondary",
     program="N10 G91 G0 X1\n" + "N20 X=0.0001*4\n" * 8 + "N30 M30", final_work="X1",
 )
+
+for text in ("M[1]=5", "S[R1]=500", "G[8]=2", "CYCLE977(1)", "LEADON(Y,X,1)", "REPOSA", "CTABDEF(Y,X,1,0)"):
+    case(
+        f"{text} is of the control, and not computed", control="siemens-one", source="policy, nobody says", evidence="inferred",
+        program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+    )
+for text in ("DRFOF", "NEWCONF", "CTABDEL(1)", "MMC(\"A\",\"N\")"):
+    case(
+        f"{text} changes no path, and is reported", control="siemens-one", source="general knowledge of the SINUMERIK 840D",
+        evidence="inferred", program=f"N10 {text}\nN20 G0 X1\nN30 M30", runs="N10 N20 N30", dropped=[text],
+    )

@@ -134,6 +134,10 @@ bool BlockReader::address(Block& block, Words& words) {
   if (letter == 'R') return assignment(block, words);
   if (letter == 'L') return call(block, words, line_.name());
   line_.pass(1);
+  if (line_.ahead(0) == '[') {  // M[1]=5 of a spindle, G[8]=2 of a group
+    while (line_.peek() != '\0' && !line_.take(']')) line_.pass(1);
+    return not_computed(block, "an address with an index", at);
+  }
   std::size_t digits = 0;
   while (is_digit(line_.ahead(digits))) ++digits;
   if (digits > 0 && line_.ahead(digits) == '=' && line_.ahead(digits + 1) != '=') {

@@ -36,8 +36,8 @@ class BlockReader {
     std::vector<Drop> drops;
     std::optional<CallRecord> call;
     std::optional<std::uint32_t> modal;  // where MCALL stands
-    std::optional<std::uint32_t> back;  // where M17 or RET stands
-    std::bitset<kCodeGroups> groups;    // of the codes so far
+    std::optional<std::uint32_t> back;   // where M17 or RET stands
+    std::bitset<kCodeGroups> groups;     // of the codes so far
     // X1=0: which axes G74 and G75 move.
     std::vector<std::pair<char, WordValue>> machine_axes;
     bool any = false;
@@ -92,6 +92,7 @@ class BlockReader {
 
   /// Return whether a statement stands here; `read_it`: without a fault.
   bool statement(Block& block, Link& link, bool& read_it);
+  bool jumps_later();
   bool conditional(Block& block, Link& link);
   bool jump(Block& block, Link& link, std::string_view word, Statement jump);
   bool jump_target(Block& block, std::string_view word, JumpTarget& target);

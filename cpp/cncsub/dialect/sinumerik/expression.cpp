@@ -9,7 +9,6 @@ namespace cncsub::sinumerik {
 
 namespace {
 
-
 // The precedence falls from products to comparisons; NOT, B_NOT and signs belong to the operand.
 // [SONE p.444, priority of the operations]
 constexpr OperatorRow kRows[] = {{"*", 9, Ins::Multiply},

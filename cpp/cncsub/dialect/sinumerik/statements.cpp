@@ -80,12 +80,29 @@ bool BlockReader::statement(Block& block, Link& link, bool& read_it) {
   return true;
 }
 
+/// Return whether a jump stands in the rest of the block, which opens no structure then.
+bool BlockReader::jumps_later() {
+  for (char c = line_.peek(); c != '\0'; c = line_.peek()) {
+    if (c == '"') {
+      line_.pass_quoted();
+      continue;
+    }
+    const std::string_view name = line_.name();
+    if (is_jump(capitals(name))) return true;
+    line_.pass(std::max<std::size_t>(name.size(), 1));
+  }
+  return false;
+}
+
 /// Read the condition of an IF, and the jumps that it makes.
 bool BlockReader::conditional(Block& block, Link& link) {
   Statement statement;
   statement.at = line_.offset();
   link.kind = Link::Kind::If;
-  if (!expression_.condition(statement.expression)) return refuse(block);
+  if (!expression_.condition(statement.expression)) {
+    if (jumps_later()) link.kind = Link::Kind::None;
+    return refuse(block);
+  }
   statement.width = line_.width_from(statement.at);
   if (is_jump(capitals(line_.name()))) return condition_jumps(block, link, statement);
   if (!end_of_statement(block)) return false;

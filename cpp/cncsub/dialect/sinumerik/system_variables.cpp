@@ -71,8 +71,8 @@ bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t f
   if (!read) return false;
   const bool axis = *read == Type::Axis;
   if (axis != (of.by == By::Axis) || *read == Type::String)
-    return open.wrong(Cause::TypeMismatch,
-                      axis ? "the index is a number" : "the index is an axis", at);
+    return open.wrong(Cause::TypeMismatch, axis ? "the index is a number" : "the index is an axis",
+                      at);
   if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
   open.emit(Ins::VariableAt, first);
   return true;

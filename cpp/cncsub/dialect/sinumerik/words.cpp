@@ -17,7 +17,8 @@ namespace {
 constexpr std::string_view kStatements[] = {
     "GOTO",  "GOTOB",  "GOTOC",   "GOTOF", "GOTOS", "IF",      "WHILE", "FOR",  "CASE",
     "UNTIL", "REPEAT", "REPEATB", "CALL",  "PCALL", "EXTCALL", "DEF",   "PROC", "EXTERN"};
-constexpr std::string_view kBetween[] = {"DIV", "MOD", "AND", "OR", "XOR", "TO", "B_AND", "B_OR", "B_XOR"};
+constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
+                                         "TO",  "B_AND", "B_OR", "B_XOR"};
 
 template <class List>
 bool is_in(const List& list, std::string_view word) {
