@@ -181,7 +181,7 @@ _ANY_CODE = (
     " illegal-argument illegal-decimal-point illegal-m-combination macro-call-not-first"
     " nc-and-macro-in-block pattern-first-block polar-word profile-code profile-first-block"
     " profile-first-x profile-first-z reference-with-end reference-with-m statement-format"
-    " one-shot-with-motion too-many-words user-alarm jump-in-mdi code-may-not-call idle-blocks-in-offset"
+    " named-program-not-found program-not-found one-shot-with-motion too-many-words user-alarm jump-in-mdi code-may-not-call idle-blocks-in-offset"
 )
 _OF_BLOCKS = frozenset(_ANY_CODE.split())
 

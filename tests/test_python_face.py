@@ -261,7 +261,7 @@ def test_behind_a_bare_g_the_next_word_stands() -> None:
         ({"variables": {0: 1}}, ValueError),
         ({"variables": {100: math.inf}}, ValueError),
         ({"variables": [100]}, TypeError),
-        ({"block_skip": (10,)}, ValueError),
+        ({"block_skip": (11,)}, ValueError),
         ({"block_skip": "1"}, TypeError),
         ({"max_cycles": 0}, ValueError),
         ({"max_blocks": -1}, ValueError),

@@ -24,7 +24,11 @@ WITH_COMMONS = [
     for name in WITH_MACROS
     if any(rule.name == "commons" for rule in cncsub.controls[name].rules)
 ]
-WITH_OPTIONS = [name for name, control in cncsub.controls.items() if control.variable_options]
+WITH_OPTIONS = [
+    name
+    for name, control in cncsub.controls.items()
+    if control.variable_options and control.dialect == "iso"
+]
 
 
 def commons(control: cncsub.Control) -> str:

@@ -169,7 +169,7 @@ def _never(skips: list[Any]) -> list[Any]:
 
 def numbered(values: dict[str, Any]) -> dict[Any, Any]:
     """Return the values with whole numbers for keys that are numbers: files have texts only."""
-    return {int(key) if re.fullmatch(r"[0-9]{1,9}", key) else key: v for key, v in values.items()}
+    return {int(key) if re.fullmatch(r"[0-9]{1,10}", key) else key: v for key, v in values.items()}
 
 
 def checked_variables(what: str, values: object) -> dict[int, float | None]:

@@ -20,7 +20,7 @@ NO_INCH = {"gsk-980tdi"}
 # No source describes radius compensation for these controls, or the engine does not compute it.
 # LinuxCNC begins beside its own line and goes around outside corners in arcs, so it is compared
 # with its interpreter.
-NONE = {"gsk-928te", "siemens-one", "linuxcnc"}
+NONE = {"gsk-928te", *(name for name, of in cncsub.controls.items() if of.dialect != "iso")}
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ class Station:
         return _with_length(as_lengths(rows) if self.style.diameter else rows)
 
 
-OTHER_LANGUAGES = {"linuxcnc", "siemens-one"}
+OTHER_LANGUAGES = {name for name, control in cncsub.controls.items() if control.dialect != "iso"}
 
 
 def stations() -> list[Station]:

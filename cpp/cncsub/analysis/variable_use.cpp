@@ -54,7 +54,7 @@ Bits VariableUses::bit_of(const VariableReference& of, std::vector<std::int32_t>
                           bool& any) const {
   if (!of.computed && of.number >= 0) return bit_of(of.number, to);
   const std::optional<std::uint32_t> found =
-      of.computed ? std::nullopt : place_of_name(c_.code, of.name);
+      of.computed ? std::nullopt : place_of_name(c_.code, of.name, of.common);
   any = any || !found;
   if (!found) return 0;
   to.push_back(kFirstNamed + static_cast<std::int32_t>(*found));

@@ -25,12 +25,10 @@ std::string key_of(const std::string& name, bool common) { return common ? name 
 
 }  // namespace
 
-std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name) {
-  for (const bool common : {false, true})
-    if (const auto found = code.named_places.find(key_of(name, common));
-        found != code.named_places.end())
-      return found->second;
-  return std::nullopt;
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name, bool common) {
+  const auto found = code.named_places.find(key_of(name, common));
+  if (found == code.named_places.end()) return std::nullopt;
+  return found->second;
 }
 
 std::uint32_t Names::variable(const std::string& name, bool common) {

@@ -9,9 +9,9 @@
 
 namespace cncsub {
 
-/// Return the place in Code::named_variables of a name, that of a local first; nothing where no
+/// Return the place in Code::named_variables of a name, of a common or of a local; nothing where no
 /// variable has it.
-std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name);
+std::optional<std::uint32_t> place_of_name(const Code& code, const std::string& name, bool common);
 
 class Names {
  public:

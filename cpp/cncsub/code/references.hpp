@@ -41,6 +41,7 @@ struct JumpReference {
 struct VariableReference {
   std::int64_t number = -1;  // -1 where it has a name
   std::string name;          // of a dialect or a table of names
+  bool common = false;       // of one with a name: it is of all programs, not of a level
   bool computed = false;     // the number is computed: `place` holds what gives it
   bool asked = false;        // only whether it has a value is asked: EXISTS[#<a>]
   TextPlace place;           // the value or the word that holds it

@@ -18,6 +18,7 @@ VariableReference VariablesUsed::variable(bool common, std::int32_t index, TextP
   found.place = place;
   if (const NamedVariable* const of = code_.named(common, index)) {
     found.name = of->name;
+    found.common = common;
     return found;
   }
   found.number = index;
@@ -57,6 +58,7 @@ void VariablesUsed::reads(std::uint32_t expression) {
       found.number = to_whole<std::int64_t>(here.value);
     } else if (here.op == Ins::NamedLocal || here.op == Ins::NamedCommon) {
       found.name = code_.named_variables[to_whole<std::size_t>(here.value)].name;
+      found.common = code_.named_variables[to_whole<std::size_t>(here.value)].common;
     } else if (here.op == Ins::Named) {
       found.name = code_.names[to_whole<std::size_t>(here.value)];
       named = true;

@@ -215,17 +215,20 @@ std::vector<VariableRange> variable_ranges(const Control& control) {
 }
 
 std::string no_variable(const Control& control, std::int64_t number) {
-  std::string text = "there is no #" + std::to_string(number);
-  if (number < 0 || number > Span::kLargest) return text;
+  return "there is no #" + std::to_string(number) + option_with(control, number);
+}
+
+std::string option_with(const Control& control, std::int64_t number) {
+  if (number < 0 || number > Span::kLargest) return "";
   const auto at = static_cast<std::int32_t>(number);
   for (const VariableOption& option : control.variable_choices)
     for (const Span& span : spans_brought(option))
       if (span.has(at))
-        return text + "; a control with the option " + option.name + " (" + option.meaning +
+        return "; a control with the option " + option.name + " (" + option.meaning +
                ") has it: control.replace(" +
                (option.commons.empty() ? "variable_options" : "commons") + "=\"" + option.name +
                "\")";
-  return text;
+  return "";
 }
 
 }  // namespace cncsub

@@ -50,7 +50,7 @@ case(
 )
 for option, last in (("r-300", 299), ("r-1000", 999), ("r-10000", 9999)):
     case(
-        f"a machine with {option} has R{last}, and none after it", pins="commons", **KNOWN, replace={"commons": option},
+        f"a machine with {option} has R{last}, and none after it", **KNOWN, replace={"commons": option},
         program=f"N10 R{last}=1.5\nN20 R{last + 1}=1\nN30 M30", vars={last: 1.5}, runs="N10", alarm="illegal-variable", at="MAIN N20",
         word=f"R{last + 1}=1",
     )

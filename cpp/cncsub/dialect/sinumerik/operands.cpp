@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/system/decimal.hpp"
 
@@ -214,7 +215,9 @@ bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (read.ec == std::errc() && number <= kLastNumber) place = open.to.code().place(number);
   if (place.is_common()) return true;
-  return open.wrong(Cause::IllegalVariable, "this control has no parameter R" + std::string(digits),
+  return open.wrong(Cause::IllegalVariable,
+                    "this control has no parameter R" + std::string(digits) +
+                        option_with(open.to.control(), number),
                     at);
 }
 
