@@ -257,6 +257,8 @@ bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
 
 /// Write the codes that the return from a call has put in force again.
 bool FlatRun::write_restored(std::string& text, FlatOrigins& origins) {
+  if (observer_.frame_restored)
+    return refuse("a return brings back the frame of the caller, and a flat program has no calls");
   for (const BlockCodes& codes : observer_.restored) {
     const std::size_t before = text.size();
     NcWords words;
@@ -384,6 +386,8 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
     end_line(text, origins);
   }
   if (observer_.print == nullptr) return true;
+  if (observer_.print->last_number > 0)
+    return refuse("the program raises an alarm with a number of its own");
   const std::string_view command = observer_.print->command;
   const bool same = !command.empty() && machine_.code().spelling == for_->spelling;
   if (observer_.print->logs() && !same)

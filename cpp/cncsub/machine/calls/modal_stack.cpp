@@ -44,7 +44,10 @@ bool restore_modes(Run& run, const SavedModes& modes) {
   if (!carry_out(run, units_to(run.motion.view(), modes), modes)) return false;
   if (!carry_out(run, modes_to(run.motion.view(), modes), modes)) return false;
   run.motion.set_turning(modes.turns);
-  if (modes.codes_alone) run.motion.set_frame(modes.frame);
+  if (!modes.codes_alone) return true;
+  if (run.observer != nullptr && !(run.motion.state().frame == modes.frame))
+    run.observer->frame_restored = true;
+  run.motion.set_frame(modes.frame);
   return true;
 }
 

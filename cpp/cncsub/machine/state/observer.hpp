@@ -37,10 +37,11 @@ struct Observer {
   std::vector<double> printed;  // the values of its fields, in order
   std::optional<Profile> profile;
   std::vector<BlockCodes> restored;  // codes that a return from a call has put in force again
+  bool frame_restored = false;       // it changed the frame of the program too
 
   bool any() const {
     return words != nullptr || print != nullptr || raised != nullptr || device != Op::Words ||
-           !assigned.empty() || !restored.empty();
+           !assigned.empty() || !restored.empty() || frame_restored;
   }
   void forget() {
     words = nullptr;
@@ -52,6 +53,7 @@ struct Observer {
     printed.clear();
     profile.reset();
     restored.clear();
+    frame_restored = false;
   }
   /// Keep the words of a block; `of_run` are codes that do not outlive it.
   void keep(const Block& block, const NcWords& decoded, const BlockCodes& of_run) {
