@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "cncsub/control/g_codes.hpp"
-#include "cncsub/dialect/sinumerik/block.hpp"
+#include "cncsub/dialect/sinumerik/open_block.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -30,165 +30,175 @@ const Form* form_named(std::string_view name) {
 }  // namespace
 
 /// Read a value after =, perhaps in one of the forms; `place`: of its address in the mask.
-bool BlockReader::form(Block& block, std::uint32_t at, int place, WordForms& forms, Value& value) {
-  const std::string_view name = line_.name();
+bool form(OpenBlock& open, Block& block, std::uint32_t at, int place, WordForms& forms,
+          Value& value) {
+  const std::string_view name = open.line.name();
   const Form* const of = form_named(capitals(name));
-  if (of == nullptr || definitions_.find(capitals(name)) != nullptr)
-    return expression_.value(value) || refuse(block);
-  line_.pass(name.size());
-  if (!line_.take('(')) return refuse(block, Cause::BracketNotOpened, "( is missing", at);
-  if (!expression_.value(value)) return refuse(block);
-  if (!line_.take(')')) return refuse(block, Cause::BracketNotClosed, ") is missing", at);
+  if (of == nullptr || open.definitions.find(capitals(name)) != nullptr)
+    return open.expression.value(value) || open.refuse(block);
+  open.line.pass(name.size());
+  if (!open.line.take('(')) return open.refuse(block, Cause::BracketNotOpened, "( is missing", at);
+  if (!open.expression.value(value)) return open.refuse(block);
+  if (!open.line.take(')')) return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
   const std::uint32_t address = 1u << place;
   (of->incremental ? forms.incremental : forms.absolute) |= address;
   if (of->rotary == 32) return true;
   const std::size_t axis =
       place < 26 ? kRotary.find(static_cast<char>('A' + place)) : std::string_view::npos;
   if (axis == std::string_view::npos)
-    return refuse(block, Cause::StatementFormat,
-                  std::string(of->name) + " is a form of rotary axes", at);
+    return open.refuse(block, Cause::StatementFormat,
+                       std::string(of->name) + " is a form of rotary axes", at);
   forms.rotary |= 1u << (of->rotary + axis);
   return true;
 }
 
 /// Give an address its value, which stands once in a block.
-bool BlockReader::put(Block& block, Words& words, int place, const Value& value) {
+bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& value) {
   if ((words.list.mask >> place & 1) != 0)
-    return refuse(block, Cause::AddressGivenTwice, "the address is in the block twice", value.at);
+    return open.refuse(block, Cause::AddressGivenTwice, "the address is in the block twice",
+                       value.at);
   words.list.set(place, {value.computed, value.expression, value.number}, false);
   words.any = true;
   return true;
 }
 
 /// Read CR=5 or I1=IC(5), whose name is passed.
-bool BlockReader::long_address(Block& block, Words& words, std::string_view name,
-                               std::uint32_t at) {
-  if (!line_.take('='))
-    return refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
+bool long_address(OpenBlock& open, Block& block, Words& words, std::string_view name,
+                  std::uint32_t at) {
+  if (!open.line.take('='))
+    return open.refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
   const int place = place_of(name);
   Value value;
-  if (!form(block, at, place, words.list.forms, value)) return false;
+  if (!form(open, block, at, place, words.list.forms, value)) return false;
   value.at = at;
-  value.width = line_.width_from(at);
-  return put(block, words, place, value);
+  value.width = open.line.width_from(at);
+  return put(open, block, words, place, value);
 }
 
 /// Read X1=5, M2=3, S2=500 or T1=5, whose name is passed with its =. The first spindle is the one
 /// of the words without a number; what moves or turns elsewhere is reported.
-bool BlockReader::numbered(Block& block, Words& words, std::string_view name, std::uint32_t at) {
+bool numbered(OpenBlock& open, Block& block, Words& words, std::string_view name,
+              std::uint32_t at) {
   const char letter = name.front();
   const bool first = name.substr(1) == "1";
   WordForms none;
   Value value;
-  if (letter == 'T' && line_.peek() == '"') return tool_by_name(words, at);
-  if (!form(block, at, letter - 'A', none, value)) return false;
+  if (letter == 'T' && open.line.peek() == '"') return tool_by_name(open, words, at);
+  if (!form(open, block, at, letter - 'A', none, value)) return false;
   value.at = at;
-  value.width = line_.width_from(at);
+  value.width = open.line.width_from(at);
   words.any = true;
-  if (first && letter == 'M') return m_code(block, words, value);
-  if (first && (letter == 'S' || letter == 'T')) return put(block, words, letter - 'A', value);
+  if (first && letter == 'M') return m_code(open, block, words, value);
+  if (first && (letter == 'S' || letter == 'T'))
+    return put(open, block, words, letter - 'A', value);
   if (kAxisLetters.find(letter) != std::string_view::npos)
     words.machine_axes.push_back({letter, {value.computed, value.expression, value.number}});
   else if (std::string_view("MSTDHEQ").find(letter) == std::string_view::npos)
-    return not_computed(block, "an address with a number", at);
-  words.drops.push_back({0, at, line_.width_from(at)});
+    return open.not_computed(block, "an address with a number", at);
+  words.drops.push_back({0, at, open.line.width_from(at)});
   return true;
 }
 
 /// Read the value of an axis that no column of the moves holds, E=5, whose = is passed: it is
 /// reported.
-bool BlockReader::axis_beyond(Block& block, Words& words, std::uint32_t at) {
+bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
   WordForms none;
   Value value;
-  if (!form(block, at, 0, none, value)) return false;
-  words.drops.push_back({0, at, line_.width_from(at)});
+  if (!form(open, block, at, 0, none, value)) return false;
+  words.drops.push_back({0, at, open.line.width_from(at)});
   words.any = true;
   return true;
 }
 
 /// Read AX[X]=5, whose name stands here.
-bool BlockReader::axis_by_index(Block& block, Words& words, std::uint32_t at) {
-  line_.pass(2);
-  if (!line_.take('[')) return refuse(block, Cause::BracketNotOpened, "[ is missing", at);
-  const std::string axis = capitals(line_.name());
-  line_.pass(axis.size());
+bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
+  open.line.pass(2);
+  if (!open.line.take('[')) return open.refuse(block, Cause::BracketNotOpened, "[ is missing", at);
+  const std::string axis = capitals(open.line.name());
+  open.line.pass(axis.size());
   const bool known = axis.size() == 1 && kAxisLetters.find(axis) != std::string_view::npos;
-  if (!line_.take(']') || !line_.take('=') || !known)
-    return not_computed(block, "an axis that is no name of one: X, Y, Z, A, B, C, U, V, W", at);
+  if (!open.line.take(']') || !open.line.take('=') || !known)
+    return open.not_computed(block, "an axis that is no name of one: X, Y, Z, A, B, C, U, V, W",
+                             at);
   Value value;
-  if (!form(block, at, axis[0] - 'A', words.list.forms, value)) return false;
+  if (!form(open, block, at, axis[0] - 'A', words.list.forms, value)) return false;
   value.at = at;
-  value.width = line_.width_from(at);
-  return put(block, words, axis[0] - 'A', value);
+  value.width = open.line.width_from(at);
+  return put(open, block, words, axis[0] - 'A', value);
 }
 
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
-bool BlockReader::report(Block& block, Words& words, std::string_view name, std::uint32_t at) {
-  line_.pass(name.size());
-  if (line_.take('[')) {
-    const std::string_view index = line_.name().empty() ? line_.take_digits() : line_.name();
-    if (!line_.name().empty()) line_.pass(index.size());
-    if (!line_.take(']')) return refuse(block, Cause::BracketNotClosed, "] is missing", at);
+bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at) {
+  open.line.pass(name.size());
+  if (open.line.take('[')) {
+    const std::string_view index =
+        open.line.name().empty() ? open.line.take_digits() : open.line.name();
+    if (!open.line.name().empty()) open.line.pass(index.size());
+    if (!open.line.take(']'))
+      return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
   }
-  if (!line_.take('='))
-    return refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
+  if (!open.line.take('='))
+    return open.refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
   WordForms none;
   Value value;
-  if (!form(block, at, 0, none, value)) return false;
-  words.drops.push_back({0, at, line_.width_from(at)});
+  if (!form(open, block, at, 0, none, value)) return false;
+  words.drops.push_back({0, at, open.line.width_from(at)});
   words.any = true;
   return true;
 }
 
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
-bool BlockReader::report_call(Block& block, Words& words, std::string_view name, std::uint32_t at) {
-  line_.pass(name.size());
+bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view name,
+                 std::uint32_t at) {
+  open.line.pass(name.size());
   int depth = 0;
   do {
-    const char c = line_.peek();
+    const char c = open.line.peek();
     if (depth == 0 && c != '(') break;
-    if (c == '\0') return refuse(block, Cause::BracketNotClosed, ") is missing", at);
+    if (c == '\0') return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
     if (c == '"')
-      line_.pass_quoted();
+      open.line.pass_quoted();
     else
-      line_.pass(1);
+      open.line.pass(1);
   } while (depth > 0);
-  words.drops.push_back({0, at, line_.width_from(at)});
+  words.drops.push_back({0, at, open.line.width_from(at)});
   words.any = true;
   return true;
 }
 
 /// Read RNDM=0: what begins with another value is not computed.
-bool BlockReader::off_at_zero(Block& block, Words& words, std::string_view name, std::uint32_t at) {
-  line_.pass(name.size());
-  if (!line_.take('='))
-    return refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
+bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view name,
+                 std::uint32_t at) {
+  open.line.pass(name.size());
+  if (!open.line.take('='))
+    return open.refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
   Value value;
-  if (!expression_.value(value)) return refuse(block);
-  if (value.computed || value.number != 0) return not_computed(block, capitals(name), at);
-  words.drops.push_back({0, at, line_.width_from(at)});
+  if (!open.expression.value(value)) return open.refuse(block);
+  if (value.computed || value.number != 0) return open.not_computed(block, capitals(name), at);
+  words.drops.push_back({0, at, open.line.width_from(at)});
   words.any = true;
   return true;
 }
 
 /// Read a G code that is written as a word.
-bool BlockReader::code_word(Block& block, Words& words, int code, std::string_view name,
-                            std::uint32_t at) {
-  line_.pass(name.size());
+bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::string_view name,
+               std::uint32_t at) {
+  open.line.pass(name.size());
   if (!words.take_group(group_of(name)))
-    return refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
+    return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
-    return refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block", at);
+    return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
+                       at);
   words.list.add_g({false, 0, static_cast<double>(code)});
   words.any = true;
   return true;
 }
 
 /// Read the text of T="MILL_10". Its number is the machine's affair: the tool is reported.
-bool BlockReader::tool_by_name(Words& words, std::uint32_t at) {
-  line_.pass_quoted();
-  words.drops.push_back({0, at, line_.width_from(at)});
+bool tool_by_name(OpenBlock& open, Words& words, std::uint32_t at) {
+  open.line.pass_quoted();
+  words.drops.push_back({0, at, open.line.width_from(at)});
   words.any = true;
   return true;
 }
