@@ -307,9 +307,11 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   skip_level(block);
   if (!number(block)) return true;
   take_label(label);
-  if (declarations_.read(block)) return true;
+  const std::string_view first = open_.line.name();
+  const bool is_word = first.size() > 1 && !is_digit(first[1]);  // DEF and IF; not X10
+  if (is_word && declarations_.read(block)) return true;
   bool read_it = true;
-  if (statement(open_, block, link, read_it)) {
+  if (is_word && statement(open_, block, link, read_it)) {
     if (const bool o_word = !label.empty(); is_marked_structure(block, link, o_word))
       refuse_mark(open_.to, block, o_word, marked_at_, marked_width_);
     return true;

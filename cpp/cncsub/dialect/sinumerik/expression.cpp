@@ -154,12 +154,12 @@ bool ExpressionReader::finish(Value& value, std::uint32_t at) {
 
 bool ExpressionReader::number(Value& value) {
   const std::uint32_t at = open_.line.offset();
-  open_.to.expressions().begin();
   const bool minus = open_.line.take('-');
   if (!minus) open_.line.take('+');
-  if (!read_number(open_)) return false;
-  if (minus) open_.constant = -open_.constant.value_or(0);
-  return finish(value, at);
+  double number = 0;
+  if (!take_number(open_, number)) return false;
+  value = {false, minus ? -number : number, 0, at, open_.line.width_from(at)};
+  return true;
 }
 
 bool ExpressionReader::value_or_text(Value& value, bool& is_text) {

@@ -161,7 +161,7 @@ Read read_bracket(OpenExpression& open, char before, char after, int depth) {
   return fails(open.wrong(Cause::BracketNotClosed, std::string(1, after) + " is missing", at));
 }
 
-Read read_number(OpenExpression& open) {
+Read take_number(OpenExpression& open, double& number) {
   Line& line = open.line;
   const std::uint32_t at = line.offset();
   std::string text(line.take_digits());
@@ -183,12 +183,17 @@ Read read_number(OpenExpression& open) {
     text += line.take_digits();
     type = Type::Real;
   }
-  double number = 0;
   const auto read = system::parse(text, number);
   if (!read.number || read.length != text.size() || number > kLargest)
     return fails(open.wrong(Cause::ValueOutOfRange, "this is not a number", at));
-  open.push_constant(number);
   return type;
+}
+
+Read read_number(OpenExpression& open) {
+  double number = 0;
+  const Read read = take_number(open, number);
+  if (read) open.push_constant(number);
+  return read;
 }
 
 bool read_indices(OpenExpression& open, const Definition& of, int depth) {

@@ -20,7 +20,8 @@ constexpr std::int32_t kLastNumber = 99999;  // of a parameter, more than any co
 Read read_value(OpenExpression& open, int depth);
 /// Read a value with its signs, which bind closest.
 Read read_operand(OpenExpression& open, int depth);
-/// Read 10, 10.5, .5, or 1.5EX3 for 1500.
+/// Read 10, 10.5, .5, or 1.5EX3 for 1500, which is no part of an expression yet.
+Read take_number(OpenExpression& open, double& number);
 Read read_number(OpenExpression& open);
 Read read_bracket(OpenExpression& open, char before, char after, int depth);
 /// Read SIN(30), or a constant: TRUE.
