@@ -11,6 +11,7 @@ export GIT_CONFIG_COUNT=1 GIT_CONFIG_KEY_0=safe.directory GIT_CONFIG_VALUE_0=$PW
 
 logs=build/ci
 failed=()
+export logs
 minutes=${minutes:-85} # nothing runs on after these, whatever the steps' own limits add up to
 
 # step NAME MINUTES COMMAND...: runs the command and keeps what it prints in build/ci/NAME.log. The minutes are those of a
@@ -92,10 +93,10 @@ tidy() {
         -extra-arg=-Wno-unknown-warning-option -extra-arg=-Wno-deprecated-declarations "$1"
 }
 
-# tidy_changed FILE...: clang-tidy over the engine's files among these, and over those beside its headers among them.
+# clang-tidy over the engine's files that the file `changed` beside the logs lists, and over those beside its headers.
 tidy_changed() {
     local sources
-    mapfile -t sources < <(printf '%s\n' "$@" | sed -nE 's/\.hpp$/.cpp/; /^cpp\/(cncsub|controls)\/.*\.cpp$/p' | sort -u)
+    mapfile -t sources < <(sed -nE 's/\.hpp$/.cpp/; /^cpp\/(cncsub|controls)\/.*\.cpp$/p' "$logs/changed" | sort -u)
     echo "${#sources[@]} files of the engine changed"
     [ ${#sources[@]} -eq 0 ] || tidy "($(IFS='|' && echo "${sources[*]//./\\.}"))$"
 }
