@@ -380,3 +380,24 @@ def test_what_cannot_be_is_refused_with_a_reason(installed: Path) -> None:
     assert c.cncsub_machine_variable(machine, ctypes.c_int64(100)) == 0.006
     for free, handle in (("machine", machine), ("options", options), ("library", library)):
         getattr(c, f"cncsub_{free}_free")(handle)
+
+
+def test_null_is_refused_everywhere(installed: Path) -> None:
+    c = face(installed)
+    header = (INCLUDE / "cncsub.h").read_text()
+    for name in functions():
+        signature = re.search(rf"{name}\(([^)]*)\)", header)
+        assert signature is not None
+        if name.endswith("_free") or "*" not in signature[1]:
+            continue
+        given = [
+            None if "*" in parameter else ctypes.c_double(1) if "double" in parameter else 1
+            for parameter in signature[1].split(",")
+        ]
+        getattr(c, name)(*given)
+        assert b"NULL" in c.cncsub_error(), name
+
+
+def test_what_is_no_file_is_no_program(examples: Path, tmp_path: Path) -> None:
+    ran = call(examples / "run_files", "fanuc-0i-f", tmp_path)
+    assert (ran.returncode, ran.stderr) == (2, f"{tmp_path} cannot be read\n")

@@ -105,9 +105,11 @@ def write_inputs(out: Writer, inputs: Mapping[str, Any]) -> None:
 
 
 def work_system(name: str) -> int:
-    """0 for EXT, 1 to 6 for G54 to G59, then G54.1 P1..."""
+    """0 for EXT, 1 to 6 for G54 to G59, then G54.1 P1, or G501..."""
     if name == "EXT":
         return 0
+    if len(name) == 4:
+        return min(6 + int(name[2:]), 255)
     return int(name[2:]) - 3 if len(name) == 3 else min(6 + int(name.split("P")[1]), 255)
 
 

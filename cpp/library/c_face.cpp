@@ -57,6 +57,14 @@ Value guarded(Value otherwise, const Work& work) {
   }
 }
 
+/// Return whether an argument is NULL that may not be, and say so.
+template <class... Pointers>
+bool missing(const Pointers*... pointers) {
+  if (((pointers != nullptr) && ...)) return false;
+  last_error() = "an argument is NULL";
+  return true;
+}
+
 std::string text_of(const char* text) { return text == nullptr ? std::string() : text; }
 
 cncsub_place place_of(const nc::Place& from) {
@@ -107,8 +115,11 @@ const char* cncsub_control(size_t index) {
 
 cncsub_library* cncsub_library_new(const char* control, size_t count, const char* const* names,
                                    const char* const* texts, const size_t* sizes) {
+  if (missing(control) || (count > 0 && missing(names, texts, sizes))) return nullptr;
   return guarded<cncsub_library*>(nullptr, [&]() -> cncsub_library* {
     std::vector<nc::Source> sources;
+    for (size_t i = 0; i < count; ++i)
+      if (texts[i] == nullptr) return refused<cncsub_library*>("a text is NULL", nullptr);
     for (size_t i = 0; i < count; ++i)
       sources.push_back({text_of(names[i]), std::string(texts[i], sizes[i])});
     auto library = nc::Library::read(std::move(sources), text_of(control));
@@ -119,10 +130,12 @@ cncsub_library* cncsub_library_new(const char* control, size_t count, const char
 void cncsub_library_free(cncsub_library* library) { delete library; }
 
 const char* cncsub_library_program(const cncsub_library* library, size_t index) {
+  if (missing(library)) return nullptr;
   return index < library->programs.size() ? library->programs[index].c_str() : nullptr;
 }
 
 size_t cncsub_library_check(cncsub_library* library) {
+  if (missing(library)) return 0;
   return guarded<size_t>(0, [&] {
     library->findings = library->library.check();
     return library->findings.size();
@@ -130,6 +143,7 @@ size_t cncsub_library_check(cncsub_library* library) {
 }
 
 int32_t cncsub_library_finding(const cncsub_library* library, size_t index, cncsub_finding* to) {
+  if (missing(library, to)) return 0;
   if (index >= library->findings.size()) return 0;
   const nc::Finding& from = library->findings[index];
   *to = {from.rule.c_str(), from.severity.c_str(), from.message.c_str(), place_of(from.at),
@@ -143,6 +157,7 @@ cncsub_options* cncsub_options_new() {
 void cncsub_options_free(cncsub_options* options) { delete options; }
 
 int32_t cncsub_options_text(cncsub_options* options, const char* name, const char* value) {
+  if (missing(options)) return 0;
   return guarded<int32_t>(0, [&] {
     const std::string option = text_of(name);
     if (option == "main")
@@ -156,6 +171,7 @@ int32_t cncsub_options_text(cncsub_options* options, const char* name, const cha
 }
 
 int32_t cncsub_options_number(cncsub_options* options, const char* name, double value) {
+  if (missing(options)) return 0;
   return guarded<int32_t>(0, [&] {
     const std::string option = text_of(name);
     if (std::isnan(value) || !set_number(options->options, option, value))
@@ -165,6 +181,7 @@ int32_t cncsub_options_number(cncsub_options* options, const char* name, double 
 }
 
 int32_t cncsub_options_variable(cncsub_options* options, int32_t number, double value) {
+  if (missing(options)) return 0;
   return guarded<int32_t>(0, [&] {
     options->options.variables[number] = value_of(value);
     return 1;
@@ -172,6 +189,7 @@ int32_t cncsub_options_variable(cncsub_options* options, int32_t number, double 
 }
 
 int32_t cncsub_options_signal(cncsub_options* options, int32_t number, double value) {
+  if (missing(options)) return 0;
   return guarded<int32_t>(0, [&] {
     options->options.signals[number] = value;
     return 1;
@@ -180,6 +198,7 @@ int32_t cncsub_options_signal(cncsub_options* options, int32_t number, double va
 
 int32_t cncsub_options_work_offset(cncsub_options* options, const char* system, char axis,
                                    double value) {
+  if (missing(options, system)) return 0;
   return guarded<int32_t>(0, [&] {
     options->options.setup.work_offsets[text_of(system)][axis] = value;
     return 1;
@@ -187,6 +206,7 @@ int32_t cncsub_options_work_offset(cncsub_options* options, const char* system, 
 }
 
 int32_t cncsub_options_length_offset(cncsub_options* options, int32_t number, double value) {
+  if (missing(options)) return 0;
   return guarded<int32_t>(0, [&] {
     options->options.setup.length_offsets[number] = value;
     return 1;
@@ -194,6 +214,7 @@ int32_t cncsub_options_length_offset(cncsub_options* options, int32_t number, do
 }
 
 cncsub_run* cncsub_library_run(const cncsub_library* library, const cncsub_options* options) {
+  if (missing(library)) return nullptr;
   return guarded<cncsub_run*>(nullptr, [&]() -> cncsub_run* {
     auto run = library->library.run(options_of(options));
     if (!run) return refused<cncsub_run*>(run.error().message, nullptr);
@@ -201,9 +222,13 @@ cncsub_run* cncsub_library_run(const cncsub_library* library, const cncsub_optio
   });
 }
 void cncsub_run_free(cncsub_run* run) { delete run; }
-const char* cncsub_run_stop(const cncsub_run* run) { return to_string(run->run.stop()).data(); }
+const char* cncsub_run_stop(const cncsub_run* run) {
+  if (missing(run)) return "";
+  return to_string(run->run.stop()).data();
+}
 
 int32_t cncsub_run_alarm(const cncsub_run* run, cncsub_alarm* to) {
+  if (missing(run, to)) return 0;
   if (!run->alarm) return 0;
   const nc::Alarm& from = *run->alarm;
   *to = {from.number.c_str(), from.cause.c_str(), from.text.c_str(), from.shown.c_str(),
@@ -212,14 +237,19 @@ int32_t cncsub_run_alarm(const cncsub_run* run, cncsub_alarm* to) {
 }
 
 int32_t cncsub_run_alarm_call(const cncsub_run* run, size_t index, cncsub_call* to) {
+  if (missing(run, to)) return 0;
   if (!run->alarm || index >= run->alarm->stack.size()) return 0;
   *to = call_of(run->alarm->stack[index]);
   return 1;
 }
 
-int64_t cncsub_run_blocks(const cncsub_run* run) { return run->run.blocks(); }
+int64_t cncsub_run_blocks(const cncsub_run* run) {
+  if (missing(run)) return 0;
+  return run->run.blocks();
+}
 
 double cncsub_run_variable(const cncsub_run* run, int64_t number) {
+  if (missing(run)) return kNone;
   return guarded<double>(kNone, [&] {
     const auto value = run->run.variable(number);
     if (!value) return refused(value.error().message, kNone);
@@ -227,9 +257,13 @@ double cncsub_run_variable(const cncsub_run* run, int64_t number) {
   });
 }
 
-size_t cncsub_run_moves(const cncsub_run* run) { return run->run.moves(); }
+size_t cncsub_run_moves(const cncsub_run* run) {
+  if (missing(run)) return 0;
+  return run->run.moves();
+}
 
 int32_t cncsub_run_write_moves(const cncsub_run* run, const cncsub_columns* to) {
+  if (missing(run, to)) return 0;
   return guarded<int32_t>(0, [&] {
     run->run.write_moves({to->x, to->y, to->z, to->mx, to->my, to->mz, to->cx, to->cy, to->cz,
                           to->feed, to->length, to->time, to->kind, to->step});
@@ -239,6 +273,7 @@ int32_t cncsub_run_write_moves(const cncsub_run* run, const cncsub_columns* to) 
 
 cncsub_machine* cncsub_library_machine(const cncsub_library* library,
                                        const cncsub_options* options) {
+  if (missing(library)) return nullptr;
   return guarded<cncsub_machine*>(nullptr, [&]() -> cncsub_machine* {
     auto machine = library->library.machine(options_of(options));
     if (!machine) return refused<cncsub_machine*>(machine.error().message, nullptr);
@@ -248,10 +283,12 @@ cncsub_machine* cncsub_library_machine(const cncsub_library* library,
 void cncsub_machine_free(cncsub_machine* machine) { delete machine; }
 
 int32_t cncsub_machine_step(cncsub_machine* machine) {
+  if (missing(machine)) return 0;
   return guarded<int32_t>(0, [&] { return machine->machine.step() ? 1 : 0; });
 }
 
 int32_t cncsub_machine_run_to(cncsub_machine* machine, const char* program, int64_t n) {
+  if (missing(machine, program)) return 0;
   return guarded<int32_t>(0, [&] {
     const auto there = machine->machine.run_to(text_of(program), n);
     if (!there) return refused(there.error().message, 0);
@@ -259,12 +296,17 @@ int32_t cncsub_machine_run_to(cncsub_machine* machine, const char* program, int6
   });
 }
 
-void cncsub_machine_interrupt(cncsub_machine* machine) { machine->machine.interrupt(); }
+void cncsub_machine_interrupt(cncsub_machine* machine) {
+  if (missing(machine)) return;
+  machine->machine.interrupt();
+}
 const char* cncsub_machine_stop(const cncsub_machine* machine) {
+  if (missing(machine)) return "";
   return to_string(machine->machine.stop()).data();
 }
 
 void cncsub_machine_next(cncsub_machine* machine, cncsub_place* to) {
+  if (missing(machine, to)) return;
   guarded<int32_t>(0, [&] {
     machine->next = machine->machine.next();
     return 1;
@@ -273,6 +315,7 @@ void cncsub_machine_next(cncsub_machine* machine, cncsub_place* to) {
 }
 
 int32_t cncsub_machine_call(cncsub_machine* machine, size_t index, cncsub_call* to) {
+  if (missing(machine, to)) return 0;
   return guarded<int32_t>(0, [&] {
     machine->stack = machine->machine.stack();
     if (index >= machine->stack.size()) return 0;
@@ -282,6 +325,7 @@ int32_t cncsub_machine_call(cncsub_machine* machine, size_t index, cncsub_call* 
 }
 
 double cncsub_machine_position(const cncsub_machine* machine, char axis) {
+  if (missing(machine)) return kNone;
   return guarded<double>(kNone, [&] {
     const nc::Point point = machine->machine.position();
     const auto found = point.find(axis);
@@ -290,6 +334,7 @@ double cncsub_machine_position(const cncsub_machine* machine, char axis) {
 }
 
 double cncsub_machine_variable(const cncsub_machine* machine, int64_t number) {
+  if (missing(machine)) return kNone;
   return guarded<double>(kNone, [&] {
     const auto value = machine->machine.variable(number);
     if (!value) return refused(value.error().message, kNone);
@@ -298,6 +343,7 @@ double cncsub_machine_variable(const cncsub_machine* machine, int64_t number) {
 }
 
 int32_t cncsub_machine_set_variable(cncsub_machine* machine, int64_t number, double value) {
+  if (missing(machine)) return 0;
   return guarded<int32_t>(0, [&] {
     const auto wrong = machine->machine.set_variable(number, value_of(value));
     return wrong ? refused(wrong->message, 0) : 1;
@@ -305,6 +351,7 @@ int32_t cncsub_machine_set_variable(cncsub_machine* machine, int64_t number, dou
 }
 
 cncsub_run* cncsub_machine_so_far(const cncsub_machine* machine) {
+  if (missing(machine)) return nullptr;
   return guarded<cncsub_run*>(nullptr, [&] {
     nc::Run run = machine->machine.so_far();
     auto alarm = run.alarm();

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "cncsub/analysis/check.hpp"
@@ -20,6 +20,17 @@ std::string stem_of(const std::string& name) {
   const std::string file = slash == std::string::npos ? name : name.substr(slash + 1);
   const std::size_t dot = file.rfind('.');
   return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
+}
+
+/// Read a file; nothing where that fails, as it does for a folder.
+std::optional<std::string> text_of(const std::string& path) {
+  constexpr std::size_t kPart = std::size_t{1} << 16;
+  std::ifstream file(path, std::ios::binary);
+  std::string text, part(kPart, '\0');
+  while (file.read(part.data(), static_cast<std::streamsize>(kPart)) || file.gcount() > 0)
+    text.append(part, 0, static_cast<std::size_t>(file.gcount()));
+  if (!file.eof() || file.bad()) return std::nullopt;
+  return text;
 }
 
 const cncsub::Control* find_control(const std::string& name) {
@@ -81,10 +92,9 @@ Result<Library> Library::load(const std::vector<std::string>& paths, const std::
                               const std::map<std::string, double>& parameters) {
   std::vector<Source> sources;
   for (const std::string& path : paths) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    if (!file.is_open() || file.bad()) return Error{"paths", path + " cannot be read"};
-    sources.push_back({path, std::move(text)});
+    std::optional<std::string> text = text_of(path);
+    if (!text) return Error{"paths", path + " cannot be read"};
+    sources.push_back({path, std::move(*text)});
   }
   return read(std::move(sources), control, parameters);
 }

@@ -140,18 +140,28 @@ std::optional<Step> Machine::step() {
   cncsub::Machine& machine = inside_->machine;
   const Address at = machine.state().pc;
   const int depth = machine.depth();
-  inside_->interrupted = false;
-  if (!machine.step([this] { return inside_->interrupted.load(); })) return std::nullopt;
+  if (inside_->interrupted.exchange(false)) {
+    machine.interrupt();
+    return std::nullopt;
+  }
+  if (!machine.step([this] { return inside_->interrupted.load(); })) {
+    inside_->interrupted = false;
+    return std::nullopt;
+  }
   const Trace& trace = machine.trace();
   if (!trace.steps.empty()) return step_of(trace, machine.code(), trace.steps.size() - 1);
   return Step{place_of(machine.code(), at), text_at(machine.code(), at), depth, false};
 }
 
 void Machine::run(const std::function<bool(const Machine&)>& pause) {
-  inside_->interrupted = false;
   const auto interrupted = [this] { return inside_->interrupted.load(); };
-  if (!pause) return inside_->machine.run(interrupted);
-  inside_->machine.run(interrupted, [&](const cncsub::Machine&) { return pause(*this); });
+  if (inside_->interrupted)
+    inside_->machine.interrupt();
+  else if (!pause)
+    inside_->machine.run(interrupted);
+  else
+    inside_->machine.run(interrupted, [&](const cncsub::Machine&) { return pause(*this); });
+  inside_->interrupted = false;
 }
 
 Result<bool> Machine::run_to(const std::string& program, std::int64_t n) {

@@ -1,10 +1,12 @@
 // What a run is given, checked and handed to the engine.
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/machine/values/variables.hpp"
+#include "cncsub/text/scan.hpp"
 #include "cncsub/trace/duration.hpp"
 #include "inside.hpp"
 
@@ -12,13 +14,13 @@ namespace cncsub::api {
 
 namespace {
 
-constexpr int kSwitches = 9;
+constexpr int kSwitches = 10;
 
 /// Return why points name what is no axis, or nothing.
 std::optional<Error> wrong_axis(const std::string& option, const Point& point) {
   for (const auto& [axis, value] : point)
-    if (kAxisNames.find(axis) == std::string_view::npos)
-      return Error{option, std::string("there is no axis ") + axis};
+    if (kAxisNames.find(axis) == std::string_view::npos || !std::isfinite(value))
+      return Error{option, std::string("there is no such value of an axis ") + axis};
   return std::nullopt;
 }
 
@@ -27,6 +29,9 @@ std::optional<Error> wrong_axis(const std::string& option, const Point& point) {
 bool is_work_offset(const cncsub::Control& control, const std::string& name) {
   constexpr std::string_view kExtra = "G54.1 P";
   if (name == "EXT") return true;
+  if (control.motion.extra_system_codes.value != 0 && name.size() == 4 && name.starts_with("G5"))
+    return name == "G500" ||
+           (name >= "G505" && name <= "G599" && is_digit(name[2]) && is_digit(name[3]));
   if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') return true;
   if (!name.starts_with(kExtra) || name.size() > kExtra.size() + 3) return false;
   const std::string digits = name.substr(kExtra.size());
@@ -86,13 +91,14 @@ cncsub::Options options_of(const Options& from) {
 std::optional<Error> wrong_options(const Code& code, const Options& options) {
   for (const int number : options.block_skip)
     if (number < 1 || number > kSwitches)
-      return Error{"block_skip", "a switch is 1 to 9, not " + std::to_string(number)};
+      return Error{"block_skip", "a switch is 1 to 10, not " + std::to_string(number)};
   for (const auto& [number, value] : options.signals)
     if (!is_signal(code, number))
       return Error{"signals",
                    "#" + std::to_string(number) + " is not a signal of " + code.control->name};
-  if (options.max_cycles < 1 || options.max_blocks < 1 || options.max_seconds < 0)
-    return Error{"max_blocks", "a limit must be at least 1"};
+  if (options.max_cycles < 1) return Error{"max_cycles", "it must be at least 1"};
+  if (options.max_blocks < 1) return Error{"max_blocks", "it must be at least 1"};
+  if (!(options.max_seconds >= 0)) return Error{"max_seconds", "it must be 0 or more"};
   return wrong_setup(*code.control, options.setup);
 }
 

@@ -167,7 +167,7 @@ class Reading {
     const std::string name(program.name);
     SourceFile& file = code_.files.emplace_back();
     file.name = file.stem = name;
-    file.text = FileText(std::string(program.text));
+    file.text = FileText(program.text);
     file.system = true;
     read_(static_cast<std::uint32_t>(code_.files.size() - 1));
   }

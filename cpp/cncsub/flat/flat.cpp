@@ -353,6 +353,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
 }
 
 /// Write the fields of DPRNT. Their values go to locals, for it prints no numbers.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string& statement) {
   const Code& code = machine_.code();
   std::size_t printed = 0;

@@ -65,7 +65,14 @@ double modal_word(MotionView m, char address) {
   }
 }
 
-double block_end(MotionView m, int axis) { return shown(m, axis, m.state.work); }
+/// Return a point of the zero point as the frame of the program counts it.
+static Axes as_programmed(const MotionState& state, const Axes& point) {
+  return is_turned(state) ? turned_back(state, point) : point;
+}
+
+double block_end(MotionView m, int axis) {
+  return shown(m, axis, as_programmed(m.state, m.state.work));
+}
 
 /// Return the end of the last move that waits for the corner after it.
 static Axes waiting_end(const LookaheadQueue& lookahead) {
@@ -100,7 +107,8 @@ static Axes shifting_length(MotionView m) {
 }
 
 double work_position(MotionView m, int axis) {
-  return shown(m, axis, standing_point(m) - m.state.offset - shifting_length(m));
+  return shown(m, axis,
+               as_programmed(m.state, standing_point(m) - m.state.offset - shifting_length(m)));
 }
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }

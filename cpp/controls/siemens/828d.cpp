@@ -1,4 +1,5 @@
 // Siemens SINUMERIK 828D, a mill, in its own language.
+#include "controls/facts.hpp"
 #include "controls/siemens/family.hpp"
 
 namespace cncsub {

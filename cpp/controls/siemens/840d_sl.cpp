@@ -1,4 +1,5 @@
 // Siemens SINUMERIK 840D sl, a mill, in its own language.
+#include "controls/facts.hpp"
 #include "controls/siemens/family.hpp"
 
 namespace cncsub {

@@ -41,7 +41,6 @@ constexpr SystemProgram kCycles[] = {
     {"CYCLE800", {}, "it needs the swivel data of the machine"},
     {"CYCLE802", {}, {}},
     {"CYCLE830", {}, {}},
-    {"CYCLE832", {}, {}},
     {"CYCLE899", {}, {}},
     {"CYCLE930", {}, {}},
     {"CYCLE940", {}, {}},

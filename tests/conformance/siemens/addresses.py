@@ -233,3 +233,7 @@ case("FA needs =", **KNOWN, program="N10 FA[X] 500\nN20 M30", runs="", alarm="mi
 case("and closes its bracket", **KNOWN, program="N10 FA[X=500\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("RP needs =", **GRAMMAR, program="N10 G0 RP 10\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("AP twice", **KNOWN, program="N10 G0 AP=10 AP=20\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="AP=20")
+case(
+    "an arc about the pole is not computed", control="siemens-one", source="policy, nobody says", evidence="inferred",
+    program="N10 G0 X30 Y40\nN20 G111 X40 Y33\nN30 G2 RP=12.207 AP=21 F500\nN40 M30", runs="N10 N20", alarm="code-not-computed", at="MAIN N30",
+)

@@ -70,3 +70,17 @@ for name in ("$MN_SCALING_SYSTEM_IS_METRIC", "$MC_GMMC_INFO_UNIT_IS_STATUS", "$A
         f"nor what writing {name} does", **POLICY,
         program=f"N10 {name}=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
     )
+
+# ---- positions in a frame: what is programmed, moved to again, moves nothing ----
+
+TURNED = {"control": ONE, "source": "840Dk p.128: $AA_IW, the setpoint in the workpiece", "evidence": "inferred"}
+for frame in ("ROT Z90", "SCALE X2 Y3", "MIRROR X0", "TRANS X7 Y8 Z9", "ROT Z30"):
+    case(
+        f"$P_EP and $AA_IW count in the frame of {frame}", **TURNED, setup={"work_offsets": {"G54": {"X": 31.5, "Y": 5.25, "Z": -40.5}}},
+        program=f"N10 {frame}\nN20 G0 X20 Y5 Z2\nN30 R1=$P_EP[X] R2=$P_EP[Y] R3=$P_EP[Z]\nN40 R4=$AA_IW[X] R5=$AA_IW[Y] R6=$AA_IW[Z]\nN50 M30",
+        vars={1: 20, 2: 5, 3: 2, 4: 20, 5: 5, 6: 2},
+    )
+case(
+    "an increment to where the tool stands in a turned frame moves nothing", **TURNED, setup={"work_offsets": {"G54": {"X": 31.5, "Y": 5.25}}},
+    program="N10 ROT Z90\nN20 G0 X20 Y5\nN30 X=$P_EP[X] Y=$AA_IW[Y]\nN40 M30", final_machine="X26.5 Y25.25 Z0",
+)

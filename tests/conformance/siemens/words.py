@@ -180,7 +180,7 @@ for text in ("M[1]=5", "S[R1]=500", "G[8]=2", "CYCLE977(1)", "LEADON(Y,X,1)", "R
         f"{text} is of the control, and not computed", control="siemens-one", source="policy, nobody says", evidence="inferred",
         program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
     )
-for text in ("DRFOF", "NEWCONF", "CTABDEL(1)", "MMC(\"A\",\"N\")"):
+for text in ("DRFOF", "CYCLE832(0.01,1,1)", "NEWCONF", "CTABDEL(1)", "MMC(\"A\",\"N\")"):
     case(
         f"{text} changes no path, and is reported", control="siemens-one", source="general knowledge of the SINUMERIK 840D",
         evidence="inferred", program=f"N10 {text}\nN20 G0 X1\nN30 M30", runs="N10 N20 N30", dropped=[text],

@@ -93,7 +93,9 @@ bool address(OpenBlock& open, Block& block, Words& words) {
   }
   std::size_t digits = 0;
   while (is_digit(open.line.ahead(digits))) ++digits;
-  if (digits > 0 && open.line.ahead(digits) == '=' && open.line.ahead(digits + 1) != '=') {
+  std::size_t after = digits;
+  while (after < open.line.rest().size() && is_blank(open.line.ahead(after))) ++after;
+  if (digits > 0 && open.line.ahead(after) == '=' && open.line.ahead(after + 1) != '=') {
     const std::string name = letter + std::string(open.line.take_digits());
     if (place_of(name) >= 0) return long_address(open, block, words, name, at);
     open.line.take('=');
@@ -102,6 +104,7 @@ bool address(OpenBlock& open, Block& block, Words& words) {
   return word(open, block, words, letter, at);
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_t at) {
   if ((letter == 'E' || letter == 'Q') && open.line.take('='))
     return axis_beyond(open, block, words, at);
@@ -162,6 +165,8 @@ bool assignment(OpenBlock& open, Block& block, Words& words) {
 }
 
 /// Read a word of two letters or more: CR=5, MSG("..."), BRISK, or the name of a program.
+// A line for each case: shorter would be harder to read.
+// NOLINTNEXTLINE(readability-function-size,readability-function-cognitive-complexity)
 bool named(OpenBlock& open, Block& block, Words& words) {
   const std::uint32_t at = open.line.offset();
   const std::string_view written = open.line.name();

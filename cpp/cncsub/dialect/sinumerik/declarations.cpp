@@ -245,6 +245,7 @@ bool DeclarationReader::declared(Block& block, Declared& declared, std::size_t s
                          declared.name},
                         declared.definition.global);
   definitions_.add(declared.name, declared.definition);
+  if (declared.value) expression_.note_assigned(declared.definition);
   return true;
 }
 

@@ -82,6 +82,7 @@ class OperatorReader {
 
   Read apply(const OperatorRow& of, std::uint32_t at, Read left, Read right) {
     open_.constant.reset();
+    if (!left || !right) return std::nullopt;
     if (of.op == Ins::JoinTexts) return join(*left, *right, at);
     const bool texts = *left == Type::String || *right == Type::String;
     const bool axes = *left == Type::Axis || *right == Type::Axis;

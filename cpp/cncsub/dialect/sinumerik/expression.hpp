@@ -71,6 +71,8 @@ class ExpressionReader {
   bool assignments(const Definition& to, std::vector<Statement>& statements);
   /// Read SET(...), REP(...) or (...), which give elements from `first` on their values.
   bool elements(const Definition& to, const Statement& first, std::vector<Statement>& statements);
+  /// Note that the block gives a variable its value: what comes after in it does not read that.
+  void note_assigned(const Definition& of);
   /// Return whether SET(, REP( or, in a definition, a bracket stands here.
   bool is_list(bool bracket_alone);
   /// Append the value of a variable, as one that it takes itself, to the open expression.

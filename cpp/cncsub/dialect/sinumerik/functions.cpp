@@ -127,9 +127,14 @@ std::optional<TextFormat> format_at(std::string_view text, std::size_t& at) {
       of = of * 10 + (text[at] - '0');
     return of <= TextFormat::kMost;
   };
-  if (++at < text.size() && is_digit(text[at]) && !number(format.width)) return std::nullopt;
-  if (at < text.size() && text[at] == '.' && (++at, !number(format.decimals))) return std::nullopt;
-  format.kind = at < text.size() ? upper(text[at++]) : '\0';
+  ++at;
+  if (at < text.size() && is_digit(text[at]) && !number(format.width)) return std::nullopt;
+  if (at < text.size() && text[at] == '.') {
+    ++at;
+    if (!number(format.decimals)) return std::nullopt;
+  }
+  format.kind = at < text.size() ? upper(text[at]) : '\0';
+  ++at;
   const bool known = std::string_view("BCDFEGSX").find(format.kind) != std::string_view::npos;
   return known ? std::optional(format) : std::nullopt;
 }

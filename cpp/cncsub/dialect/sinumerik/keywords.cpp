@@ -71,8 +71,8 @@ constexpr std::string_view kReportedCalls[] = {
     "BLSYNC", "TMON",     "TMOF",        "GWPSON",    "GWPSOF",       "DISABLE",   "ENABLE",
     "CLRINT", "STOPREOF", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "WORKPIECE", "VELOLIM",
     "LOCK",   "UNLOCK",   "CLGON",       "CLGOF",     "NPROT",        "CPROT",     "MSGL",
-    "DRFOF",  "NEWCONF",  "CHANDATA",    "CANCEL",    "MMC",          "CTABDEL",   "PROTA",
-    "PROTS"};
+    "DRFOF",  "CYCLE832", "NEWCONF",     "CHANDATA",  "CANCEL",       "MMC",       "CTABDEL",
+    "PROTA",  "PROTS"};
 
 // [general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",

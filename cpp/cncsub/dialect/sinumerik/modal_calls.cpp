@@ -21,7 +21,7 @@ bool write_modal_call(OpenBlock& open, Block& block, const Words& words) {
   const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
   if (!alone)
     return open.refuse(block, Cause::IllegalWordWithCall, "MCALL must be alone in its block",
-                       *words.modal);
+                       words.modal.value_or(0));
   open.to.words(block, {});
   if (!words.call) {
     block.op = Op::CancelModal;

@@ -51,8 +51,12 @@ bool is_jump(std::string_view word) { return is_in(kJumps, word); }
 bool OpenBlock::end_of_statement(Block& block) {
   if (line.at_end()) return true;
   const std::uint32_t at = line.offset();
-  line.pass(first_character(line.rest()).size());
-  return refuse(block, Cause::StatementFormat, "nothing can follow the statement in its block", at);
+  const bool equals = line.take('=');
+  if (!equals) line.pass(first_character(line.rest()).size());
+  return refuse(block, Cause::StatementFormat,
+                equals ? "= assigns: values are compared by =="
+                       : "nothing can follow the statement in its block",
+                at);
 }
 
 namespace {

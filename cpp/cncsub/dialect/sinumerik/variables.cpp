@@ -117,6 +117,9 @@ bool ExpressionReader::assignment(const Definition& to, Statement& statement) {
   return true;
 }
 
+void ExpressionReader::note_assigned(const Definition& of) { open_.assigned.insert(mark_of(of)); }
+
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 bool ExpressionReader::assignments(const Definition& to, std::vector<Statement>& statements) {
   Statement statement;
   const std::uint32_t at = open_.line.offset();

@@ -52,8 +52,8 @@ void pass_operand(Line& line) {
   else
     while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
   if (line.ahead(0) == 'E' && line.ahead(1) == 'X') line.pass(line.name().size());
-  if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
-  if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+  if (line.peek() == '(') pass_bracket(line, '(', ')');
+  if (line.peek() == '[') pass_bracket(line, '[', ']');
 }
 
 /// Pass over an expression: operands as long as operators stand between them.
@@ -77,10 +77,11 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   const std::string_view here = line.rest();
   Scanner ahead{here.data(), here.data() + here.size(), here.data()};
   take_number(ahead, word);
-  if (line.ahead(0) == '-' || line.ahead(0) == '+') line.pass(1);
+  if (line.peek() == '-' || line.peek() == '+') line.pass(1);
+  const bool has_digits = is_digit(line.peek()) || line.peek() == '.';
   const std::string_view digits = line.rest();
-  while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
-  if (line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
+  while (has_digits && (is_digit(line.ahead(0)) || line.ahead(0) == '.')) line.pass(1);
+  if (has_digits && line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
     word.address += digits.substr(0, digits.size() - line.rest().size());
   if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
   if (line.peek() != '=') return;
@@ -100,6 +101,7 @@ void pass_value(Line& line, WrittenWord& word) {
   word.known = word.known && line.rest().data() == ahead.at;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
   const std::string capital = capitals(name);

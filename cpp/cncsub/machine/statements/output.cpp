@@ -129,6 +129,7 @@ bool is_shown(const Run& run, const Print& print) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 bool print(Run& run, const Print& print) {
   if (!is_shown(run, print)) return true;
   double number = 0;

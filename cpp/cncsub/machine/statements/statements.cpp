@@ -301,6 +301,8 @@ bool end_statement(Run& run, const Block& block, bool holds) {
 
 }  // namespace
 
+// A line for each case: shorter would be harder to read.
+// NOLINTNEXTLINE(readability-function-size,readability-function-cognitive-complexity)
 bool run_statement(Run& run, const Block& block, const Block*& instead) {
   const bool other = block.op == Op::Print || block.op == Op::HCode || block.op == Op::Set;
   const Statement* const statement = other ? nullptr : run.code->statements.data() + block.aux;

@@ -81,7 +81,7 @@ bool store_elements(Run& run, const Statement& statement, double place, double v
     return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
                        "the array ends before the last value"});
   State& s = run.state;
-  const auto first = static_cast<std::size_t>(statement.index + from);
+  const auto first = static_cast<std::size_t>(statement.index) + static_cast<std::size_t>(from);
   double* const at = statement.target == Statement::Target::Element
                          ? s.elements.data() + run.element_at(first)
                          : s.commons.data() + first;

@@ -101,6 +101,7 @@ void set_feed_mode(MotionContext& m, const BlockWords& block) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result set_modes(MotionContext& m, BlockWords& block) {
   constexpr std::uint32_t kRemembered =
       bit(Group::Plane) | bit(Group::Distance) | bit(Group::Stroke) | bit(Group::Units) |

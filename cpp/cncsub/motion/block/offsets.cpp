@@ -49,6 +49,7 @@ Result check_orientation(MotionView m, const BlockWords& block) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;
   const bool measures = block.meaning(Group::OneShot) == Meaning::MeasureTool;  // D is its zone

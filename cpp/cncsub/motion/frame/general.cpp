@@ -14,10 +14,10 @@ using Matrix = std::array<double, 9>;
 constexpr Matrix kUnit{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
 double& cell(Matrix& of, int row, int column) {
-  return of[static_cast<std::size_t>(3 * row + column)];
+  return of[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
 }
 double cell(const Matrix& of, int row, int column) {
-  return of[static_cast<std::size_t>(3 * row + column)];
+  return of[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
 }
 
 /// Return the product of two matrices.

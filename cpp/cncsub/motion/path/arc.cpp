@@ -255,7 +255,8 @@ char angle_name(MotionView m, const BlockWords& block) {
 Result arc_by_angle(MotionView m, const BlockWords& block, char name, bool centre, Piece& piece) {
   const PlaneAxes plane = axes_of(piece);
   const double angle = block.words[name] * kPi / 180;
-  if (!(angle > 0 && angle < 2 * kPi)) return fault_at(name, Cause::ValueOutOfRange, block);
+  const bool inside = angle > 0 && angle < 2 * kPi;
+  if (!inside) return fault_at(name, Cause::ValueOutOfRange, block);
   const bool clockwise = piece.kind == MoveKind::Cw;
   const PlaneView view{plane, m.facts.share(0)};
   const Axes start = m.state.work + piece.offset;
@@ -298,6 +299,9 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
     if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
     return more_turns(m, block, piece);
   }
+  if ((block.words.mask & kPolarWords) != 0)
+    return fault_at({.addresses = kCentreWords}, Cause::CodeNotComputed, block,
+                    "an arc about the pole is not computed");
   if (m.facts.control->motion.no_radius.value == NoRadius::Alarm)
     return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block);
   piece.kind = MoveKind::Feed;
@@ -329,6 +333,7 @@ Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutc
                      outcome);
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   const auto [written, named] = target(m, block);

@@ -43,6 +43,7 @@ bool may_have_corner(MotionView m, const BlockWords& block) {
   return (block.words.mask & m.facts.corner_words()) != 0;
 }
 
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   const int chamfer = m.facts.chamfers.find(block.words.mask);
   int round = m.facts.rounds.find(block.words.mask);

@@ -36,6 +36,8 @@ Result point_between(MotionView m, const BlockWords& block, Axes& middle) {
 
 }  // namespace
 
+// A line for each case: shorter would be harder to read.
+// NOLINTNEXTLINE(readability-function-size,readability-function-cognitive-complexity)
 Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
   const PlaneAxes plane = plane_axes(m.state.plane);
   const auto [end, named] = target(m, block);

@@ -165,7 +165,7 @@ struct GeneralFrame {
   bool turned = false;  // the matrix is not that of a shift alone
 
   double operator()(int row, int column) const {
-    return matrix[static_cast<std::size_t>(3 * row + column)];
+    return matrix[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
   }
   bool operator==(const GeneralFrame&) const = default;
 };

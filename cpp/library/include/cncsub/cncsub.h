@@ -4,9 +4,9 @@
  * are UTF-8 and end in a zero byte; one that is returned belongs to its handle and holds until the
  * handle is freed or the same function is called on it again. Numbers that are absent (a vacant
  * variable, a block without a sequence number) are NaN, or -1. A function that can be refused
- * returns 0, or NULL, and `cncsub_error` says why. Nothing here throws or aborts. A library and a
- * run may be used by many threads, a machine by one at a time; the text of an error belongs to the
- * thread.
+ * returns 0, or NULL, and `cncsub_error` says why; so it is with a NULL that is no NULL by what its
+ * function says. Nothing here throws or aborts. A library and a run may be used by many threads, a
+ * machine by one at a time; the text of an error belongs to the thread.
  *
  * Structs only grow at their end, and functions only come: what was compiled for CNCSUB_ABI 1 runs
  * on. */

@@ -140,7 +140,7 @@ struct Options {
   std::optional<std::int64_t> start;  // the sequence number to begin at
   std::map<int, std::optional<double>> variables;
   std::map<int, double> signals;  // of the machine, such as #1000
-  std::vector<int> block_skip;    // the switches that are on, 1 to 9
+  std::vector<int> block_skip;    // the switches that are on, 1 to 10
   bool optional_stop = false;
   std::int64_t max_cycles = 1;  // of a main program that starts over
   std::int64_t max_blocks = 10'000'000;
@@ -181,8 +181,8 @@ class CNCSUB_API Run {
   std::optional<Alarm> alarm() const;
   std::int64_t blocks() const;
 
-  std::size_t steps() const;  // that were recorded
-  Step step(std::size_t index) const;
+  std::size_t steps() const;           // that were recorded
+  Step step(std::size_t index) const;  // an empty one where there is none
   std::size_t moves() const;
   double length() const;  // mm
   double time() const;    // s
@@ -202,14 +202,18 @@ class CNCSUB_API Run {
 /// makes another one that stands where this one stands.
 class CNCSUB_API Machine {
  public:
-  /// Execute one block; return it, or nothing where the run has stopped.
+  /// Execute one block; return it, or nothing where the run has stopped. A machine that was
+  /// interrupted goes on.
   std::optional<Step> step();
   /// Run on until the run stops, or until `pause`, which is asked before each block, returns true.
   void run(const std::function<bool(const Machine&)>& pause = {});
-  /// Run on until the block is the next one. An Error where there is no such block.
+  /// Run on until the block is the next one: false where the run stopped before. An Error where
+  /// there is no such block.
   Result<bool> run_to(const std::string& program, std::int64_t n);
-  /// Stop a run from another thread, or from `pause`.
+  /// Stop the run, or else the next one; from another thread too. The run stops by Interrupted, and
+  /// goes on when it is asked to.
   void interrupt();
+  /// Press the reset key: calls are gone, the main program is at its head. What was recorded stays.
   void reset();
   Machine snapshot() const;
 
@@ -259,7 +263,7 @@ class CNCSUB_API Library {
                               const std::map<std::string, double>& parameters = {});
 
   const std::string& control() const;
-  std::vector<std::string> programs() const;
+  std::vector<std::string> programs() const;  // of several with one name, the first
   Result<Run> run(const Options& options = {}, const std::function<bool()>& interrupted = {}) const;
   Result<Machine> machine(const Options& options = {}) const;
   std::vector<Finding> check() const;
