@@ -250,3 +250,10 @@ def test_an_alarm_shows_whole_characters(control, text):
         if run.alarm is not None:
             assert str(run.alarm)
             assert run.alarm.word is not None
+
+
+def test_the_head_of_a_program_may_hold_any_characters() -> None:
+    for control in ("siemens-one", "siemens-828d"):
+        library = cncsub.loads("%_N_TEIL\u00dc_MPF\nM30", control=control)
+        assert library.check() == []
+        assert library.run().stop == cncsub.Stop.END

@@ -192,7 +192,8 @@ std::string instead_of(const Checker& c, const Block& block, std::string_view te
 /// is a name, such as BRISK, changes no path.
 void tell_left_out(Checker& c, Address at, std::string_view text, const Drop& drop) {
   const std::string_view word = text.substr(std::min<std::size_t>(drop.at, text.size()), 2);
-  if (word.empty() || (word.size() == 2 && is_letter(word[1]))) return;
+  if (word.empty() || !is_letter(upper(word[0]))) return;
+  if (word.size() == 2 && is_letter(word[1])) return;
   Finding& found = c.found(
       Check::NotComputed, at, {drop.at, drop.width},
       std::string(1, upper(word[0])) + " is not computed by cncsub: a run goes on without it");
