@@ -330,6 +330,33 @@ def test_a_run_through_c_is_the_run_of_python(installed: Path) -> None:
         getattr(c, f"cncsub_{free}_free")(handle)
 
 
+def test_a_library_has_the_programs_and_the_main_program_of_python(installed: Path) -> None:
+    c = face(installed)
+    text = "%_N_PART_SPF\nR1=R1+1\nM17\n%_N_SHAFT_MPF\nPART\nPART\nM30\n"
+    library, same = read(c, "siemens-one", text), cncsub.loads(text, control="siemens-one")
+    names = []
+    while (name := c.cncsub_library_program(library, ctypes.c_size_t(len(names)))) is not None:
+        names.append(name.decode())
+    assert names == list(same)  # none of the control's own
+    run = ctypes.c_void_p(c.cncsub_library_run(library, None))
+    assert c.cncsub_run_variable(run, ctypes.c_int64(1)) == same.run().variables[1] == 2
+    assert c.cncsub_library_check(library) == len(same.check())
+
+
+@pytest.mark.parametrize(
+    ("control", "system"),
+    [("siemens-one", "G501"), ("fanuc-0i-f", "G505")]
+    + [("fanuc-0i-f", name) for name in ("G54.1 P01", "G54.1 P301", "G54.1P1", "G60", "")],
+)
+def test_an_offset_of_no_system_is_refused(installed: Path, control: str, system: str) -> None:
+    c = face(installed)
+    library, options = read(c, control, MOVING), ctypes.c_void_p(c.cncsub_options_new())
+    axis, value = ctypes.c_char(b"X"), ctypes.c_double(7.5)
+    assert c.cncsub_options_work_offset(options, system.encode(), axis, value)
+    assert not c.cncsub_library_run(library, options)
+    assert c.cncsub_error().decode() == f"{control} has no work offset {system}"
+
+
 def test_an_alarm_through_c(installed: Path) -> None:
     c = face(installed)
     library = read(c, "fanuc-0i-f", ALARMING)

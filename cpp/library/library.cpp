@@ -105,7 +105,7 @@ std::vector<std::string> Library::programs() const {
   const Code& code = *inside_->code;
   std::vector<std::string> names;
   for (const Program& program : code.programs)
-    if (program.duplicate_of == kNoProgram) names.push_back(code.name_of(program));
+    if (code.is_listed(program)) names.push_back(code.name_of(program));
   return names;
 }
 
@@ -126,8 +126,7 @@ std::vector<Finding> Library::check() const {
   const Code& code = *inside_->code;
   std::vector<Finding> all;
   InterruptCheck none;
-  const std::int32_t main = code.programs.empty() ? kNoProgram : 0;
-  for (const cncsub::Finding& finding : cncsub::check(code, {main, {}}, "", none))
+  for (const cncsub::Finding& finding : cncsub::check(code, {code.main_program(), {}}, "", none))
     all.push_back(finding_of(code, finding));
   return all;
 }

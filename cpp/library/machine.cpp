@@ -32,8 +32,8 @@ std::optional<std::int64_t> number_of(std::int64_t n) {
 
 Step step_of(const Trace& trace, const Code& code, std::size_t index) {
   const Trace::Step row = trace.steps[index];
-  const int depth = row.call < 0 ? 0 : trace.calls[trace.call_row(row.call)].depth;
-  return {place_of(code, row.address), text_at(code, row.address), depth, row.failed != 0};
+  return {place_of(code, row.address), text_at(code, row.address), trace.depth_of(row.call),
+          row.failed != 0};
 }
 
 std::optional<Alarm> alarm_or_none(const cncsub::Machine& machine) {

@@ -24,22 +24,6 @@ std::optional<Error> wrong_axis(const std::string& option, const Point& point) {
   return std::nullopt;
 }
 
-/// Return whether this names a work offset: G54 to G59, EXT, or G54.1 P and the number of one that
-/// the control has.
-bool is_work_offset(const cncsub::Control& control, const std::string& name) {
-  constexpr std::string_view kExtra = "G54.1 P";
-  if (name == "EXT") return true;
-  if (control.motion.extra_system_codes.value != 0 && name.size() == 4 && name.starts_with("G5"))
-    return name == "G500" ||
-           (name >= "G505" && name <= "G599" && is_digit(name[2]) && is_digit(name[3]));
-  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9') return true;
-  if (!name.starts_with(kExtra) || name.size() > kExtra.size() + 3) return false;
-  const std::string digits = name.substr(kExtra.size());
-  const bool whole = !digits.empty() && std::all_of(digits.begin(), digits.end(),
-                                                    [](char c) { return c >= '0' && c <= '9'; });
-  return whole && digits[0] != '0' && std::stoi(digits) <= control.motion.max_extra_systems.value;
-}
-
 std::optional<Error> wrong_setup(const cncsub::Control& control, const Setup& setup) {
   constexpr std::string_view kMachines[] = {"", "mill", "lathe-a", "lathe-b"};
   if (std::find(std::begin(kMachines), std::end(kMachines), setup.machine) == std::end(kMachines))
@@ -49,7 +33,7 @@ std::optional<Error> wrong_setup(const cncsub::Control& control, const Setup& se
   for (const auto& [number, point] : setup.reference)
     if (auto wrong = wrong_axis("setup", point)) return wrong;
   for (const auto& [name, point] : setup.work_offsets) {
-    if (!is_work_offset(control, name))
+    if (!has_system(control, name))
       return Error{"setup", control.name + " has no work offset " + name};
     if (auto wrong = wrong_axis("setup", point)) return wrong;
   }
@@ -102,12 +86,9 @@ std::optional<Error> wrong_options(const Code& code, const Options& options) {
   return wrong_setup(*code.control, options.setup);
 }
 
-/// Return the program that runs: the one of this name, or the first in memory.
+/// Return the program that runs: the one of this name, or the one that a run begins with.
 std::int32_t main_of(const Code& code, const std::string& name) {
-  if (!name.empty()) return code.find(std::string_view(name));
-  for (std::size_t i = 0; i < code.programs.size(); ++i)
-    if (!code.files[code.programs[i].file].external) return static_cast<std::int32_t>(i);
-  return kNoProgram;
+  return name.empty() ? code.main_program() : code.find(std::string_view(name));
 }
 
 }  // namespace

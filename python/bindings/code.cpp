@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bindings.hpp"
-#include "cncsub/code/definition_files.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/system/memory.hpp"
@@ -22,15 +21,13 @@ namespace cncsub::bindings {
 
 namespace {
 
-/// Return the programs that a name leads to, in their order: those of the memory or of the external
-/// device.
+/// Return the listed programs in their order: those of the memory or of the external device.
 template <class Row>
 py::list listed(const Code& code, bool external, const Row& row) {
   py::list rows;
   for (std::size_t i = 0; i < code.programs.size(); ++i) {
     const Program& program = code.programs[i];
-    const SourceFile& file = code.files[program.file];
-    if (file.external == external && !file.system && program.duplicate_of == kNoProgram)
+    if (code.files[program.file].external == external && code.is_listed(program))
       rows.append(row(i));
   }
   return rows;

@@ -196,7 +196,7 @@ py::object named_value(const Machine& machine, DefinedVariable::Type type, doubl
     case DefinedVariable::Type::Text:
       return py::str(machine.text(value));
     case DefinedVariable::Type::Axis:
-      return py::str(whole >= 1 && whole <= kAxes ? std::string(1, "XYZABCUVW"[whole - 1]) : "");
+      return py::str(axis_letter(value));
   }
   return py::float_(value);
 }

@@ -225,14 +225,13 @@ void check_systems(const Control& control, const Options& options) {
   const std::int32_t most = control.motion.max_extra_systems.value;
   const Setup& setup = options.setup;
   const auto check = [&](const char* option, const std::string& field, const std::string& name) {
-    if (const auto p = name.find('P');
-        p != std::string::npos && std::stol(name.substr(p + 1)) > most)
-      refuse(option, field + ": " + control.name + " has no " + name +
-                         (most > 0 ? "; the last is G54.1 P" + std::to_string(most) : ""));
-    if (name.size() == 4 && name[0] == 'G' && control.motion.extra_system_codes.value == 0)
-      refuse(option, field + ": " + control.name + " has no " + name);
+    if (has_system(control, name)) return;
+    const bool counted = name.find('P') != std::string::npos && most > 0;
+    refuse(option, field + ": " + control.name + " has no " + name +
+                       (counted ? "; the last is G54.1 P" + std::to_string(most) : ""));
   };
-  if (options.inputs.workpiece) check("inputs", "coordinates", options.inputs.workpiece->system);
+  if (options.inputs.workpiece && options.inputs.workpiece->system != "machine")
+    check("inputs", "coordinates", options.inputs.workpiece->system);
   for (const auto& [name, values] : setup.work_offsets) check("setup", "work_offsets", name);
 }
 

@@ -8,10 +8,6 @@
 
 namespace cncsub::bindings {
 
-inline std::int32_t depth_of_call(const Trace& trace, std::int32_t call) {
-  return call < 0 ? 0 : trace.calls[trace.call_row(call)].depth;
-}
-
 /// Returns the program of a step, which is mostly that of the step before.
 class ProgramOfStep {
  public:
@@ -51,7 +47,7 @@ bool with_step_value(const Record& record, const std::string& name, const Use& u
   if (name == "line")
     return used([&](const Trace::Step& s) { return code.blocks[s.address].line; });
   if (name == "depth")
-    return used([&](const Trace::Step& s) { return depth_of_call(record.trace(), s.call); });
+    return used([&](const Trace::Step& s) { return record.trace().depth_of(s.call); });
   if (name == "frame") return used([](const Trace::Step& s) { return s.call; });
   if (name == "repeat") return used([](const Trace::Step& s) { return s.repeat; });
   return false;

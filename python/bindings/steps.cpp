@@ -95,8 +95,7 @@ enum class Way : std::int8_t { On, Skips, Jumps, Returns, Other };
 /// Return how a step leads to the next one.
 Way way_to(const Code& code, const Trace& trace, const Trace::Step& from, const Trace::Step& to) {
   if (to.call != from.call)
-    return depth_of_call(trace, to.call) < depth_of_call(trace, from.call) ? Way::Returns
-                                                                           : Way::Other;
+    return trace.depth_of(to.call) < trace.depth_of(from.call) ? Way::Returns : Way::Other;
   if (to.repeat != from.repeat) return Way::Other;
   const std::uint32_t next = from.address + 1;
   if (to.address == next) return Way::On;
@@ -162,8 +161,8 @@ py::object step_object(const Trace& trace, const std::shared_ptr<const Code>& co
   return row_object(row, py::int_(trace.first_step + static_cast<std::int64_t>(index)),
                     py::str(code->name_of(code->program_at(step.address))),
                     sequence_number(block.n), py::int_(block.line),
-                    py::int_(depth_of_call(trace, step.call)), py::int_(step.call),
-                    py::int_(step.repeat), py::cast(std::const_pointer_cast<Code>(code)),
+                    py::int_(trace.depth_of(step.call)), py::int_(step.call), py::int_(step.repeat),
+                    py::cast(std::const_pointer_cast<Code>(code)),
                     py::int_(static_cast<std::uint32_t>(step.address)));
 }
 

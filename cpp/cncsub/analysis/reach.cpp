@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
-#include "cncsub/code/definition_files.hpp"
 #include "cncsub/control/spelled.hpp"
 
 namespace cncsub {

@@ -175,6 +175,11 @@ struct Code {
     return name_of(programs[static_cast<std::size_t>(program)]);
   }
   std::string_view comment_of(const Program& program) const;
+  /// Return whether a list of the user's programs has this one: its name leads to it, and it is no
+  /// program of the control itself.
+  bool is_listed(const Program& program) const {
+    return program.duplicate_of == kNoProgram && !files[program.file].system;
+  }
   std::string_view text_of(const Block& block, const Program& program) const;
   /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;

@@ -9,13 +9,15 @@
 #include <utility>
 #include <vector>
 
+#include "cncsub/text/scan.hpp"
+
 namespace cncsub {
 
 /// Return how many bytes the first characters of a text have, which is UTF-8.
 inline std::size_t bytes_of_first(const std::string& text, std::size_t characters) {
   std::size_t at = 0;
   for (; at < text.size(); ++at)
-    if ((static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80 && characters-- == 0) break;
+    if (!is_inside_character(text[at]) && characters-- == 0) break;
   return at;
 }
 

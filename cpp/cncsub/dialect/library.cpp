@@ -7,7 +7,6 @@
 #include <thread>
 #include <utility>
 
-#include "cncsub/code/definition_files.hpp"
 #include "cncsub/code/parameters.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"

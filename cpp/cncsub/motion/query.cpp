@@ -65,11 +65,6 @@ double modal_word(MotionView m, char address) {
   }
 }
 
-/// Return a point of the zero point as the frame of the program counts it.
-static Axes as_programmed(const MotionState& state, const Axes& point) {
-  return is_turned(state) ? turned_back(state, point) : point;
-}
-
 double block_end(MotionView m, int axis) {
   return shown(m, axis, as_programmed(m.state, m.state.work));
 }

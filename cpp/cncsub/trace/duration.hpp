@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "cncsub/text/axis_names.hpp"
+
 namespace cncsub {
 
 enum class MoveKind : std::uint8_t { Rapid, Feed, Cw, Ccw, Thread, Dwell };
@@ -18,7 +20,6 @@ enum class SkipMove : std::uint8_t { No, Touched, Missed };
 std::string_view to_string(SkipMove skip);
 
 constexpr int kAxes = 9;
-constexpr std::string_view kAxisNames = "XYZABCUVW";
 using Axes = std::array<double, kAxes>;
 
 /// Return whether so many bytes are the same, without a branch on each of them.

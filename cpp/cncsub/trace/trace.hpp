@@ -110,6 +110,10 @@ struct Trace {
 
   std::int32_t call_number(std::size_t row) const;
   std::size_t call_row(std::int32_t number) const;
+  /// Return the depth of a call, or 0 for -1: the main program.
+  std::int32_t depth_of(std::int32_t call) const {
+    return call < 0 ? 0 : calls[call_row(call)].depth;
+  }
   /// Return how many calls ended in this part; `index` counts them in order.
   std::size_t ended_calls() const { return calls.size() - unfinished.size(); }
   std::size_t ended_call(std::size_t index) const;

@@ -133,8 +133,6 @@ Control family() {
   reading(c);
   motion(c);
   parameters(c);
-  c.alarms[Cause::NoFeed] = {"10860", "feedrate not programmed",
-                             "general knowledge of the SINUMERIK alarms", Inferred};
   modal_calls(c);
   standard_cycles(c);
   system_variables(c);

@@ -41,23 +41,6 @@ void alarms(Control& c) {
                 }});
 }
 
-/// Number the causes of jumps, control structures and calls.
-void flow_alarms(Control& c) {
-  using enum Cause;
-  constexpr const char* kAlarms = "general knowledge of the SINUMERIK alarms";
-  c.alarms[IllegalRepeatCount] = {"14013", "number of subprogram passes invalid", kAlarms,
-                                  Inferred};
-  c.alarms[RepeatCountDigits] = c.alarms[IllegalRepeatCount];
-  c.alarms[EndOfRecord] = {"14000", "illegal end of file", kAlarms, Inferred};
-  c.alarms[ReturnTargetNotFound] = {"14080", "jump destination not found", kAlarms, Inferred};
-  c.alarms[PartIncomplete] = {"14082", "label of a program part not found", kAlarms, Inferred};
-  for (const Cause cause : {IfWithoutEnd, MissingEnd, MissingDo})
-    c.alarms[cause] = {"12640", "invalid nesting of control structures", kAlarms, Inferred};
-  for (const Cause cause : {IfTooDeep, LoopsTooDeep})
-    c.alarms[cause] = {"12641", "maximum nesting depth of control structures exceeded", kAlarms,
-                       Inferred};
-}
-
 }  // namespace
 
 Control siemens_one() {
@@ -65,7 +48,6 @@ Control siemens_one() {
   c.title = "Siemens SINUMERIK ONE mill";
   calls_and_returns(c);
   alarms(c);
-  flow_alarms(c);
   return c;
 }
 

@@ -168,10 +168,9 @@ bool WordScanner::stray(const char* from) {
   if (begins_number(c) || c == '[')
     return refuse({Cause::ValueWithoutAddress, at, 1, "there is no address before this value"});
   if (c == ']') return refuse({Cause::BracketNotOpened, at, 1, "this bracket was never opened"});
-  std::uint32_t width = 1;
-  while (s_.at + width < s_.end && (static_cast<unsigned char>(s_.at[width]) & 0xC0u) == 0x80u)
-    ++width;
-  const std::string_view character(s_.at, width);
+  const std::string_view character =
+      first_character({s_.at, static_cast<std::size_t>(s_.end - s_.at)});
+  const auto width = static_cast<std::uint32_t>(character.size());
   const bool wide = character == "\uFF08" || character == "\uFF09";  // full-width
   if ((wide || c == ')') && control_.reading.open_comment.value == OpenComment::Alarm)
     return refuse({Cause::CommentNotClosed, at, width,
@@ -373,7 +372,7 @@ std::string WordScanner::wrong_name(std::string_view name) const {
   for (const char c : name) {
     const auto byte = static_cast<unsigned char>(c);
     const bool wide = byte >= 0x80 && control_.calls.wide_names.value;
-    if ((byte & 0xC0u) != 0x80u) ++letters;
+    if (!is_inside_character(c)) ++letters;
     const bool mark = control_.calls.name_marks.value.has(c);
     if (!is_letter(c) && !is_digit(c) && !mark && !wide)
       return "a program name can have only letters, digits and " +

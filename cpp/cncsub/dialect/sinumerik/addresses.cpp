@@ -4,13 +4,13 @@
 
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
+#include "cncsub/text/axis_names.hpp"
 
 namespace cncsub::sinumerik {
 
 namespace {
 
 constexpr std::string_view kRotary = "ABC";
-constexpr std::string_view kAxisLetters = "XYZABCUVW";
 
 /// The form of a value that does not follow G90 and G91. [NCI grammar; 840Dsl]
 struct Form {
@@ -62,6 +62,23 @@ bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& va
   return true;
 }
 
+bool add_code(OpenBlock& open, Block& block, Words& words, int group, int code, std::uint32_t at) {
+  if (!words.take_group(group))
+    return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
+  if (words.list.g_count == static_cast<int>(words.list.g.size()))
+    return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
+                       at);
+  words.list.add_g({false, 0, static_cast<double>(code)});
+  words.any = true;
+  return true;
+}
+
+bool reported(OpenBlock& open, Words& words, std::uint32_t at) {
+  words.drops.push_back({0, at, open.line.width_from(at)});
+  words.any = true;
+  return true;
+}
+
 /// Read CR=5 or I1=IC(5), whose name is passed.
 bool long_address(OpenBlock& open, Block& block, Words& words, std::string_view name,
                   std::uint32_t at) {
@@ -91,12 +108,11 @@ bool numbered(OpenBlock& open, Block& block, Words& words, std::string_view name
   if (first && letter == 'M') return m_code(open, block, words, value);
   if (first && (letter == 'S' || letter == 'T'))
     return put(open, block, words, letter - 'A', value);
-  if (kAxisLetters.find(letter) != std::string_view::npos)
+  if (kAxisNames.find(letter) != std::string_view::npos)
     words.machine_axes.push_back({letter, {value.computed, value.expression, value.number}});
   else if (std::string_view("MSTDHEQ").find(letter) == std::string_view::npos)
     return open.not_computed(block, "an address with a number", at);
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  return true;
+  return reported(open, words, at);
 }
 
 /// Read the value of an axis that no column of the moves holds, E=5, whose = is passed: it is
@@ -105,9 +121,7 @@ bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at) 
   WordForms none;
   Value value;
   if (!form(open, block, at, 0, none, value)) return false;
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  words.any = true;
-  return true;
+  return reported(open, words, at);
 }
 
 /// Read AX[X]=5, whose name stands here.
@@ -116,7 +130,7 @@ bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at
   if (!open.line.take('[')) return open.refuse(block, Cause::BracketNotOpened, "[ is missing", at);
   const std::string axis = capitals(open.line.name());
   open.line.pass(axis.size());
-  const bool known = axis.size() == 1 && kAxisLetters.find(axis) != std::string_view::npos;
+  const bool known = axis.size() == 1 && kAxisNames.find(axis) != std::string_view::npos;
   if (!open.line.take(']') || !open.line.take('=') || !known)
     return open.not_computed(block, "an axis that is no name of one: X, Y, Z, A, B, C, U, V, W",
                              at);
@@ -142,29 +156,16 @@ bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, 
   WordForms none;
   Value value;
   if (!form(open, block, at, 0, none, value)) return false;
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  words.any = true;
-  return true;
+  return reported(open, words, at);
 }
 
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
 bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view name,
                  std::uint32_t at) {
   open.line.pass(name.size());
-  int depth = 0;
-  do {
-    const char c = open.line.peek();
-    if (depth == 0 && c != '(') break;
-    if (c == '\0') return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
-    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (c == '"')
-      open.line.pass_quoted();
-    else
-      open.line.pass(1);
-  } while (depth > 0);
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  words.any = true;
-  return true;
+  if (open.line.peek() == '(' && !open.line.pass_brackets('(', ')'))
+    return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
+  return reported(open, words, at);
 }
 
 /// Read RNDM=0: what begins with another value is not computed.
@@ -176,31 +177,20 @@ bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view n
   Value value;
   if (!open.expression.value(value)) return open.refuse(block);
   if (value.computed || value.number != 0) return open.not_computed(block, capitals(name), at);
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  words.any = true;
-  return true;
+  return reported(open, words, at);
 }
 
 /// Read a G code that is written as a word.
 bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::string_view name,
                std::uint32_t at) {
   open.line.pass(name.size());
-  if (!words.take_group(group_of(name)))
-    return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
-  if (words.list.g_count == static_cast<int>(words.list.g.size()))
-    return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
-                       at);
-  words.list.add_g({false, 0, static_cast<double>(code)});
-  words.any = true;
-  return true;
+  return add_code(open, block, words, group_of(name), code, at);
 }
 
 /// Read the text of T="MILL_10". Its number is the machine's affair: the tool is reported.
 bool tool_by_name(OpenBlock& open, Words& words, std::uint32_t at) {
   open.line.pass_quoted();
-  words.drops.push_back({0, at, open.line.width_from(at)});
-  words.any = true;
-  return true;
+  return reported(open, words, at);
 }
 
 }  // namespace cncsub::sinumerik

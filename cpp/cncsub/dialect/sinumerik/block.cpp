@@ -48,6 +48,21 @@ bool OpenBlock::refuse(Block& block) {
   return false;
 }
 
+bool OpenBlock::not_computed(Block& block, std::string_view what, std::uint32_t at) {
+  return refuse(block, Cause::CodeNotComputed, "cncsub does not compute " + std::string(what), at);
+}
+
+bool OpenBlock::end_of_statement(Block& block) {
+  if (line.at_end()) return true;
+  const std::uint32_t at = line.offset();
+  const bool equals = line.take('=');
+  if (!equals) line.pass(first_character(line.rest()).size());
+  return refuse(block, Cause::StatementFormat,
+                equals ? "= assigns: values are compared by =="
+                       : "nothing can follow the statement in its block",
+                at);
+}
+
 namespace {
 
 bool item(OpenBlock& open, Block& block, Words& words);
@@ -88,13 +103,12 @@ bool address(OpenBlock& open, Block& block, Words& words) {
   if (letter == 'L') return call(open, block, words, open.line.name());
   open.line.pass(1);
   if (open.line.ahead(0) == '[') {  // M[1]=5 of a spindle, G[8]=2 of a group
-    while (open.line.peek() != '\0' && !open.line.take(']')) open.line.pass(1);
+    open.line.pass_brackets('[', ']');
     return open.not_computed(block, "an address with an index", at);
   }
   std::size_t digits = 0;
   while (is_digit(open.line.ahead(digits))) ++digits;
-  std::size_t after = digits;
-  while (after < open.line.rest().size() && is_blank(open.line.ahead(after))) ++after;
+  const std::size_t after = open.line.past_blanks(digits);
   if (digits > 0 && open.line.ahead(after) == '=' && open.line.ahead(after + 1) != '=') {
     const std::string name = letter + std::string(open.line.take_digits());
     if (place_of(name) >= 0) return long_address(open, block, words, name, at);
@@ -131,10 +145,8 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
     return equals ? open.refuse(block, Cause::StatementFormat, "G cannot have =", at)
                   : g_code(open, block, words, value);
   if (letter == 'M') return m_code(open, block, words, value);
-  if (!known || is_text) {  // the number of a tool's name is the machine's affair
-    words.drops.push_back({0, value.at, value.width});
-    return true;
-  }
+  // The number of a tool's name is the machine's affair.
+  if (!known || is_text) return reported(open, words, at);
   return put(open, block, words, letter - 'A', value);
 }
 
@@ -143,13 +155,7 @@ bool g_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
   const bool whole = code % 10 == 0;  // tenths are those of codes that are written as words
   if (value.number < 0 || !whole || !open.to.control().reading.g_codes.value.has(code))
     return open.refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
-  if (!words.take_group(group_of(code / 10)))
-    return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", value.at);
-  if (words.list.g_count == static_cast<int>(words.list.g.size()))
-    return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
-                       value.at);
-  words.list.add_g({false, 0, static_cast<double>(code)});
-  return true;
+  return add_code(open, block, words, group_of(code / 10), code, value.at);
 }
 
 bool assignment(OpenBlock& open, Block& block, Words& words) {
@@ -190,9 +196,7 @@ bool named(OpenBlock& open, Block& block, Words& words) {
     open.line.pass(name.size());
     if (!words.take_group(group_of(name)))
       return open.refuse(block, Cause::AddressGivenTwice, "a second word of its G group", at);
-    words.drops.push_back({0, at, open.line.width_from(at)});
-    words.any = true;
-    return true;
+    return reported(open, words, at);
   }
   if (name == "RET") {
     open.line.pass(name.size());
@@ -200,9 +204,8 @@ bool named(OpenBlock& open, Block& block, Words& words) {
     words.back = at;
     return true;
   }
-  std::size_t behind = written.size();
-  while (behind < open.line.rest().size() && is_blank(open.line.ahead(behind))) ++behind;
-  if (!is_not_computed(name) && open.line.ahead(behind) != '=' && open.line.ahead(behind) != '[')
+  const char behind = open.line.ahead(open.line.past_blanks(written.size()));
+  if (!is_not_computed(name) && behind != '=' && behind != '[')
     return call(open, block, words, written);
   open.line.pass(name.size());
   if (is_not_computed(name)) return open.not_computed(block, what_it_needs(name), at);
@@ -299,10 +302,6 @@ bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
   words.ends = words.ends || role == Role::End;
   words.list.add_m(word_of(value));
   return true;
-}
-
-bool OpenBlock::not_computed(Block& block, std::string_view what, std::uint32_t at) {
-  return refuse(block, Cause::CodeNotComputed, "cncsub does not compute " + std::string(what), at);
 }
 
 bool BlockReader::read(std::string_view text, Block& block, std::string& label, Link& link) {

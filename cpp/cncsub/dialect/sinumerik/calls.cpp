@@ -33,27 +33,6 @@ std::string_view bare(std::string_view name) {
   return name.size() > around ? name.substr(before, name.size() - around) : name;
 }
 
-}  // namespace
-
-// ---- calls that begin with a word ----
-
-// ---- parts of the program ----
-
-namespace {
-
-bool pass_count(OpenBlock& open, Block& block, Operand& count);
-bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& given);
-bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
-                std::vector<ActualParameter> given);
-bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at);
-bool call_block(OpenBlock& open, Block& block, Link& link, std::uint32_t at);
-bool call_by_path(OpenBlock& open, Block& block, std::uint32_t at);
-bool external_call(OpenBlock& open, Block& block, std::uint32_t at);
-bool user_alarm(OpenBlock& open, Block& block, std::uint32_t at);
-bool return_value(OpenBlock& open, Block& block, Operand& operand);
-bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_t at,
-          const Operand& count);
-
 /// Read P3 or P=R1, where it stands here.
 bool pass_count(OpenBlock& open, Block& block, Operand& count) {
   if (open.line.peek() != 'P') return true;
@@ -85,13 +64,8 @@ bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& g
   return true;
 }
 
-/// Write the call of a program by its path, of which the last name counts.
-bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
-                std::vector<ActualParameter> given) {
-  const std::size_t slash = path.find_last_of("/\\:");
-  const std::string_view name = path.substr(slash == std::string_view::npos ? 0 : slash + 1);
-  if (name.empty())
-    return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
+/// Return a call of the program of this name, which was read from `at` on.
+CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t at) {
   CallRecord call;
   call.kind = CallKind::Named;
   call.at = at;
@@ -101,7 +75,18 @@ bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint3
   named.name_width = call.width;
   named.name = std::string(bare(name));
   named.count = 'P';
-  named.given = std::move(given);
+  return call;
+}
+
+/// Write the call of a program by its path, of which the last name counts.
+bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
+                std::vector<ActualParameter> given) {
+  const std::size_t slash = path.find_last_of("/\\:");
+  const std::string_view name = path.substr(slash == std::string_view::npos ? 0 : slash + 1);
+  if (name.empty())
+    return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
+  CallRecord call = call_of(open, name, at);
+  call.extras.make().given = std::move(given);
   if (!open.end_of_statement(block)) return false;
   open.to.become(block, Op::Call, std::move(call));
   return true;
@@ -115,6 +100,26 @@ bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
     return named_call(open, block, path, at, std::vector<ActualParameter>());
   link.kind = Link::Kind::None;
   return open.not_computed(block, "the call of a part of another program", at);
+}
+
+/// Write a block that executes a part of the program as a call.
+bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_t at,
+          const Operand& count) {
+  if (!open.end_of_statement(block)) return false;
+  CallRecord call;
+  call.kind = kind;
+  call.at = at;
+  call.width = open.line.width_from(at);
+  call.l = count;
+  call.target.program = static_cast<std::int32_t>(open.to.code().programs.size()) - 1;
+  CallExtras& named = call.extras.make();
+  named.name = link.target.label.empty() ? "N" : link.target.label;
+  named.name_at = link.target.at;
+  named.name_width = link.target.width;
+  named.count = 'P';
+  link.kind = Link::Kind::Part;
+  open.to.become(block, Op::RepeatPart, std::move(call));
+  return true;
 }
 
 /// Read CALL BLOCK FIRST TO LAST.
@@ -188,45 +193,17 @@ bool return_value(OpenBlock& open, Block& block, Operand& operand) {
   return true;
 }
 
-/// Write a block that executes a part of the program as a call.
-bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_t at,
-          const Operand& count) {
-  if (!open.end_of_statement(block)) return false;
-  CallRecord call;
-  call.kind = kind;
-  call.at = at;
-  call.width = open.line.width_from(at);
-  call.l = count;
-  call.target.program = static_cast<std::int32_t>(open.to.code().programs.size()) - 1;
-  CallExtras& named = call.extras.make();
-  named.name = link.target.label.empty() ? "N" : link.target.label;
-  named.name_at = link.target.at;
-  named.name_width = link.target.width;
-  named.count = 'P';
-  link.kind = Link::Kind::Part;
-  open.to.become(block, Op::RepeatPart, std::move(call));
-  return true;
-}
-
 }  // namespace
 
 /// Read L100, SUB or SUB(), and a P with the count.
 bool call(OpenBlock& open, Block& block, Words& words, std::string_view name) {
   const std::uint32_t at = open.line.offset();
   open.line.pass(name.size());
-  CallRecord call;
-  call.kind = CallKind::Named;
-  call.at = at;
-  call.width = open.line.width_from(at);
-  CallExtras& named = call.extras.make();
-  named.name_at = call.at;
-  named.name_width = call.width;
-  named.name = std::string(bare(name));
-  named.count = 'P';
+  CallRecord call = call_of(open, name, at);
   if (words.call) return open.refuse(block, Cause::CallGivenTwice, "a second call", at);
   if (name.size() == 1)
     return open.refuse(block, Cause::AddressWithoutValue, "L without a number", at);
-  if (open.line.take('(') && !given_values(open, block, named.given)) return false;
+  if (open.line.take('(') && !given_values(open, block, call.extras.make().given)) return false;
   if (open.line.peek() == 'P' && open.line.name().size() > 1 && !is_digit(open.line.name()[1])) {
     words.call = std::move(call);
     return true;  // another name, which is read next
@@ -238,8 +215,7 @@ bool call(OpenBlock& open, Block& block, Words& words, std::string_view name) {
 
 /// Write a call, which has a block of its own.
 bool write_call(OpenBlock& open, Block& block, const Words& words, CallRecord call) {
-  const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
-  if (!alone)
+  if (!words.is_call_alone())
     return open.refuse(block, Cause::IllegalWordWithCall, "a call must be alone in its block",
                        call.at);
   open.to.become(block, Op::Call, std::move(call));

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "cncsub/dialect/sinumerik/keywords.hpp"
+
 namespace cncsub::sinumerik {
 
 namespace {
@@ -24,17 +26,6 @@ constexpr std::int32_t kMostElements = 100'000;  // of the arrays of a program
 // Words after the list of PROC. Only SAVE changes what runs.
 constexpr std::string_view kAttributes[] = {"SAVE",  "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
                                             "SBLON", "PREPRO",  "ICYCOF",  "ICYCON"};
-
-/// Pass over brackets, from the first one on, to the one that closes it.
-bool pass_brackets(Line& line) {
-  int depth = 0;
-  for (char c = line.peek(); c != '\0'; c = line.peek()) {
-    line.pass(1);
-    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (depth == 0) return true;
-  }
-  return false;
-}
 
 /// Return the type under which a variable is shown.
 DefinedVariable::Type shown_type(Type type) {
@@ -155,8 +146,7 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
 bool DeclarationReader::attributes(Block& block) {
   while (!line_.at_end()) {
     const std::string word = capitals(line_.name());
-    if (std::find(std::begin(kAttributes), std::end(kAttributes), word) == std::end(kAttributes))
-      return !lacks_end(block);
+    if (!is_among(kAttributes, word)) return !lacks_end(block);
     line_.pass(word.size());
     if (word == "SAVE") to_.program().keeps_modes = true;
   }
@@ -272,7 +262,7 @@ bool DeclarationReader::initial_value(Block& block, Declared& declared) {
   if (definition.uncomputed() != nullptr) {
     const std::string_view name = line_.name();
     line_.pass(name.size());
-    if (!name.empty() && (line_.peek() != '(' || pass_brackets(line_))) return true;
+    if (!name.empty() && (line_.peek() != '(' || line_.pass_brackets('(', ')'))) return true;
     return refuse(block, Cause::CodeNotComputed, "this value is not computed here", at);
   }
   if (definition.is_array()) {

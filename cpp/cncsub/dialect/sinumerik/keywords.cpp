@@ -1,8 +1,6 @@
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 
-#include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 #include "cncsub/code/block.hpp"
 
@@ -42,18 +40,18 @@ constexpr Word kWords[] = {{"TRANS", 3},  {"ATRANS", 3},   {"ROT", 3},     {"ARO
 // followed, the orientation of a tool that no transformation turns, and what the screen shows. [NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNeutral[] = {
-    "BRISK",    "BRISKA",     "DRIVE",     "DRIVEA",    "SOFT",     "SOFTA",    "FFWOF",
-    "FFWON",    "SBLOF",      "SBLON",     "STOPRE",    "DISPLOF",  "DISPLON",  "WALIMON",
-    "WALIMOF",  "CFC",        "CFTCP",     "CFIN",      "CDON",     "CDOF",     "CDOF2",
-    "FNORM",    "FLIN",       "FCUB",      "COMPON",    "COMPOF",   "COMPCURV", "COMPCAD",
-    "CUT2D",    "NORM",       "FIFOCTRL",  "STARTFIFO", "STOPFIFO", "SPCON",    "SPCOF",
-    "TRAFOOF",  "TOROTOF",    "PAROTOF",   "RTLION",    "RTLIOF",   "DYNNORM",  "DYNPOS",
-    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH", "CPRECON",   "CPRECOF",  "UPATH",    "SPATH",
-    "ORIWKS",   "ORIMKS",     "ORIAXES",   "ORIVECT",   "ORIPLANE", "ORIEULER", "ORIRPY",
-    "ORIRPY2",  "ORIVIRT1",   "ORIVIRT2",  "ORIC",      "ORID",     "OSOF",     "OSC",
-    "OSS",      "ORISON",     "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",  "FTOCOF",
-    "OSSE",     "OSD",        "OST",       "PTPG0",     "CP",       "LFON",     "LFOF",
-    "FENDNORM", "WAITENC",    "RELIEVEON", "RELIEVEOF", "SUPD"};
+    "BRISK",     "BRISKA",    "DRIVE",    "DRIVEA",    "SOFT",     "SOFTA",    "FFWOF",
+    "FFWON",     "SBLOF",     "SBLON",    "STOPRE",    "DISPLOF",  "DISPLON",  "WALIMON",
+    "WALIMOF",   "CFC",       "CFTCP",    "CFIN",      "CDON",     "CDOF",     "CDOF2",
+    "FNORM",     "FLIN",      "FCUB",     "COMPON",    "COMPOF",   "COMPCURV", "COMPCAD",
+    "CUT2D",     "NORM",      "FIFOCTRL", "STARTFIFO", "STOPFIFO", "TRAFOOF",  "TOROTOF",
+    "PAROTOF",   "RTLION",    "RTLIOF",   "DYNNORM",   "DYNPOS",   "DYNROUGH", "DYNSEMIFIN",
+    "DYNFINISH", "CPRECON",   "CPRECOF",  "UPATH",     "SPATH",    "ORIWKS",   "ORIMKS",
+    "ORIAXES",   "ORIVECT",   "ORIPLANE", "ORIEULER",  "ORIRPY",   "ORIRPY2",  "ORIVIRT1",
+    "ORIVIRT2",  "ORIC",      "ORID",     "OSOF",      "OSC",      "OSS",      "ORISON",
+    "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",   "FTOCOF",   "OSSE",     "OSD",
+    "OST",       "PTPG0",     "CP",       "LFON",      "LFOF",     "FENDNORM", "WAITENC",
+    "RELIEVEON", "RELIEVEOF", "SUPD"};
 
 // Words with a value, of an axis or a spindle in brackets too. [NCI grammar; general knowledge of
 // the SINUMERIK 840D]
@@ -66,13 +64,13 @@ constexpr std::string_view kReported[] = {
 // Calls that change no path: spindles, feeds, channels, tool management, and the marks of editors.
 // [general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kReportedCalls[] = {
-    "FGROUP", "SETMS",    "WAITP",       "WAITS",     "WAITM",        "WAITMC",    "WAITE",
-    "CLEARM", "SETM",     "GET",         "GETD",      "RELEASE",      "SPCON",     "SPCOF",
-    "BLSYNC", "TMON",     "TMOF",        "GWPSON",    "GWPSOF",       "DISABLE",   "ENABLE",
-    "CLRINT", "STOPREOF", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "WORKPIECE", "VELOLIM",
-    "LOCK",   "UNLOCK",   "CLGON",       "CLGOF",     "NPROT",        "CPROT",     "MSGL",
-    "DRFOF",  "CYCLE832", "NEWCONF",     "CHANDATA",  "CANCEL",       "MMC",       "CTABDEL",
-    "PROTA",  "PROTS"};
+    "FGROUP",   "SETMS",    "WAITP",       "WAITS",     "WAITM",        "WAITMC",    "WAITE",
+    "CLEARM",   "SETM",     "GET",         "GETD",      "RELEASE",      "SPCON",     "SPCOF",
+    "BLSYNC",   "TMON",     "TMOF",        "GWPSON",    "GWPSOF",       "DISABLE",   "ENABLE",
+    "CLRINT",   "STOPREOF", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "WORKPIECE", "LOCK",
+    "UNLOCK",   "CLGON",    "CLGOF",       "NPROT",     "CPROT",        "MSGL",      "DRFOF",
+    "CYCLE832", "NEWCONF",  "CHANDATA",    "CANCEL",    "MMC",          "CTABDEL",   "PROTA",
+    "PROTS"};
 
 // [general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",
@@ -121,11 +119,6 @@ constexpr Need kNeeds[] = {{"TRAORI", "it needs the kinematics of the machine"},
                            {"KONT", "how the tool goes around the first point is not computed"},
                            {"KONTC", "how the tool goes around the first point is not computed"},
                            {"KONTT", "how the tool goes around the first point is not computed"}};
-
-template <std::size_t Count>
-bool is_among(const std::string_view (&words)[Count], std::string_view word) {
-  return std::find(std::begin(words), std::end(words), word) != std::end(words);
-}
 
 }  // namespace
 

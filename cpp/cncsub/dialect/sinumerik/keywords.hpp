@@ -2,6 +2,8 @@
 // are no names of programs.
 #pragma once
 
+#include <algorithm>
+#include <iterator>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +13,11 @@
 namespace cncsub::sinumerik {
 
 constexpr int kCodeGroups = 64;
+
+template <class List>
+bool is_among(const List& words, std::string_view word) {
+  return std::find(std::begin(words), std::end(words), word) != std::end(words);
+}
 
 /// Return the number of the G group of a code; 0 if it is in none.
 int group_of(int code);

@@ -27,6 +27,20 @@ std::size_t before_comment(std::string_view text) {
   return quoted ? std::min(text.find(';'), text.size()) : text.size();
 }
 
+bool Line::pass_brackets(char open, char close) {
+  int depth = 0;
+  for (char c = peek(); c != '\0'; c = peek()) {
+    if (c == '"') {
+      pass_quoted();
+      continue;
+    }
+    pass(1);
+    depth += c == open ? 1 : c == close ? -1 : 0;
+    if (depth == 0) return true;
+  }
+  return false;
+}
+
 std::string_view Line::take_digits() {
   const std::string_view here = rest();
   const auto* const end = std::find_if_not(here.begin(), here.end(), is_digit);

@@ -43,10 +43,18 @@ class Line {
     const std::size_t close = text_.find('"', next_ + 1);
     pass(close == std::string_view::npos ? 1 : close + 1 - next_);
   }
+  /// Pass over brackets, of which the first stands here, with all between them; return false if one
+  /// is not closed.
+  bool pass_brackets(char open, char close);
   bool at_end() { return peek() == '\0'; }
   /// Return the character so many characters further on, which may be a blank.
   char ahead(std::size_t by) const {
     return next_ + by < text_.size() ? upper(text_[next_ + by]) : '\0';
+  }
+  /// Return how many characters further on the blanks end that may stand there.
+  std::size_t past_blanks(std::size_t by) const {
+    while (next_ + by < text_.size() && is_blank(text_[next_ + by])) ++by;
+    return by;
   }
   bool take(char c) { return peek() == c && (pass(1), true); }
   void pass(std::size_t characters) { end_ = next_ += characters; }

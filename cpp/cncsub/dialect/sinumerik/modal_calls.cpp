@@ -18,8 +18,7 @@ bool modal_call(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
 
 /// Make the block a modal call, or the end of one.
 bool write_modal_call(OpenBlock& open, Block& block, const Words& words) {
-  const bool alone = !words.any && words.statements.empty() && !words.print && !words.back;
-  if (!alone)
+  if (!words.is_call_alone())
     return open.refuse(block, Cause::IllegalWordWithCall, "MCALL must be alone in its block",
                        words.modal.value_or(0));
   open.to.words(block, {});

@@ -30,6 +30,8 @@ struct Words {
   bool any = false;
   bool ends = false;
 
+  /// Return whether nothing stands beside a call, which has a block of its own.
+  bool is_call_alone() const { return !any && statements.empty() && !print && !back; }
   /// Take the group of a code; return false if a code of it stands in the block already.
   bool take_group(int group);
 };
@@ -60,6 +62,10 @@ bool form(OpenBlock& open, Block& block, std::uint32_t at, int place, WordForms&
           Value& value);
 /// Give an address its value, which stands once in a block.
 bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& value);
+/// Add a G code, of which one of a group stands in a block.
+bool add_code(OpenBlock& open, Block& block, Words& words, int group, int code, std::uint32_t at);
+/// Report the word that was read, which begins at `at` and changes nothing here.
+bool reported(OpenBlock& open, Words& words, std::uint32_t at);
 /// Read CR=5 or I1=IC(5), whose name is passed.
 bool long_address(OpenBlock& open, Block& block, Words& words, std::string_view name,
                   std::uint32_t at);

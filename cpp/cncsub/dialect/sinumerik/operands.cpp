@@ -107,7 +107,7 @@ Read read_variable(OpenExpression& open, const Definition& of, std::string_view 
 
 /// Read the letter of an axis.
 Read read_axis(OpenExpression& open) {
-  open.push_constant(axis_number(open.line.peek()));
+  open.push_constant(axis_value(open.line.peek()));
   open.line.pass(1);
   return Type::Axis;
 }
@@ -117,7 +117,7 @@ Read read_name(OpenExpression& open, const std::string& name, int depth) {
     return read_variable(open, *of, name, depth);
   if (name[0] == 'R' && (name.size() == 1 ? open.line.ahead(1) == '[' : is_digit(name[1])))
     return read_parameter(open, depth);
-  if (name.size() == 1 && axis_number(name[0]) > 0) return read_axis(open);
+  if (name.size() == 1 && axis_value(name[0]) > 0) return read_axis(open);
   if (name == "NO_AXIS") {
     open.line.pass(name.size());
     open.push_constant(0);

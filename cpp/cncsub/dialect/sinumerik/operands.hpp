@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "cncsub/dialect/sinumerik/expression.hpp"
+#include "cncsub/text/axis_names.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -39,11 +40,6 @@ bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_
 /// Append the conversion of the last value, of any type, to a text.
 void convert_to_text(OpenExpression& open, Type from);
 WrittenAs written_as(Type type);
-
-/// Return the number of an axis in the order of the axes of a run, from 1; 0 where there is none.
-constexpr std::int32_t axis_number(char letter) {
-  return static_cast<std::int32_t>(std::string_view("XYZABCUVW").find(letter) + 1);
-}
 
 /// Return the mark of a variable among what a block has assigned to.
 inline std::int32_t mark_of(const Definition& of) {

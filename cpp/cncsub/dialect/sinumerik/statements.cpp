@@ -35,41 +35,7 @@ constexpr std::string_view kJumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS
 constexpr std::string_view kOthers[] = {"IF", "FOR", "CASE", "REPEAT", "REPEATB"};
 constexpr std::string_view kCalls[] = {"CALL", "PCALL", "EXTCALL", "ISOCALL", "SETAL"};
 
-template <class List>
-bool is_in(const List& list, std::string_view word) {
-  return std::find(std::begin(list), std::end(list), word) != std::end(list);
-}
-
-bool is_jump(std::string_view word) { return is_in(kJumps, word); }
-
-}  // namespace
-
-// ---- several jumps in a block ----
-
-// ---- FOR ----
-
-bool OpenBlock::end_of_statement(Block& block) {
-  if (line.at_end()) return true;
-  const std::uint32_t at = line.offset();
-  const bool equals = line.take('=');
-  if (!equals) line.pass(first_character(line.rest()).size());
-  return refuse(block, Cause::StatementFormat,
-                equals ? "= assigns: values are compared by =="
-                       : "nothing can follow the statement in its block",
-                at);
-}
-
-namespace {
-
-bool jumps_later(OpenBlock& open);
-bool conditional(OpenBlock& open, Block& block, Link& link);
-bool condition_jumps(OpenBlock& open, Block& block, Link& link, Statement first);
-bool jump(OpenBlock& open, Block& block, Link& link, std::string_view word, Statement jump);
-bool case_of(OpenBlock& open, Block& block, Link& link, Statement choice);
-bool one_case(OpenBlock& open, Block& block, Alternative& one);
-bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
-                  std::vector<Alternative>& alternatives);
-bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop);
+bool is_jump(std::string_view word) { return is_among(kJumps, word); }
 
 /// Return whether a jump stands in the rest of the block, which opens no structure then.
 bool jumps_later(OpenBlock& open) {
@@ -85,19 +51,28 @@ bool jumps_later(OpenBlock& open) {
   return false;
 }
 
-/// Read the condition of an IF, and the jumps that it makes.
-bool conditional(OpenBlock& open, Block& block, Link& link) {
-  Statement statement;
-  statement.at = open.line.offset();
-  link.kind = Link::Kind::If;
-  if (!open.expression.condition(statement.expression)) {
-    if (jumps_later(open)) link.kind = Link::Kind::None;
-    return open.refuse(block);
-  }
-  statement.width = open.line.width_from(statement.at);
-  if (is_jump(capitals(open.line.name()))) return condition_jumps(open, block, link, statement);
+/// Write a block that jumps to the first alternative which applies.
+bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
+                  std::vector<Alternative>& alternatives) {
   if (!open.end_of_statement(block)) return false;
-  open.to.become(block, Op::If, statement);
+  for (Alternative& one : alternatives) {
+    Block jump = block;
+    if (one.target.direction == 'S') {
+      open.to.words(jump, {});
+    } else {
+      Statement statement;
+      statement.at = one.choice.at;
+      statement.variable_at = one.target.at;
+      statement.variable_width = one.target.width;
+      open.to.become(jump, Op::Goto, statement);
+    }
+    one.choice.then = open.to.keep(jump);
+    if (one.target.direction != 'S') link.alternatives.push_back({one.choice.then, one.target});
+  }
+  choice.number = static_cast<std::int32_t>(alternatives.size());
+  open.to.become(block, Op::Switch, choice);
+  for (const Alternative& one : alternatives) open.to.keep(one.choice);
+  link.kind = Link::Kind::Switch;
   return true;
 }
 
@@ -133,6 +108,22 @@ bool condition_jumps(OpenBlock& open, Block& block, Link& link, Statement first)
   return true;
 }
 
+/// Read the condition of an IF, and the jumps that it makes.
+bool conditional(OpenBlock& open, Block& block, Link& link) {
+  Statement statement;
+  statement.at = open.line.offset();
+  link.kind = Link::Kind::If;
+  if (!open.expression.condition(statement.expression)) {
+    if (jumps_later(open)) link.kind = Link::Kind::None;
+    return open.refuse(block);
+  }
+  statement.width = open.line.width_from(statement.at);
+  if (is_jump(capitals(open.line.name()))) return condition_jumps(open, block, link, statement);
+  if (!open.end_of_statement(block)) return false;
+  open.to.become(block, Op::If, statement);
+  return true;
+}
+
 /// Read GOTOF END, GOTOB N10 or GOTO 10. GOTOS goes on where the PLC does not ask for the beginning
 /// of the program. [NCI jumps: manual 4.1.5.1]
 bool jump(OpenBlock& open, Block& block, Link& link, std::string_view word, Statement jump) {
@@ -146,6 +137,24 @@ bool jump(OpenBlock& open, Block& block, Link& link, std::string_view word, Stat
   link.kind = Link::Kind::Jump;
   open.to.become(block, Op::Goto, jump);
   return true;
+}
+
+/// Read 7 GOTOF A, or DEFAULT GOTOF C.
+bool one_case(OpenBlock& open, Block& block, Alternative& one) {
+  one.choice.at = open.line.offset();
+  if (capitals(open.line.name()) == "DEFAULT") {
+    one.choice.index = Statement::kAlways;
+    open.line.pass(7);
+  } else {
+    Value value;
+    if (!open.expression.value(value)) return open.refuse(block);
+    one.choice.expression = open.to.expressions().expression_of(value);
+  }
+  const std::uint32_t at = open.line.offset();
+  const std::string word = capitals(open.line.name());
+  open.line.pass(word.size());
+  if (!is_jump(word)) return open.refuse(block, Cause::StatementFormat, "a jump is missing", at);
+  return jump_target(open, block, word, one.target);
 }
 
 /// Read CASE(R1) OF 7 GOTOF A 9 GOTOF B DEFAULT GOTOF C.
@@ -166,48 +175,6 @@ bool case_of(OpenBlock& open, Block& block, Link& link, Statement choice) {
     if (!one_case(open, block, all.emplace_back())) return false;
   while (!open.line.at_end() && all.back().choice.index != Statement::kAlways);
   return write_switch(open, block, link, choice, all);
-}
-
-bool one_case(OpenBlock& open, Block& block, Alternative& one) {
-  one.choice.at = open.line.offset();
-  if (capitals(open.line.name()) == "DEFAULT") {
-    one.choice.index = Statement::kAlways;
-    open.line.pass(7);
-  } else {
-    Value value;
-    if (!open.expression.value(value)) return open.refuse(block);
-    one.choice.expression = open.to.expressions().expression_of(value);
-  }
-  const std::uint32_t at = open.line.offset();
-  const std::string word = capitals(open.line.name());
-  open.line.pass(word.size());
-  if (!is_jump(word)) return open.refuse(block, Cause::StatementFormat, "a jump is missing", at);
-  return jump_target(open, block, word, one.target);
-}
-
-/// Write a block that jumps to the first alternative which applies.
-bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
-                  std::vector<Alternative>& alternatives) {
-  if (!open.end_of_statement(block)) return false;
-  for (Alternative& one : alternatives) {
-    Block jump = block;
-    if (one.target.direction == 'S') {
-      open.to.words(jump, {});
-    } else {
-      Statement statement;
-      statement.at = one.choice.at;
-      statement.variable_at = one.target.at;
-      statement.variable_width = one.target.width;
-      open.to.become(jump, Op::Goto, statement);
-    }
-    one.choice.then = open.to.keep(jump);
-    if (one.target.direction != 'S') link.alternatives.push_back({one.choice.then, one.target});
-  }
-  choice.number = static_cast<std::int32_t>(alternatives.size());
-  open.to.become(block, Op::Switch, choice);
-  for (const Alternative& one : alternatives) open.to.keep(one.choice);
-  link.kind = Link::Kind::Switch;
-  return true;
 }
 
 /// Read FOR R1=1 TO 10. A REAL that counts is rounded, and goes up by 1. [general knowledge]
@@ -261,7 +228,7 @@ bool statement(OpenBlock& open, Block& block, Link& link, bool& read_it) {
   const auto* const known = std::find_if(std::begin(kStructures), std::end(kStructures),
                                          [&](const Structure& of) { return of.word == word; });
   const bool structure = known != std::end(kStructures);
-  const bool other = is_in(kOthers, word) || is_jump(word) || is_in(kCalls, word);
+  const bool other = is_among(kOthers, word) || is_jump(word) || is_among(kCalls, word);
   if (word == "RET" && trimmed(open.line.rest().substr(3)).starts_with('(')) {
     open.line.pass(3);
     read_it = return_by_values(open, block, at);
@@ -279,7 +246,7 @@ bool statement(OpenBlock& open, Block& block, Link& link, bool& read_it) {
               open.refuse(block);
     read_it = read_it && open.end_of_statement(block);
     if (read_it) open.to.become(block, known->op, statement);
-  } else if (is_in(kCalls, word)) {
+  } else if (is_among(kCalls, word)) {
     read_it = other_call(open, block, link, word, at);
   } else if (word == "IF") {
     read_it = conditional(open, block, link);

@@ -52,16 +52,6 @@ const VariableRange* range_of(const OpenExpression& open, const SystemVariable& 
   return nullptr;
 }
 
-void pass_index(Line& line) {
-  int depth = 0;
-  while (line.peek() == '[' || (depth > 0 && line.peek() != '\0')) {
-    const char c = line.peek();
-    depth += c == '[' ? 1 : c == ']' ? -1 : 0;
-    line.pass(1);
-    if (depth == 0) return;
-  }
-}
-
 /// Read the index of a system variable, and push its value.
 bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t first, int depth) {
   const std::uint32_t at = open.line.offset();
@@ -110,7 +100,7 @@ Read read_system_variable(OpenExpression& open, int depth) {
                                       [&](const auto& known) { return known.name == name; });
   const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);
   if (range == nullptr) {
-    pass_index(open.line);
+    if (open.line.peek() == '[') open.line.pass_brackets('[', ']');
     open.wrong(Cause::CodeNotComputed, "a run does not know $" + name, at);
     return std::nullopt;
   }

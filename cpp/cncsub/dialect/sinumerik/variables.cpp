@@ -124,9 +124,7 @@ bool ExpressionReader::assignments(const Definition& to, std::vector<Statement>&
   Statement statement;
   const std::uint32_t at = open_.line.offset();
   const std::string_view name = open_.line.name();
-  std::size_t behind = name.size();
-  while (behind < open_.line.rest().size() && is_blank(open_.line.ahead(behind))) ++behind;
-  const bool whole = open_.line.ahead(behind) != '[';
+  const bool whole = open_.line.ahead(open_.line.past_blanks(name.size())) != '[';
   if (!left_side(to, statement)) return false;
   const bool character = to.type == Type::String && open_.line.peek() == '[';
   if (character) {

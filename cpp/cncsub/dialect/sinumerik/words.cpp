@@ -20,27 +20,6 @@ constexpr std::string_view kStatements[] = {
 constexpr std::string_view kBetween[] = {"DIV", "MOD",   "AND",  "OR",   "XOR",
                                          "TO",  "B_AND", "B_OR", "B_XOR"};
 
-template <class List>
-bool is_in(const List& list, std::string_view word) {
-  for (const std::string_view of : list)
-    if (of == word) return true;
-  return false;
-}
-
-/// Pass over brackets and the text in them.
-void pass_bracket(Line& line, char open, char close) {
-  int depth = 0;
-  for (char c = line.peek(); c != '\0'; c = line.peek()) {
-    if (c == '"') {
-      line.pass_quoted();
-      continue;
-    }
-    line.pass(1);
-    depth += c == open ? 1 : c == close ? -1 : 0;
-    if (depth == 0) return;
-  }
-}
-
 void pass_operand(Line& line) {
   while (line.peek() == '-' || line.peek() == '+' || capitals(line.name()) == "NOT" ||
          capitals(line.name()) == "B_NOT")
@@ -52,8 +31,8 @@ void pass_operand(Line& line) {
   else
     while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
   if (line.ahead(0) == 'E' && line.ahead(1) == 'X') line.pass(line.name().size());
-  if (line.peek() == '(') pass_bracket(line, '(', ')');
-  if (line.peek() == '[') pass_bracket(line, '[', ']');
+  if (line.peek() == '(') line.pass_brackets('(', ')');
+  if (line.peek() == '[') line.pass_brackets('[', ']');
 }
 
 /// Pass over an expression: operands as long as operators stand between them.
@@ -61,7 +40,7 @@ void pass_expression(Line& line) {
   for (;;) {
     pass_operand(line);
     const char c = line.peek();
-    if (is_in(kBetween, capitals(line.name())))
+    if (is_among(kBetween, capitals(line.name())))
       line.pass(line.name().size());
     else if (c != '\0' && std::string_view("+-*/<>=").find(c) != std::string_view::npos)
       line.pass(1);
@@ -83,7 +62,7 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   while (has_digits && (is_digit(line.ahead(0)) || line.ahead(0) == '.')) line.pass(1);
   if (has_digits && line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
     word.address += digits.substr(0, digits.size() - line.rest().size());
-  if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+  if (line.ahead(0) == '[') line.pass_brackets('[', ']');
   if (line.peek() != '=') return;
   line.pass(1);
   word.known = false;
@@ -105,14 +84,14 @@ void pass_value(Line& line, WrittenWord& word) {
 void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
   const std::string capital = capitals(name);
-  if (is_in(kStatements, capital)) {
+  if (is_among(kStatements, capital)) {
     line.pass(before_comment(line.rest()));
   } else if (name.size() > 1 && !is_digit(name[1])) {
     line.pass(name.size());
     if (line.ahead(0) == ':') return line.pass(1);
     if (code_of_word(capital) >= 0) word.address = capital;
-    if (line.ahead(0) == '(') pass_bracket(line, '(', ')');
-    if (line.ahead(0) == '[') pass_bracket(line, '[', ']');
+    if (line.ahead(0) == '(') line.pass_brackets('(', ')');
+    if (line.ahead(0) == '[') line.pass_brackets('[', ']');
     if (!line.take('=')) return;
     if (place_of(capital) >= 0) word.address = capital;
     pass_value(line, word);

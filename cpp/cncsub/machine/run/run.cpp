@@ -91,8 +91,8 @@ bool execute_generally(Run& run, const Block& block) {
 }
 
 /// Skip the block at State::pc and return true if a block-skip switch says so, or if a pass of
-/// RepeatPart ends before it. A program of nothing
-/// but such blocks that starts over and over is stopped: no limit counts it.
+/// RepeatPart ends before it. A program of nothing but such blocks that starts over and over is
+/// stopped: no limit counts it.
 bool passes_over(Run& run, const Block& block) {
   State& s = run.state;
   if ((block.skip & run.options.skips) == 0) return false;

@@ -8,16 +8,10 @@
 #include "cncsub/machine/values/instructions.hpp"
 #include "cncsub/machine/values/texts.hpp"
 #include "cncsub/system/decimal.hpp"
+#include "cncsub/text/axis_names.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub::instruction {
-
-/// Return an axis by its letter; nothing where it is none.
-inline std::string axis_letter(double axis) {
-  constexpr std::string_view kLetters = "XYZABCUVW";
-  const bool known = axis >= 1 && axis <= static_cast<double>(kLetters.size());
-  return known ? std::string(1, kLetters[to_whole<std::size_t>(axis) - 1]) : std::string();
-}
 
 /// Return the character of a code in UTF-8.
 inline std::string text_of_code(unsigned code) {
@@ -67,7 +61,7 @@ inline std::size_t bytes_of(const std::string& text, double characters) {
 }
 /// Return how many characters stand before a byte of a text.
 inline double characters_before(const std::string& text, std::size_t byte) {
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80; };
+  const auto begins = [](char c) { return !is_inside_character(c); };
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(byte);
   return static_cast<double>(std::count_if(text.begin(), end, begins));
 }
@@ -185,15 +179,13 @@ inline double last_place(E e, I, double a, double b) {
   return place(text, text.rfind(written_as(e, b, WrittenAs::Character)));
 }
 inline double first_place_of_any(E e, I, double a, double b) {
-  const std::string &text = text_of(e.run, a), &any = text_of(e.run, b);
-  const auto goes_on = [&](std::size_t at) {
-    return at < any.size() && (static_cast<unsigned char>(any[at]) & 0xC0U) == 0x80;
-  };
+  const std::string& text = text_of(e.run, a);
   std::size_t first = std::string::npos;
-  for (std::size_t at = 0, next = 0; at < any.size(); at = next) {
-    next = at + 1;
-    while (goes_on(next)) ++next;
-    first = std::min(first, text.find(any.data() + at, 0, next - at));
+  std::string_view character;
+  for (std::string_view any = text_of(e.run, b); !any.empty();
+       any.remove_prefix(character.size())) {
+    character = first_character(any);
+    first = std::min(first, text.find(character));
   }
   return place(text, first);
 }

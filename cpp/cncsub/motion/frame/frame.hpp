@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cncsub/motion/state/context.hpp"
+#include "cncsub/motion/state/modes.hpp"
 
 namespace cncsub {
 
@@ -105,7 +106,12 @@ void polar_words(MotionView m, const BlockWords& block, bool incremental, Axes& 
 Result set_turned(MotionContext& m, BlockWords& block);
 /// Transform the written point to the one the tool goes to: mirror, scaling, rotation.
 void turn_point(const MotionState& state, Axes& point, std::uint32_t& named);
+/// Return a point of the zero point as the frame of the program counts it.
 Axes turned_back(const MotionState& state, Axes point);
+/// Return the same where something turns points; else the point as it is.
+inline Axes as_programmed(const MotionState& state, const Axes& point) {
+  return is_turned(state) ? turned_back(state, point) : point;
+}
 /// Transform a distance in the plane, as I and J are.
 void turn_vector(const MotionState& state, double& a, double& b, const PlaneAxes& plane);
 bool mirrored_plane(const MotionState& state);

@@ -183,7 +183,7 @@ bool keeps_arcs(const GeneralFrame& frame, const PlaneAxes& plane) {
 }
 
 Axes increments_from(const MotionState& state) {
-  return (is_turned(state) ? turned_back(state, state.work) : state.work) + state.unmoved;
+  return as_programmed(state, state.work) + state.unmoved;
 }
 
 void keep_increments(const MotionFacts& facts, MotionState& state, const Axes& from) {

@@ -128,7 +128,7 @@ Result set_pole(MotionContext& m, BlockWords& block) {
   const PlaneAxes plane = plane_axes(s.plane);
   std::array<double, 3> pole{};
   if (const int from = block.code(Group::OneShot).variant; from == 1) {
-    const Axes point = is_turned(s) ? turned_back(s, s.work) : s.work;
+    const Axes point = as_programmed(s, s.work);
     std::copy(point.begin(), point.begin() + 3, pole.begin());
   } else if (from == 3) {
     pole = s.pole;

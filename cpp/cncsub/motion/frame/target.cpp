@@ -63,7 +63,7 @@ NamedPoint target(MotionContext& m, const BlockWords& block) {
 NamedPoint target(MotionContext& m, const BlockWords& block, const PointForm& form) {
   std::uint32_t named = 0;
   const bool turned = is_turned(m.state);
-  Axes end = turned ? turned_back(m.state, m.state.work) : m.state.work;
+  Axes end = as_programmed(m.state, m.state.work);
   const bool lathe_a = m.facts.machine == MachineType::LatheA;
   const bool corners = (block.words.mask & kCornerAxes) != 0 && has_corners(m.state, block);
   std::uint32_t letters = block.words.mask & (lathe_a ? kAxesOfA : kAllAxes);

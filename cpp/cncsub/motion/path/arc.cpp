@@ -121,7 +121,7 @@ Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Poin
 /// Read the words of a centre as its way from the start.
 void centre_words(MotionView m, const BlockWords& block, const Piece& piece, double& i, double& j) {
   const PlaneAxes plane = axes_of(piece);
-  const Axes programmed = is_turned(m.state) ? turned_back(m.state, m.state.work) : m.state.work;
+  const Axes programmed = as_programmed(m.state, m.state.work);
   const auto word = [&](int axis) {
     const char name = centre_name(axis);
     if (!block.words.has(name)) return 0.0;

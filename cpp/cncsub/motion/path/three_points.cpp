@@ -16,7 +16,7 @@ constexpr std::string_view kCentreNames = "IJK";
 /// Read the point between, whose words are coordinates or increments as those of the end are.
 Result point_between(MotionView m, const BlockWords& block, Axes& middle) {
   const MotionState& s = m.state;
-  const Axes start = is_turned(s) ? turned_back(s, s.work) : s.work;
+  const Axes start = as_programmed(s, s.work);
   middle = start;
   std::uint32_t named = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -34,20 +34,32 @@ void fill(Axes& axes, const std::map<char, double>& values) {
 }
 
 int system_of(const std::string& name) {
+  constexpr std::string_view kExtra = "G54.1 P";
+  const auto number_from = [&](std::size_t at) {
+    int number = -1;
+    const char* const end = name.data() + name.size();
+    const auto read = std::from_chars(name.data() + at, end, number);
+    return read.ec == std::errc() && read.ptr == end ? number : -1;
+  };
   if (name == "EXT") return 0;
-  if (name.size() == 3 && name[0] == 'G' && name[1] == '5' && name[2] >= '4' && name[2] <= '9')
+  if (name.size() == 3 && name.starts_with("G5") && name[2] >= '4' && name[2] <= '9')
     return name[2] - '3';
-  if (name.size() == 4 && name.rfind("G5", 0) == 0) {  // G505 to G599, and G500
-    int extra = 0;
-    const auto read = std::from_chars(name.data() + 2, name.data() + name.size(), extra);
-    if (read.ec != std::errc() || read.ptr != name.data() + name.size()) return -1;
-    return 6 + (extra == 0 ? kNoSystem : extra);
+  if (name.size() == 4 && name.starts_with("G5")) {  // G505 to G599, and G500
+    const int extra = number_from(2);
+    if (extra == 0) return 6 + kNoSystem;
+    return extra >= 5 ? 6 + extra : -1;
   }
-  const auto p = name.find('P');
-  if (name.rfind("G54.1", 0) != 0 || p == std::string::npos) return -1;
-  int number = 0;
-  std::from_chars(name.data() + p + 1, name.data() + name.size(), number);
+  if (!name.starts_with(kExtra) || name.size() == kExtra.size() || name[kExtra.size()] == '0')
+    return -1;
+  const int number = number_from(kExtra.size());
   return number > 0 && number <= 9999 ? 6 + number : -1;
+}
+
+bool has_system(const Control& control, const std::string& name) {
+  const int system = system_of(name);
+  if (system < 0) return false;
+  if (name.size() == 4) return control.motion.extra_system_codes.value != 0;  // G505
+  return system <= 6 + control.motion.max_extra_systems.value;
 }
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,

@@ -40,6 +40,8 @@ constexpr Plane plane_of(Meaning meaning) {
 void fill(Axes& axes, const std::map<char, double>& values);
 /// Return the number of a system: "G54", "G54.1 P3", "EXT" are 1, 9, 0; -1 for another name.
 int system_of(const std::string& name);
+/// Return whether a control has the system of this name.
+bool has_system(const Control& control, const std::string& name);
 constexpr std::uint32_t axis_bit(int axis) { return 1u << axis; }
 /// Return the whole number of a word, whatever the word holds.
 inline int whole(double value) { return to_whole<int>(value, -2'000'000'000, 2'000'000'000); }
