@@ -129,6 +129,32 @@ BUSY = [
 ]
 
 
+LOST = """
+import os, signal, sys, time, weakref
+from cncsub import interrupts
+interrupts.answer_in_time()
+def press(*_):
+    os.kill(os.getpid(), signal.SIGINT)
+class Freed:
+    __del__ = press if sys.argv[1] == "finalizer" else lambda self: None
+freed = Freed()
+called = weakref.ref(freed, press if sys.argv[1] == "callback" else None)
+del freed
+time.sleep(20)
+"""
+
+
+@pytest.mark.parametrize("place", ["finalizer", "callback"])
+def test_ctrl_c_whose_exception_gets_lost_ends_the_process_without_a_word(place: str) -> None:
+    began = time.monotonic()
+    ended = subprocess.run(
+        [sys.executable, "-c", LOST, place],
+        capture_output=True, text=True, timeout=30, check=False,
+    )  # fmt: skip
+    assert (ended.returncode, ended.stdout, ended.stderr) == (130, "", "")
+    assert time.monotonic() - began < SOON + 2
+
+
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="this system forks no process")
 def test_every_command_answers_ctrl_c_in_each_phase(shop: Path) -> None:
     cases = [

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cncsub/code/spelling.hpp"
 #include "cncsub/text/words.hpp"
 #include "laws.hpp"
 
@@ -26,19 +27,21 @@ void check_places(std::string_view text, const std::vector<WrittenWord>& words) 
   blank_to(text.size());
 }
 
-/// Return whether a word is one of an address: X, CR of SINUMERIK, which is a radius, and X1 of an
-/// axis.
-bool is_of(const WrittenWord& word, char address) {
+/// Return whether a word belongs to a place of a block's mask: X, X1 of an axis, and CR or TURN of a
+/// language with longer addresses.
+bool is_at(const WrittenWord& word, const Spelling& spelling, int place) {
   const std::string& name = word.address;
-  if (name.empty() || name.front() == ',') return false;
-  return name.back() == address || (name.front() == address && is_digit(name.back()));
+  if (spelling.place_of(name) == place) return true;
+  const bool numbered = name.size() > 1 && is_digit(name.back());
+  return numbered && upper(name.front()) == 'A' + place;
 }
 
-/// Return the last word of an address, null where there is none.
-const WrittenWord* last_word(const std::vector<WrittenWord>& words, char address) {
+/// Return the last word of a place, null where there is none.
+const WrittenWord* last_word(const std::vector<WrittenWord>& words, const Spelling& spelling,
+                             int place) {
   const WrittenWord* last = nullptr;
   for (const WrittenWord& word : words)
-    if (is_of(word, address)) last = &word;
+    if (is_at(word, spelling, place)) last = &word;
   return last;
 }
 
@@ -52,7 +55,7 @@ void check_values(const Code& code, const Block& block, const std::vector<Writte
   for (std::uint32_t left = block.mask; left != 0; left &= left - 1, ++cell) {
     const int place = std::countr_zero(left);
     if (place >= 26 || (expressions >> place & 1) != 0) continue;
-    const WrittenWord* word = last_word(words, static_cast<char>('A' + place));
+    const WrittenWord* word = last_word(words, *code.spelling, place);
     claim(word != nullptr, "a word that counts is written");
     claim(!word->known || std::fabs(word->value - cell->value) <= 1e-12 * std::fabs(word->value),
           "a word has the value that is written");

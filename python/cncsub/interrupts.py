@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import signal
+import sys
 import threading
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, NoReturn
@@ -51,7 +52,16 @@ def answer_in_time() -> None:
         timer.start()
         raise KeyboardInterrupt
 
+    told = sys.unraisablehook
+
+    def tell(lost: sys.UnraisableHookArgs) -> None:
+        # Python drops what is raised while it frees an object or ends an import. The timer ends
+        # the process then, and there is nothing to tell.
+        if not issubclass(lost.exc_type, KeyboardInterrupt):
+            told(lost)
+
     signal.signal(signal.SIGINT, press)
+    sys.unraisablehook = tell
 
 
 def end() -> None:
