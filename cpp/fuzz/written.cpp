@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cncsub/code/spelling.hpp"
+#include "cncsub/text/number.hpp"
 #include "cncsub/text/words.hpp"
 #include "laws.hpp"
 
@@ -27,13 +28,14 @@ void check_places(std::string_view text, const std::vector<WrittenWord>& words) 
   blank_to(text.size());
 }
 
-/// Return whether a word belongs to a place of a block's mask: X, X1 of an axis, and CR or TURN of a
-/// language with longer addresses.
+/// Return whether a word belongs to a place of a block's mask: X, X1 and AX[X] of an axis, and CR
+/// or TURN of a language with longer addresses.
 bool is_at(const WrittenWord& word, const Spelling& spelling, int place) {
   const std::string& name = word.address;
   if (spelling.place_of(name) == place) return true;
+  const auto letter = static_cast<char>('A' + place);
   const bool numbered = name.size() > 1 && is_digit(name.back());
-  return numbered && upper(name.front()) == 'A' + place;
+  return numbered ? upper(name.front()) == letter : name.ends_with(std::string({'[', letter, ']'}));
 }
 
 /// Return the last word of a place, null where there is none.
@@ -57,7 +59,9 @@ void check_values(const Code& code, const Block& block, const std::vector<Writte
     if (place >= 26 || (expressions >> place & 1) != 0) continue;
     const WrittenWord* word = last_word(words, *code.spelling, place);
     claim(word != nullptr, "a word that counts is written");
-    claim(!word->known || std::fabs(word->value - cell->value) <= 1e-12 * std::fabs(word->value),
+    const bool exact = std::fabs(word->value - cell->value) <= 1e-12 * std::fabs(word->value);
+    // A word that counts takes the whole number that is meant: L0.99999.
+    claim(!word->known || exact || nearly_whole(word->value) == cell->value,
           "a word has the value that is written");
   }
 }

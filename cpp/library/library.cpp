@@ -105,7 +105,7 @@ std::vector<std::string> Library::programs() const {
   const Code& code = *inside_->code;
   std::vector<std::string> names;
   for (const Program& program : code.programs)
-    if (code.is_listed(program)) names.push_back(code.name_of(program));
+    if (is_listed(code, program)) names.push_back(code.name_of(program));
   return names;
 }
 

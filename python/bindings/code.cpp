@@ -27,7 +27,7 @@ py::list listed(const Code& code, bool external, const Row& row) {
   py::list rows;
   for (std::size_t i = 0; i < code.programs.size(); ++i) {
     const Program& program = code.programs[i];
-    if (code.files[program.file].external == external && code.is_listed(program))
+    if (code.files[program.file].external == external && is_listed(code, program))
       rows.append(row(i));
   }
   return rows;

@@ -175,11 +175,6 @@ struct Code {
     return name_of(programs[static_cast<std::size_t>(program)]);
   }
   std::string_view comment_of(const Program& program) const;
-  /// Return whether a list of the user's programs has this one: its name leads to it, and it is no
-  /// program of the control itself.
-  bool is_listed(const Program& program) const {
-    return program.duplicate_of == kNoProgram && !files[program.file].system;
-  }
   std::string_view text_of(const Block& block, const Program& program) const;
   /// Return the words as they are written, of the first 65,535 bytes.
   std::vector<WrittenWord> words_of(const Block& block, const Program& program) const;
@@ -206,6 +201,11 @@ struct Code {
   Address return_target(const Program& program, std::int64_t n, Address call) const;
 };
 
+/// Return whether a list of the user's programs has this one: its name leads to it, and it is no
+/// program of the control itself.
+inline bool is_listed(const Code& code, const Program& program) {
+  return program.duplicate_of == kNoProgram && !code.files[program.file].system;
+}
 /// Return what the assignment of a block with Op::Set or Op::Assign does.
 Statement assignment_of(const Code& code, const Block& block);
 /// List the kinds of statements that the control does not have.

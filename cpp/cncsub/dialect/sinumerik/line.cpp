@@ -49,6 +49,24 @@ std::string_view Line::take_digits() {
   return digits;
 }
 
+std::string Line::take_number() {
+  std::string number(take_digits());
+  if (ahead(0) == '.') {
+    pass(1);
+    number += '.';
+    number += take_digits();
+  }
+  if (number.empty() || number == ".") return {};
+  if (ahead(0) != 'E' || ahead(1) != 'X') return number;
+  pass(2);
+  number += 'e';
+  const char sign = ahead(0);
+  if (sign == '-' || sign == '+') pass(1);
+  if (sign == '-') number += '-';
+  number += take_digits();
+  return number;
+}
+
 bool Line::take_up_to(char close, std::string& text) {
   const std::size_t end = rest().find(close);
   if (end == std::string_view::npos) return false;

@@ -61,6 +61,8 @@ class Line {
   /// Return the name that stands here, which is not taken.
   std::string_view name() { return peek() == '\0' ? std::string_view() : name_in(rest()); }
   std::string_view take_digits();
+  /// Take 10, 10.5, .5 or 1.5EX3, and return it with e for EX; no digit, no number.
+  std::string take_number();
   /// Take the text up to `close`, and `close` too; return false if it is missing.
   bool take_up_to(char close, std::string& text);
   std::string_view rest() const { return text_.substr(next_); }

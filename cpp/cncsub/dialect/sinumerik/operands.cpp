@@ -164,29 +164,12 @@ Read read_bracket(OpenExpression& open, char before, char after, int depth) {
 Read take_number(OpenExpression& open, double& number) {
   Line& line = open.line;
   const std::uint32_t at = line.offset();
-  std::string text(line.take_digits());
-  Type type = Type::Int;
-  if (line.ahead(0) == '.') {
-    line.pass(1);
-    text += '.';
-    text += line.take_digits();
-    type = Type::Real;
-  }
-  if (text.empty() || text == ".")
-    return fails(open.wrong(Cause::AddressWithoutValue, "a number is missing", at));
-  if (line.ahead(0) == 'E' && line.ahead(1) == 'X') {
-    line.pass(2);
-    text += 'e';
-    const char sign = line.ahead(0);
-    if (sign == '-' || sign == '+') line.pass(1);
-    if (sign == '-') text += '-';
-    text += line.take_digits();
-    type = Type::Real;
-  }
+  const std::string text = line.take_number();
+  if (text.empty()) return fails(open.wrong(Cause::AddressWithoutValue, "a number is missing", at));
   const auto read = system::parse(text, number);
   if (!read.number || read.length != text.size() || number > kLargest)
     return fails(open.wrong(Cause::ValueOutOfRange, "this is not a number", at));
-  return type;
+  return text.find_first_of(".e") == std::string::npos ? Type::Int : Type::Real;
 }
 
 Read read_number(OpenExpression& open) {

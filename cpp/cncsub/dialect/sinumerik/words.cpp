@@ -7,6 +7,7 @@
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
+#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -26,11 +27,10 @@ void pass_operand(Line& line) {
     line.pass(line.name().empty() ? 1 : line.name().size());
   if (line.peek() == '"') return line.pass_quoted();
   if (line.take('$')) line.peek();
-  if (!line.name().empty())
-    line.pass(line.name().size());
+  if (line.name().empty())
+    line.take_number();
   else
-    while (is_digit(line.ahead(0)) || line.ahead(0) == '.') line.pass(1);
-  if (line.ahead(0) == 'E' && line.ahead(1) == 'X') line.pass(line.name().size());
+    line.pass(line.name().size());
   if (line.peek() == '(') line.pass_brackets('(', ')');
   if (line.peek() == '[') line.pass_brackets('[', ']');
 }
@@ -49,35 +49,41 @@ void pass_expression(Line& line) {
   }
 }
 
-/// Pass over X10, X=R1 or G54: a letter and its value.
-void pass_address(Line& line, char letter, WrittenWord& word) {
-  word.address = letter;
-  line.pass(1);
-  const std::string_view here = line.rest();
-  Scanner ahead{here.data(), here.data() + here.size(), here.data()};
-  take_number(ahead, word);
-  if (line.peek() == '-' || line.peek() == '+') line.pass(1);
-  const bool has_digits = is_digit(line.peek()) || line.peek() == '.';
-  const std::string_view digits = line.rest();
-  while (has_digits && (is_digit(line.ahead(0)) || line.ahead(0) == '.')) line.pass(1);
-  if (has_digits && line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
-    word.address += digits.substr(0, digits.size() - line.rest().size());
-  if (line.ahead(0) == '[') line.pass_brackets('[', ']');
-  if (line.peek() != '=') return;
-  line.pass(1);
-  word.known = false;
-  pass_expression(line);
+/// Pass over a number with its sign, and give the word its value.
+void pass_number(Line& line, WrittenWord& word) {
+  const bool negative = line.peek() == '-';
+  if (negative || line.peek() == '+') line.pass(1);
+  line.peek();
+  const std::string text = line.take_number();
+  double number = 0;
+  word.known = !text.empty() && system::parse(text, number).length == text.size();
+  word.value = negative ? -number : number;
 }
 
 /// Pass over the value after the equals sign of CR=5: a number, or an expression.
 void pass_value(Line& line, WrittenWord& word) {
-  const std::string_view here = line.rest();
-  Scanner ahead{here.data(), here.data() + here.size(), here.data()};
-  take_number(ahead, word);
-  ahead.peek();  // past blanks
+  line.peek();
+  Line number = line;
+  pass_number(number, word);
   pass_expression(line);
   line.peek();
-  word.known = word.known && line.rest().data() == ahead.at;
+  number.peek();
+  word.known = word.known && line.rest().size() == number.rest().size();
+}
+
+/// Pass over X10, X=R1 or G54: a letter and its value.
+void pass_address(Line& line, char letter, WrittenWord& word) {
+  word.address = letter;
+  line.pass(1);
+  const std::string_view digits = line.rest();
+  const bool numbered = is_digit(line.ahead(0));
+  pass_number(line, word);
+  if (numbered && line.ahead(0) == '=' && letter != 'R')  // X1=5, I1=5
+    word.address += digits.substr(0, digits.size() - line.rest().size());
+  if (line.ahead(0) == '[') line.pass_brackets('[', ']');
+  if (line.peek() != '=') return;
+  line.pass(1);
+  pass_value(line, word);
 }
 
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
@@ -91,7 +97,10 @@ void pass_word(Line& line, WrittenWord& word) {
     if (line.ahead(0) == ':') return line.pass(1);
     if (code_of_word(capital) >= 0) word.address = capital;
     if (line.ahead(0) == '(') line.pass_brackets('(', ')');
+    const std::string_view index = line.rest();
     if (line.ahead(0) == '[') line.pass_brackets('[', ']');
+    if (capital == "AX")  // AX[X]=5
+      word.address = capital + capitals(index.substr(0, index.size() - line.rest().size()));
     if (!line.take('=')) return;
     if (place_of(capital) >= 0) word.address = capital;
     pass_value(line, word);
