@@ -34,6 +34,8 @@ void frames_and_tools(Control& c) {
   c.motion.max_offset_number = {9999, kKnown, Inferred};
   c.motion.shifts_move_increments = {true, "840Dk p.1-7: SD 42440; NCI, trans2.mpf with its table",
                                      Secondary};
+  c.motion.written_offset = {WrittenOffset::WhenProgrammed,
+                             "840Dk p.2-58: $P_UIFR is activated by G500, G54 to G599", Manual};
   c.motion.rotation_words = {"E", "SONE p.309: RPL", Secondary};
 }
 
@@ -122,6 +124,12 @@ void system_variables(Control& c) {
   add(5101, 22, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
   add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
   add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
+  constexpr const char* kFrames = "MD840, framevar.svar: $P_UIFR and kin";
+  add(6001, 100, VariableKind::StoredFrame, 0, kFrames, Secondary);
+  c.variables.back().access = Access::ReadWrite;
+  add(6201, 5, VariableKind::FrameInForce, 0, kFrames, Secondary);
+  c.variables.back().access = Access::ReadWrite;
+  add(6301, 1, VariableKind::FrameNumber, 0, "SONE p.636: $P_UIFRNUM", Manual);
   add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
 }
 

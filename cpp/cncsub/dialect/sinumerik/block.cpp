@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/text/look_alikes.hpp"
 
@@ -88,6 +89,12 @@ bool item(OpenBlock& open, Block& block, Words& words) {
   if (system) {
     const std::string named = capitals(open.line.name());
     open.line.pass(named.size());
+    if (is_frame_variable(named)) {
+      Statement statement;
+      if (!open.expression.control_frame(named, at, statement)) return open.refuse(block);
+      words.statements.push_back(statement);
+      return true;
+    }
     return open.refuse(block, Cause::CodeNotComputed,
                        "a run does not know what $" + named + " changes", at);
   }
