@@ -250,6 +250,10 @@ struct ModalValues {
   // The changes of offsets that no move along their axes has made yet, where increments make them.
   Axes unmoved{};
   std::array<double, 3> pole{};  // from which polar words count, in programmed coordinates
+  // The direction of the last move in programmed coordinates, zero: none. Kept where a program has
+  // arcs that go on from it.
+  std::array<double, 3> heading{};
+  std::array<double, 3> axis_feeds{};  // of moves beside the path, mm/min; 0: the axis' own
   StrokeArea area;
 
   bool operator==(const ModalValues&) const = default;
