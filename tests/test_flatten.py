@@ -114,6 +114,23 @@ def test_modes_that_a_call_keeps_are_no_part_of_a_flat_program() -> None:
     assert kept.text == "M70\nG91 G0 X5\nM72\nG0 X1\nM2\n"
 
 
+@pytest.mark.parametrize(
+    ("block", "reason"),
+    [("$P_UIFR[1]=CTRANS(X,10)", "a frame of the control"), ("POS[X]=5", "beside the path")],
+)
+def test_frames_and_axes_beside_the_path_are_not_written(block: str, reason: str) -> None:
+    library = cncsub.loads(f"N10 {block}\nN20 M30\n", control="siemens-one")
+    with pytest.raises(cncsub.FlattenError, match=reason):
+        library.flatten()
+
+
+def test_arcs_about_a_pole_and_tangential_arcs_are_written_as_they_are() -> None:
+    text = "G1 X10 Y0 F100\nCT X20 Y10\nG111 X0 Y0\nG2 AP=0\nG96 S100 M3\nG34 Z5 K2 F0.1\nM30\n"
+    flat = cncsub.loads(text, control="siemens-one").flatten()
+    flat.verify()
+    assert flat.text == text
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_what_is_written(name: str) -> None:
     text, expected = CASES[name]

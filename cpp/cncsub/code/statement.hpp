@@ -23,8 +23,9 @@ struct Statement {
     Common,
     Variable,
     Indirect,
-    Element,       // of an array: `variable` gives its place from `index` on, of `number` elements;
-    CommonElement  // `count` elements from it on take the value, 0: all
+    Element,  // of an array: `variable` gives its place from `index` on, of `number` elements;
+    CommonElement,  // `count` elements from it on take the value, 0: all
+    VariableAt      // the variable of the index that `variable` gives; `index`: that of index 0
   } target = Target::None;
   std::int32_t index = 0;  // Local, Common: the place; Variable: the number; see kAlways, kHasValue
   Address to = kNowhere;   // where a jump goes, when known

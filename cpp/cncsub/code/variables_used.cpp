@@ -104,6 +104,7 @@ void VariablesUsed::written(const Statement& statement) {
       break;
     case Target::Element:
     case Target::CommonElement:
+    case Target::VariableAt:
       reads(statement.variable);
       return;
     case Target::Variable:

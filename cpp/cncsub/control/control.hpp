@@ -183,6 +183,9 @@ enum class VariableKind : std::uint8_t {
   RadiusGeometry,
   ParameterChoice,  // #100000...: which parameter #100010 reads
   ParameterValue,   // #100010
+  StoredFrame,      // the frames of the work systems, by FrameNumber
+  FrameInForce,     // a FrameInForce
+  FrameNumber,      // which of the stored frames is in force
 };
 
 enum class Access : std::uint8_t { ReadWrite, ReadOnly, WriteOnly };

@@ -37,6 +37,10 @@ bool has_effect(const Code& code, std::int64_t number) {
   }
 }
 
+bool is_frame(VariableKind kind) {
+  return kind == VariableKind::StoredFrame || kind == VariableKind::FrameInForce;
+}
+
 /// Return whether a modal call takes the words of the block that comes next.
 bool takes_words(const State& s) {
   return !s.modals.empty() && s.modals.back().every_block && s.frames.back().modal < 0;
@@ -282,6 +286,8 @@ bool FlatRun::write_own(std::string& text, FlatOrigins& origins) {
     return refuse(
         "M70 to M73 save and restore the modes of each call, and a flat program has no "
         "calls");
+  if (codes_of(machine_, observer_, *block).all.test(at(Meaning::PositionAxes)))
+    return refuse("axes that go beside the path cannot be written as a block of another program");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);
@@ -338,6 +344,8 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
   for (const Observer::Assigned& of : observer_.assigned) {
     if (!has_effect(code, of.number)) continue;
+    if (is_frame(code.place(of.number).kind))
+      return refuse("a frame of the control gets a value, and a flat program cannot write frames");
     const std::string name = "#" + std::to_string(of.number);
     const Code& there = *for_;
     if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||

@@ -7,6 +7,7 @@
 #include "cncsub/motion/cycle/cycles.hpp"
 #include "cncsub/motion/fast_path.hpp"
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/frame/frame_values.hpp"
 #include "cncsub/motion/path/emit.hpp"
 #include "cncsub/motion/path/path.hpp"
 #include "cncsub/motion/power_on.hpp"
@@ -87,14 +88,68 @@ std::optional<Fault> Motion::finish(Moves* moves) {
   return commit(end_waiting(plan), moves, rows);
 }
 
-void Motion::set_frame(const GeneralFrame& frame) {
+void Motion::set_frame(const FrameValue& frame) {
   MotionState& state = now();
-  if (state.frame == frame) return;
+  if (state.frames->program == frame) return;
   const Axes from = increments_from(state);
-  state.frame = frame;
+  state.frames.change().program = frame;
+  combine_frames(state);
   refresh_offset(state);
   keep_increments(*facts_, state, from);
   prepare_fast_path(*facts_, state);
+}
+
+namespace {
+
+std::optional<Fault> check_written(const MotionState& state, const FrameValue& frame) {
+  if (g20(state))
+    return Fault{.cause = Cause::CodeNotComputed,
+                 .detail = "cncsub does not compute frames as values in inches"};
+  if (in_range(frame)) return std::nullopt;
+  return Fault{.cause = Cause::ValueOutOfRange, .detail = "the frame is out of range"};
+}
+
+}  // namespace
+
+std::optional<Fault> Motion::set_stored_frame(int number, const FrameValue& frame) {
+  if (auto wrong = check_written(state(), frame)) return wrong;
+  store_frame(now(), number, frame);
+  prepare_fast_path(*facts_, now());
+  return std::nullopt;
+}
+
+std::optional<Fault> Motion::set_frame_in_force(FrameInForce which, const FrameValue& frame) {
+  const auto refused = [](const char* why) {
+    return Fault{.cause = Cause::CodeNotComputed, .detail = why};
+  };
+  if (auto wrong = check_written(state(), frame)) return wrong;
+  if (which == FrameInForce::Other && frame == FrameValue()) return std::nullopt;
+  if (which == FrameInForce::Other)
+    return refused("a run has no such frame, and takes only the one that changes nothing");
+  if (moves_wait(state()))
+    return refused(
+        "cncsub does not compute a frame while a radius is compensated or a corner waits");
+  if (which == FrameInForce::Program) return set_frame(frame), std::nullopt;
+  MotionState plan = state();
+  const Axes from = increments_from(plan);
+  if (which == FrameInForce::Settable) {
+    plan.zero_is_held = true;
+    plan.zero = frame.whole_shift();
+    plan.frames.change().settable = frame;
+    plan.frames.change().settable.shift = {};
+    combine_frames(plan);
+  } else {
+    if (frame.matrix != kUnitMatrix)
+      return refused("cncsub computes a basic frame that only shifts");
+    plan.tables.change_zero(0) = frame.whole_shift();
+  }
+  refresh_offset(plan);
+  keep_increments(*facts_, plan, from);
+  if (!in_range(plan.frame.matrix) || !in_range(plan.offset) || !in_range(plan.work))
+    return Fault{.cause = Cause::ValueOutOfRange, .detail = "the frame is out of range"};
+  now() = plan;
+  prepare_fast_path(*facts_, now());
+  return std::nullopt;
 }
 
 void Motion::reset() {
@@ -109,12 +164,15 @@ void Motion::reset() {
   state.transform = {};
   state.unmoved = {};
   state.pole = {};
-  if (std::exchange(state.frame, {}) != GeneralFrame{}) refresh_offset(state);
+  if (state.frames->program != FrameValue()) state.frames.change().program = {};
   if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
     state.local = {};
     refresh_offset(state);
   }
-  if (std::exchange(state.zero_is_held, false)) refresh_offset(state);
+  state.zero_is_held = false;
+  take_stored_frame(state);
+  combine_frames(state);
+  refresh_offset(state);
   state.moved_before = false;
   prepare_fast_path(*facts_, state);
 }
@@ -131,7 +189,7 @@ void Motion::write(Axes& values, int axis, double value) {
 void Motion::set_work_offset(int system, int axis, double value) {
   MotionState& state = now();
   if (system < 0 || system > state.tables.last_system()) return;
-  const bool waits = facts_->control->motion.written_offset.value == WrittenOffset::WhenSelected;
+  const bool waits = facts_->control->motion.written_offset.value != WrittenOffset::AtOnce;
   if (waits && system == system_in_force(state)) hold_zero(state);
   if (axis == kTurn && waits) state.tables.angles.change()[system] = value;
   write(state.tables.change_zero(system), axis, value);

@@ -51,7 +51,7 @@ class Motion {
   /// Set whether the spindle turns.
   void set_turning(bool turns) { now().turns = turns; }
   /// Put a frame of the program in force, as the return to saved modes does.
-  void set_frame(const GeneralFrame& frame);
+  void set_frame(const FrameValue& frame);
   /// Note that a program writes over what the control has set, see MotionState::set_anew.
   void write_over(std::size_t kind, double value) {
     now().set_anew[kind] = false;
@@ -68,6 +68,9 @@ class Motion {
   // What variables write. `system` and `axis` count as in query.hpp.
   void set_work_offset(int system, int axis, double value);
   void set_offset(VariableKind kind, int number, double value);
+  /// Write a frame of a work system, or one that is in force; return why not where it is refused.
+  std::optional<Fault> set_stored_frame(int number, const FrameValue& frame);
+  std::optional<Fault> set_frame_in_force(FrameInForce which, const FrameValue& frame);
 
   /// Let the rows go to another table from now on.
   void forget_table() { now().row_moves = nullptr; }

@@ -29,8 +29,8 @@ int code_of(const MotionFacts& facts, const GCode& code) {
 }  // namespace
 
 SavedModes modes_of(MotionView m) {
-  return {m.state.modal, feed_of(m), speed_of(m.state), m.state.shifted, is_extended(m.state),
-          m.state.turns, false,      m.state.frame};
+  return {m.state.modal, feed_of(m), speed_of(m.state),      m.state.shifted, is_extended(m.state),
+          m.state.turns, false,      m.state.frames->program};
 }
 
 ReturnToModes units_to(MotionView m, const SavedModes& saved) {

@@ -16,7 +16,7 @@ struct SavedModes {
   bool shifted = false, extended = false;  // the shift of G92, and a tool length, are in force
   bool turns = false;
   bool codes_alone = false;  // the code of motion comes back as well, but neither F nor S
-  GeneralFrame frame;        // comes back with the codes alone
+  FrameValue frame;          // of the program: comes back with the codes alone
 };
 
 SavedModes modes_of(MotionView m);

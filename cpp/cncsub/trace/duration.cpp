@@ -112,7 +112,8 @@ double seconds_of(const TimedMove& move, const Axes& rapid, std::uint32_t diamet
   if (move.kind == MoveKind::Dwell) return move.dwell;
   if (move.kind == MoveKind::Rapid) return rapid_time(move.from, move.to, rapid, diameters);
   const double diameter = middle_diameter(move.from[0], move.to[0], move.zero);
-  const double spindle = turning(spindle_at(move.state, diameter));
+  const double whole = (diameters & 1) != 0 ? 1 : 2;  // of a mill X is half of the diameter
+  const double spindle = turning(spindle_at(move.state, whole * diameter));
   if (move.kind == MoveKind::Thread) return thread_time(move, spindle, diameters);
   double rate = move.state.feed;
   if (move.state.feed_mode == FeedMode::InverseTime) return rate > 0 ? 60 / rate : 0;

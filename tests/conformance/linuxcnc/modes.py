@@ -126,7 +126,7 @@ case("S beside G92 is the speed", pins="speed_limit", **RUN,
 case("D of G96 is the highest speed, not an offset", pins="speed_limit", **RUN,
      program="N10 G21 G96 D600 S100 M3\nN20 G95 G1 Z-10 F1\nN30 M2", time=1)
 case("G96 without D has no highest speed", **RUN,
-     program="N10 G21 G96 D600 S100 M3\nN20 G96 S31.415926535898\nN30 G0 X10\nN40 G95 G1 Z-10 F1\nN50 M2", moves="R X10\nF Z-10", time=0.66)
+     program="N10 G21 G96 D600 S100 M3\nN20 G96 S31.415926535898\nN30 G0 X10\nN40 G95 G1 Z-10 F1\nN50 M2", moves="R X10\nF Z-10", time=1.26)
 for _begun, _before in (("G41.1 D4", "G40"), ("G41.1 D4", "G40\nN31 G41 D2\nN32 G40"), ("G41 D2", "G40")):
     case(f"M72 begins the side of {_begun} by G41, with the tool in the spindle, after {len(_before.split())} words", **RUN,
          setup={"radius_offsets": {1: 1, 2: 3}},

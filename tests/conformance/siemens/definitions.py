@@ -113,11 +113,6 @@ case(
     "the definition of a text runs", **POLICY,
     program='N10 DEF STRING[20] NOTE="A ; B", OTHER\nN20 G0 X1\nN30 M30', runs="N10 N20 N30",
 )
-for use in ("N20 SOME=CTRANS(X,5)", "N20 R1=SOME"):
-    case(
-        f"{use[4:]} is not computed where SOME is a variable of type FRAME", **POLICY,
-        program=f"N10 DEF FRAME SOME=CTRANS(X,5)\n{use}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
-    )
 for area in ("NCK", "CHAN"):
     case(
         f"global user data, DEF {area}, stand in files of definitions", **POLICY,

@@ -13,11 +13,11 @@ _NEUTRAL = """9 40 41 42 60 62 64 93 110 111 112 140 141 142 143 340 341 450 451
     643 644 645"""
 _SYSTEMS = "54 55 56 57 500"
 _PLANES = "17 18 19"
-_NOT_COMPUTED = """5 7 25 26 34 35 58 59 96 97 147 148 247 248 290 291 335 336 347 348 461 462 931 942
-    952 961 962 971 972 973"""
-_CHANGED = {5, 25, 26, 58, 59, 96, 97}  # differ from those of FANUC
+_NOT_COMPUTED = """5 7 25 26 58 59 147 148 247 248 290 291 335 336 347 348 461 462 931 942
+    952 962 972"""
+_CHANGED = {5, 25, 26, 58, 59}  # differ from those of FANUC
 
-for number in (*f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 94 95".split(), *range(505, 600)):
+for number in (*f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 34 35 94 95 96 97 961 971 973".split(), *range(505, 600)):
     case(
         f"G{number} of a SINUMERIK runs", pins="g_codes", **GROUPS,
         program=f"N10 G{number}\nN20 M30", runs="N10 N20",

@@ -125,7 +125,7 @@ case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="m
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
 for text, word in (
     ("DEF CHAN REAL DEPTH", "CHAN"),
-    ("R1=$P_UIFR", "R1=$P_UIFR"), ("DEPTH = 5", "DEPTH"),
+    ("DEPTH = 5", "DEPTH"),
 ):
     case(
         f"{text} is not computed, and says so", **POLICY,

@@ -144,19 +144,62 @@ bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at) {
   open.line.pass(name.size());
-  if (open.line.take('[')) {
-    const std::string_view index =
-        open.line.name().empty() ? open.line.take_digits() : open.line.name();
-    if (!open.line.name().empty()) open.line.pass(index.size());
-    if (!open.line.take(']'))
+  std::string_view index;
+  if (open.line.peek() == '[') {
+    index = open.line.rest();
+    if (!open.line.pass_brackets('[', ']'))
       return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
+    index = trimmed(index.substr(1, index.size() - open.line.rest().size() - 2));
   }
   if (!open.line.take('='))
     return open.refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
   WordForms none;
   Value value;
   if (!form(open, block, at, 0, none, value)) return false;
-  return reported(open, words, at);
+  if (capitals(name) != "FA" || index.size() != 1) return reported(open, words, at);
+  words.axis_feeds.push_back({upper(index[0]),
+                              {value.computed, value.expression, value.number},
+                              {0, at, open.line.width_from(at)}});
+  words.any = true;
+  return true;
+}
+
+bool position(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
+  open.line.pass(3);
+  if (!open.line.take('['))
+    return open.refuse(block, Cause::BracketNotOpened, "[ is missing: POS[X]=10", at);
+  const std::string axis = capitals(open.line.name());
+  open.line.pass(axis.size());
+  const bool known = axis.size() == 1 && axis[0] >= 'X' && axis[0] <= 'Z';
+  if (!open.line.take(']') || !known)
+    return open.not_computed(block, "POS of another axis than X, Y or Z", at);
+  if (!open.line.take('='))
+    return open.refuse(block, Cause::MissingEquals, "POS[" + axis + "] without =", at);
+  Value value;
+  if (!form(open, block, at, axis[0] - 'A', words.list.forms, value)) return false;
+  for (const auto& [letter, given] : words.positions)
+    if (letter == axis[0])
+      return open.refuse(block, Cause::AddressGivenTwice, "the axis is in the block twice", at);
+  words.positions.push_back({axis[0], {value.computed, value.expression, value.number}});
+  words.any = true;
+  return true;
+}
+
+bool move_beside_path(OpenBlock& open, Block& block, Words& words) {
+  const bool moves = !words.positions.empty();
+  for (const AxisFeed& feed : words.axis_feeds) {
+    if (!moves || feed.letter < 'X' || feed.letter > 'Z') words.drops.push_back(feed.written);
+  }
+  if (!moves) return true;
+  const std::uint32_t at = open.line.offset();
+  constexpr std::uint32_t kPath = kAxisWords | kCentreWords | kPolarWords;
+  if ((words.list.mask & kPath) != 0 || words.call || words.modal)
+    return open.not_computed(block, "axes beside the path in a block that moves along it", at);
+  for (const auto& [letter, value] : words.positions) words.list.set(letter - 'A', value, false);
+  for (const AxisFeed& feed : words.axis_feeds)
+    if (feed.letter >= 'X' && feed.letter <= 'Z')
+      words.list.set('I' + (feed.letter - 'X') - 'A', feed.value, false);
+  return add_code(open, block, words, 0, 9016, at);
 }
 
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).

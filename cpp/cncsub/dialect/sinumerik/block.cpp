@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/text/look_alikes.hpp"
 
@@ -88,6 +89,12 @@ bool item(OpenBlock& open, Block& block, Words& words) {
   if (system) {
     const std::string named = capitals(open.line.name());
     open.line.pass(named.size());
+    if (is_frame_variable(named)) {
+      Statement statement;
+      if (!open.expression.control_frame(named, at, statement)) return open.refuse(block);
+      words.statements.push_back(statement);
+      return true;
+    }
     return open.refuse(block, Cause::CodeNotComputed,
                        "a run does not know what $" + named + " changes", at);
   }
@@ -183,6 +190,7 @@ bool named(OpenBlock& open, Block& block, Words& words) {
     return open.expression.assignments(*of, words.statements) || open.refuse(block);
   }
   if (name == "AX") return axis_by_index(open, block, words, at);
+  if (name == "POS") return position(open, block, words, at);
   if (place_of(name) >= 0) {
     open.line.pass(name.size());
     return long_address(open, block, words, name, at);
@@ -247,6 +255,7 @@ void name_machine_axes(Words& words) {
 
 bool write(OpenBlock& open, Block& block, Words& words) {
   name_machine_axes(words);
+  if (!move_beside_path(open, block, words)) return true;
   if (words.modal) return write_modal_call(open, block, words);
   if (words.call) return write_call(open, block, words, std::move(*words.call));
   for (const Drop& drop : words.drops) open.to.drop(drop.at, drop.width);

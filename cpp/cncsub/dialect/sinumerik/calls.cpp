@@ -55,7 +55,7 @@ bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& g
     if (open.line.peek() != ',') {
       one.variable = open.expression.variable_alone();
       Value value;
-      if (!open.expression.value_or_text(value, one.is_text)) return open.refuse(block);
+      if (!open.expression.value_or_text(value, one.is_text, true)) return open.refuse(block);
       one.operand = operand_of(value);
     }
     if (open.line.peek() != ')' && !open.line.take(','))

@@ -133,7 +133,7 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
                   declared.at);
   if (declared.value) formal.otherwise = declared.value->number;
   to_.parameter(formal);
-  if (definition.type == Type::Real || definition.uncomputed() != nullptr) return true;
+  if (definition.type == Type::Real || definition.type == Type::Frame) return true;
   Statement conversion = assignment_of(declared);
   to_.expressions().begin();
   expression_.push_converted(definition);
@@ -259,12 +259,6 @@ void DeclarationReader::place(Declared& declared) {
 bool DeclarationReader::initial_value(Block& block, Declared& declared) {
   const Definition& definition = declared.definition;
   const std::uint32_t at = line_.offset();
-  if (definition.uncomputed() != nullptr) {
-    const std::string_view name = line_.name();
-    line_.pass(name.size());
-    if (!name.empty() && (line_.peek() != '(' || line_.pass_brackets('(', ')'))) return true;
-    return refuse(block, Cause::CodeNotComputed, "this value is not computed here", at);
-  }
   if (definition.is_array()) {
     Statement first = assignment_of(declared);
     if (!expression_.is_list(true))

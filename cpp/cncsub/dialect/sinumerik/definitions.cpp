@@ -58,7 +58,6 @@ bool DeclarationReader::is_global(Block& block, bool& global) {
 /// Add what gives a variable its first value when its definition runs, or when a run begins.
 bool DeclarationReader::add(Block& block, Declared& declared, std::vector<Statement>& statements) {
   const Definition& definition = declared.definition;
-  if (definition.uncomputed() != nullptr) return true;
   if (definition.global) return first_value(block, declared);
   if (!definition.is_array()) {
     statements.push_back(assignment_of(declared));

@@ -37,8 +37,6 @@ struct Definition {
     for (std::size_t i = 0; i < dimensions; ++i) elements *= extents[i];
     return elements;
   }
-  /// Return what its values are, where they are not computed here; else nothing.
-  const char* uncomputed() const { return type == Type::Frame ? "a FRAME" : nullptr; }
 };
 
 /// The variables of one program by their names, in capitals. [840Df p.62, identifiers] Those of all

@@ -11,25 +11,16 @@ namespace {
 
 // The precedence falls from products to comparisons; NOT, B_NOT and signs belong to the operand.
 // [SONE p.444, priority of the operations]
-constexpr OperatorRow kRows[] = {{"*", 9, Ins::Multiply},
-                                 {"/", 9, Ins::Divide},
-                                 {"DIV", 9, Ins::Divide, Ins::Fix},
-                                 {"MOD", 9, Ins::Modulo},
-                                 {"+", 8, Ins::Add},
-                                 {"-", 8, Ins::Subtract},
-                                 {"B_AND", 7, Ins::And},
-                                 {"B_XOR", 6, Ins::Xor},
-                                 {"B_OR", 5, Ins::Or},
-                                 {"AND", 4, Ins::BothTrue},
-                                 {"XOR", 3, Ins::OneTrue},
-                                 {"OR", 2, Ins::EitherTrue},
-                                 {"<<", 1, Ins::JoinTexts},
-                                 {"==", 0, Ins::AlikeEqual},
-                                 {"<>", 0, Ins::AlikeNotEqual},
-                                 {"<=", 0, Ins::AlikeLessEqual},
-                                 {">=", 0, Ins::AlikeGreaterEqual},
-                                 {"<", 0, Ins::AlikeLess},
-                                 {">", 0, Ins::AlikeGreater}};
+constexpr OperatorRow kRows[] = {{"*", 9, Ins::Multiply},        {"/", 9, Ins::Divide},
+                                 {":", 9, Ins::ChainFrames},     {"DIV", 9, Ins::Divide, Ins::Fix},
+                                 {"MOD", 9, Ins::Modulo},        {"+", 8, Ins::Add},
+                                 {"-", 8, Ins::Subtract},        {"B_AND", 7, Ins::And},
+                                 {"B_XOR", 6, Ins::Xor},         {"B_OR", 5, Ins::Or},
+                                 {"AND", 4, Ins::BothTrue},      {"XOR", 3, Ins::OneTrue},
+                                 {"OR", 2, Ins::EitherTrue},     {"<<", 1, Ins::JoinTexts},
+                                 {"==", 0, Ins::AlikeEqual},     {"<>", 0, Ins::AlikeNotEqual},
+                                 {"<=", 0, Ins::AlikeLessEqual}, {">=", 0, Ins::AlikeGreaterEqual},
+                                 {"<", 0, Ins::AlikeLess},       {">", 0, Ins::AlikeGreater}};
 
 bool compares(const OperatorRow& of) {
   return of.op >= Ins::AlikeEqual && of.op <= Ins::AlikeLessEqual;
@@ -84,6 +75,8 @@ class OperatorReader {
     open_.constant.reset();
     if (!left || !right) return std::nullopt;
     if (of.op == Ins::JoinTexts) return join(*left, *right, at);
+    if (of.op == Ins::ChainFrames || *left == Type::Frame || *right == Type::Frame)
+      return chain(of, *left, *right, at);
     const bool texts = *left == Type::String || *right == Type::String;
     const bool axes = *left == Type::Axis || *right == Type::Axis;
     if (texts || (axes && *left != *right)) return compare_texts(of, *left, *right, at);
@@ -103,6 +96,12 @@ class OperatorReader {
     open_.emit(Ins::JoinTexts,
                static_cast<int>(written_as(left)) * 16 + static_cast<int>(written_as(right)));
     return Type::String;
+  }
+  Read chain(const OperatorRow& of, Type left, Type right, std::uint32_t at) {
+    if (of.op != Ins::ChainFrames || left != Type::Frame || right != Type::Frame)
+      return refuse(of.op == Ins::ChainFrames ? ": chains two frames" : "a frame is no number", at);
+    open_.to.expressions().emit({of.op, 0, at, 0});
+    return Type::Frame;
   }
   /// Compare two texts, or a text with a character.
   Read compare_texts(const OperatorRow& of, Type left, Type right, std::uint32_t at) {
@@ -163,11 +162,13 @@ bool ExpressionReader::number(Value& value) {
   return true;
 }
 
-bool ExpressionReader::value_or_text(Value& value, bool& is_text) {
+bool ExpressionReader::value_or_text(Value& value, bool& is_text, bool or_frame) {
   const std::uint32_t at = open_.line.offset();
   open_.to.expressions().begin();
   const Read read = read_value(open_, 0);
   is_text = read == Type::String;
+  if (read == Type::Frame && !or_frame)
+    return open_.wrong(Cause::TypeMismatch, no_number(*read), at);
   return read && finish(value, at);
 }
 
@@ -176,9 +177,7 @@ bool ExpressionReader::value(Value& value) {
   open_.to.expressions().begin();
   const Read read = read_value(open_, 0);
   if (!read) return false;
-  if (read == Type::String || read == Type::Axis)
-    return open_.wrong(Cause::TypeMismatch,
-                       read == Type::Axis ? "an axis is no number" : "a text is no number", at);
+  if (!is_number(*read)) return open_.wrong(Cause::TypeMismatch, no_number(*read), at);
   return finish(value, at);
 }
 
@@ -187,6 +186,7 @@ bool ExpressionReader::text(Value& value) {
   open_.to.expressions().begin();
   const Read read = read_value(open_, 0);
   if (!read) return false;
+  if (*read == Type::Frame) return open_.wrong(Cause::TypeMismatch, "a frame is no text", at);
   convert_to_text(open_, *read);
   return finish(value, at);
 }
@@ -203,6 +203,7 @@ bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
   open_.to.expressions().begin();
   const Read read = read_value(open_, 0);
   if (!read) return false;
+  if (*read == Type::Frame) return open_.wrong(Cause::TypeMismatch, no_number(*read), at);
   if (otherwise) open_.emit(Ins::Not);
   expression = open_.to.expressions().end(at, open_.line.width_from(at));
   return true;

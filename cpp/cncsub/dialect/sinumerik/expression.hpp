@@ -52,8 +52,8 @@ class ExpressionReader {
   bool number(Value& value);
   /// Read the expression after =.
   bool value(Value& value);
-  /// Read an expression that may be a text, and set whether it is.
-  bool value_or_text(Value& value, bool& is_text);
+  /// Read an expression that may be a text, or a frame, and set whether it is a text.
+  bool value_or_text(Value& value, bool& is_text, bool or_frame = false);
   /// Read a text, or what << makes one of.
   bool text(Value& value);
   /// Read the expression after =, as a value that the variable takes.
@@ -69,6 +69,8 @@ class ExpressionReader {
   bool assignment(const Definition& to, Statement& statement);
   /// Read the same, or GRID[0,0]=SET(1,2,3), or GRID[0,0]=REP(5).
   bool assignments(const Definition& to, std::vector<Statement>& statements);
+  /// Read $P_UIFR[1]=CTRANS(X,10) or $P_PFRAME[X,TR]=5, whose name is passed.
+  bool control_frame(std::string_view name, std::uint32_t at, Statement& statement);
   /// Read SET(...), REP(...) or (...), which give elements from `first` on their values.
   bool elements(const Definition& to, const Statement& first, std::vector<Statement>& statements);
   /// Note that the block gives a variable its value: what comes after in it does not read that.
@@ -83,6 +85,7 @@ class ExpressionReader {
   bool parameter_side(Statement& statement);
   bool left_side(const Definition& to, Statement& statement);
   bool character_side(const Definition& to, Statement& statement);
+  bool frame_part_side(const Definition& to, Statement& statement);
   bool assigned_value(const Definition& to, Statement& statement);
   bool set_list(const Definition& to, const Statement& first, std::vector<Statement>& statements);
   bool repeated(const Definition& to, const Statement& first, std::vector<Statement>& statements);

@@ -3,6 +3,7 @@
 #include <array>
 #include <iterator>
 
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
@@ -55,7 +56,7 @@ bool read_argument(OpenExpression& open, char type, int depth) {
   const Read read = read_value(open, depth + 1);
   if (!read) return false;
   open.constant.reset();
-  const bool number = *read != Type::String && *read != Type::Axis;
+  const bool number = is_number(*read);
   if (type == 'C' && *read == Type::String) return open.emit(Ins::OnlyCharacter), true;
   if (type == 'T' && *read == Type::Char) return convert_to_text(open, *read), true;
   const bool fits = type == 'T'   ? *read == Type::String
@@ -141,8 +142,8 @@ std::optional<TextFormat> format_at(std::string_view text, std::size_t& at) {
 
 bool is_kind_for(char kind, Type type) {
   if (kind == 'S') return type == Type::String || type == Type::Char || type == Type::Bool;
-  if (kind == 'B') return true;
-  return type != Type::String && type != Type::Axis;
+  if (kind == 'B') return type != Type::Frame;
+  return is_number(type);
 }
 
 /// Read the next value of SPRINT and write it as its format says.
@@ -196,6 +197,7 @@ Read read_constant(OpenExpression& open, double value) {
 }  // namespace
 
 Read read_function(OpenExpression& open, std::string_view name, int depth) {
+  if (is_frame_function(name)) return read_frame_function(open, name, depth);
   const std::uint32_t at = open.line.offset();
   open.line.pass(name.size());
   if (name == "TRUE" || name == "FALSE") return read_constant(open, name == "TRUE" ? 1 : 0);

@@ -30,11 +30,11 @@ struct Word {
 };
 
 // [NCI groups]
-constexpr Word kWords[] = {{"TRANS", 3},  {"ATRANS", 3},   {"ROT", 3},     {"AROT", 3},
-                           {"SCALE", 3},  {"ASCALE", 3},   {"MIRROR", 3},  {"AMIRROR", 3},
-                           {"CIP", 1},    {"SUPA", 9},     {"DIAMON", 29}, {"DIAMOF", 29},
-                           {"BRISK", 21}, {"DRIVE", 21},   {"SOFT", 21},   {"FFWOF", 24},
-                           {"FFWON", 24}, {"WALIMON", 28}, {"WALIMOF", 28}};
+constexpr Word kWords[] = {{"TRANS", 3},   {"ATRANS", 3}, {"ROT", 3},      {"AROT", 3},
+                           {"SCALE", 3},   {"ASCALE", 3}, {"MIRROR", 3},   {"AMIRROR", 3},
+                           {"CIP", 1},     {"CT", 1},     {"SUPA", 9},     {"DIAMON", 29},
+                           {"DIAMOF", 29}, {"BRISK", 21}, {"DRIVE", 21},   {"SOFT", 21},
+                           {"FFWOF", 24},  {"FFWON", 24}, {"WALIMON", 28}, {"WALIMOF", 28}};
 
 // Words that change no path: how an axis starts and brakes, how exactly and how fast the path is
 // followed, the orientation of a tool that no transformation turns, and what the screen shows. [NCI
@@ -79,21 +79,23 @@ constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups]
 constexpr std::string_view kNotComputed[] = {
-    "AROTS",  "ASPLINE",  "AXIS",     "BLOCK",    "BOOL",       "BSPLINE", "CALL",       "CALLPATH",
-    "CASE",   "CHAR",     "CROTS",    "CSPLINE",  "CT",         "CUT3DC",  "DEFAULT",    "DEFINE",
-    "DELETE", "DIAM90",   "DO",       "ENDFOR",   "ENDLABEL",   "EVERY",   "EXECSTRING", "EXTCALL",
-    "FOR",    "FP",       "FRAME",    "FROM",     "FXS",        "GOTOS",   "ID",         "IDS",
-    "INIT",   "INT",      "INVCCW",   "INVCW",    "ISFILE",     "KONT",    "KONTC",      "KONTT",
-    "MEAS",   "MEAW",     "MPF",      "OF",       "OFFN",       "PCALL",   "POLF",       "POLY",
-    "POS",    "POSA",     "POSP",     "PRESETON", "RDISABLE",   "READ",    "REAL",       "REPEATB",
-    "RNDM",   "ROTS",     "ROUNDUP",  "SAVE",     "SET",        "SETINT",  "START",      "STRING",
-    "TO",     "TOFRAME",  "TOROT",    "TRACYL",   "TRAILON",    "TRAILOF", "TRANSMIT",   "TRAORI",
-    "WHEN",   "WHENEVER", "WRITE",    "BAUTO",    "BNAT",       "BTAN",    "EAUTO",      "ENAT",
-    "ETAN",   "PW",       "SD",       "PL",       "AC",         "IC",      "DC",         "ACP",
-    "ACN",    "CTABDEF",  "CTABEND",  "EGDEF",    "EGON",       "EGONSYN", "EGOFS",      "EGOFC",
-    "LEADON", "LEADOF",   "COUPDEF",  "COUPON",   "COUPOF",     "TRAANG",  "TRACON",     "TRACOORD",
-    "GEOAX",  "PAROT",    "MEAFRAME", "SETPIECE", "GETT",       "REPOS",   "REPOSA",     "REPOSL",
-    "REPOSH", "REPOSHA",  "REPOSQ",   "REPOSQA",  "INITIAL_INI"};
+    "AROTS",      "ASPLINE",  "AXIS",       "BLOCK",    "BOOL",    "BSPLINE",  "CALL",
+    "CALLPATH",   "CASE",     "CHAR",       "CROTS",    "CSPLINE", "CUT3DC",   "DEFAULT",
+    "DEFINE",     "DELETE",   "DIAM90",     "DO",       "ENDFOR",  "ENDLABEL", "EVERY",
+    "EXECSTRING", "EXTCALL",  "FOR",        "FP",       "FRAME",   "FROM",     "FXS",
+    "GOTOS",      "ID",       "IDS",        "INIT",     "INT",     "INVCCW",   "INVCW",
+    "ISFILE",     "KONT",     "KONTC",      "KONTT",    "MEAS",    "MEAW",     "MPF",
+    "OF",         "OFFN",     "PCALL",      "POLF",     "POLY",    "POSA",     "POSP",
+    "PRESETON",   "RDISABLE", "READ",       "REAL",     "REPEATB", "RNDM",     "ROTS",
+    "ROUNDUP",    "SAVE",     "SET",        "SETINT",   "START",   "STRING",   "TO",
+    "TOFRAME",    "TOROT",    "TRACYL",     "TRAILON",  "TRAILOF", "TRANSMIT", "TRAORI",
+    "WHEN",       "WHENEVER", "WRITE",      "BAUTO",    "BNAT",    "BTAN",     "EAUTO",
+    "ENAT",       "ETAN",     "PW",         "SD",       "PL",      "AC",       "IC",
+    "DC",         "ACP",      "ACN",        "CTABDEF",  "CTABEND", "EGDEF",    "EGON",
+    "EGONSYN",    "EGOFS",    "EGOFC",      "LEADON",   "LEADOF",  "COUPDEF",  "COUPON",
+    "COUPOF",     "TRAANG",   "TRACON",     "TRACOORD", "GEOAX",   "PAROT",    "MEAFRAME",
+    "SETPIECE",   "GETT",     "REPOS",      "REPOSA",   "REPOSL",  "REPOSH",   "REPOSHA",
+    "REPOSQ",     "REPOSQA",  "INITIAL_INI"};
 
 // E, P and Q are no addresses of the language: others have their places. [NCI grammar]
 constexpr Spelling::LongAddress kLong[] = {
@@ -111,7 +113,6 @@ constexpr Need kNeeds[] = {{"TRAORI", "it needs the kinematics of the machine"},
                            {"TRACYL", "it needs the data of the transformation"},
                            {"TOFRAME", "it needs the direction of the tool"},
                            {"TOROT", "it needs the direction of the tool"},
-                           {"CT", "it needs the direction of the move before it"},
                            {"BSPLINE", "the path between the points of a spline is not computed"},
                            {"ASPLINE", "the path between the points of a spline is not computed"},
                            {"CSPLINE", "the path between the points of a spline is not computed"},

@@ -15,6 +15,13 @@
 
 namespace cncsub::sinumerik {
 
+/// FA[X]=500, the feed of an axis beside the path.
+struct AxisFeed {
+  char letter;
+  WordValue value;
+  Drop written;
+};
+
 /// The words of a block, and what stands beside them.
 struct Words {
   WordList list;
@@ -27,6 +34,8 @@ struct Words {
   std::bitset<kCodeGroups> groups;     // of the codes so far
   // X1=0: which axes G74 and G75 move.
   std::vector<std::pair<char, WordValue>> machine_axes;
+  std::vector<std::pair<char, WordValue>> positions;  // POS[X]=10: axes that go beside the path
+  std::vector<AxisFeed> axis_feeds;
   bool any = false;
   bool ends = false;
 
@@ -79,6 +88,10 @@ bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
 bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at);
+/// Read POS[X]=10, whose name stands here.
+bool position(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
+/// Let the words of POS move the axes, with the feeds of FA. FA without them is reported.
+bool move_beside_path(OpenBlock& open, Block& block, Words& words);
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
 bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view name,
                  std::uint32_t at);

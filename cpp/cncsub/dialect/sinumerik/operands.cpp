@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cncsub/control/variable_table.hpp"
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/system/decimal.hpp"
 
@@ -20,8 +21,7 @@ Read read_signed(OpenExpression& open, char sign, std::string_view name, int dep
   open.line.pass(name.empty() ? 1 : name.size());
   const Read of = read_operand(open, depth + 1);
   if (!of) return of;
-  if (*of == Type::String || *of == Type::Axis)
-    return fails(open.wrong(Cause::TypeMismatch, "a text is no number", at));
+  if (!is_number(*of)) return fails(open.wrong(Cause::TypeMismatch, no_number(*of), at));
   if (sign == '+') return of;
   if (open.constant && sign == '-') open.constant = -*open.constant;
   if (sign != '-') open.constant.reset();
@@ -88,9 +88,6 @@ Read read_character(OpenExpression& open, int depth) {
 Read read_variable(OpenExpression& open, const Definition& of, std::string_view name, int depth) {
   const std::uint32_t at = open.line.offset();
   open.line.pass(name.size());
-  if (const char* const what = of.uncomputed())
-    return fails(open.wrong(Cause::CodeNotComputed,
-                            std::string(name) + ", " + what + ", is not computed here", at));
   if (of.constant) return open.push_constant(*of.constant), Type::Real;
   if (of.is_array()) {
     if (!read_indices(open, of, depth + 1)) return std::nullopt;
@@ -102,6 +99,7 @@ Read read_variable(OpenExpression& open, const Definition& of, std::string_view 
   open.constant.reset();
   if (open.assigned.contains(mark_of(of))) return fails(late(open, at));
   if (of.type == Type::String && open.line.peek() == '[') return read_character(open, depth);
+  if (of.type == Type::Frame) return read_frame_part(open, depth);
   return of.type;
 }
 
@@ -157,6 +155,8 @@ Read read_bracket(OpenExpression& open, char before, char after, int depth) {
   if (!open.line.take(before))
     return fails(open.wrong(Cause::BracketNotOpened, std::string(1, before) + " is missing", at));
   const Read read = read_value(open, depth);
+  if (read && before == '[' && !is_number(*read))
+    return fails(open.wrong(Cause::TypeMismatch, "an index is a number", at));
   if (!read || open.line.take(after)) return read;
   return fails(open.wrong(Cause::BracketNotClosed, std::string(1, after) + " is missing", at));
 }
@@ -189,8 +189,7 @@ bool read_indices(OpenExpression& open, const Definition& of, int depth) {
     const std::uint32_t index_at = open.line.offset();
     const Read read = read_value(open, depth);
     if (!read) return false;
-    if (*read == Type::String || *read == Type::Axis)
-      return open.wrong(Cause::TypeMismatch, "an index is a number", at);
+    if (!is_number(*read)) return open.wrong(Cause::TypeMismatch, "an index is a number", at);
     open.to.expressions().emit({Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
     if (i > 0) open.emit(Ins::Add);
     if (i + 1 < of.dimensions) open.emit(Ins::MultiplyConstant, of.extents[i + 1]);
@@ -288,6 +287,8 @@ bool in_range(OpenExpression& open, double first, double last, const char* why, 
 bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_t at) {
   if ((from == Type::Axis) != (to.type == Type::Axis))
     return open.wrong(Cause::TypeMismatch, "an axis is given to an AXIS only", at);
+  if ((from == Type::Frame) != (to.type == Type::Frame))
+    return open.wrong(Cause::TypeMismatch, "a frame is given to a FRAME only", at);
   if (from == Type::String && to.type != Type::String) return convert_text(open, to, at);
   switch (to.type) {
     case Type::Bool:

@@ -41,6 +41,17 @@ bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_
 void convert_to_text(OpenExpression& open, Type from);
 WrittenAs written_as(Type type);
 
+/// Return whether values of a type are numbers, or can be taken for them.
+inline bool is_number(Type type) {
+  return type != Type::String && type != Type::Axis && type != Type::Frame;
+}
+/// Return why a value of a type is no number.
+inline const char* no_number(Type type) {
+  return type == Type::Axis    ? "an axis is no number"
+         : type == Type::Frame ? "a frame is no number"
+                               : "a text is no number";
+}
+
 /// Return the mark of a variable among what a block has assigned to.
 inline std::int32_t mark_of(const Definition& of) {
   constexpr std::int32_t kGlobal = 1 << 29, kArray = 1 << 28;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
 namespace cncsub::sinumerik {
@@ -60,7 +61,7 @@ bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t f
   const Read read = read_value(open, depth + 1);
   if (!read) return false;
   const bool axis = *read == Type::Axis;
-  if (axis != (of.by == By::Axis) || *read == Type::String)
+  if (axis != (of.by == By::Axis) || *read == Type::String || *read == Type::Frame)
     return open.wrong(Cause::TypeMismatch, axis ? "the index is a number" : "the index is an axis",
                       at);
   if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
@@ -96,6 +97,7 @@ Read read_system_variable(OpenExpression& open, int depth) {
     open.emit(Ins::Constant, 3.14159265358979323846);
     return Type::Real;
   }
+  if (is_frame_variable(name)) return read_control_frame(open, name, at, depth);
   const auto* const of = std::find_if(std::begin(kVariables), std::end(kVariables),
                                       [&](const auto& known) { return known.name == name; });
   const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);

@@ -1,5 +1,6 @@
 // Assignments to parameters, variables and elements of arrays.
 #include "cncsub/dialect/sinumerik/expression.hpp"
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
 namespace cncsub::sinumerik {
@@ -87,8 +88,6 @@ bool ExpressionReader::left_side(const Definition& to, Statement& statement) {
   const std::string name = capitals(line.name());
   const std::uint32_t at = statement.variable_at = line.offset();
   line.pass(name.size());
-  if (const char* const what = to.uncomputed())
-    return open_.wrong(Cause::CodeNotComputed, name + ", " + what + ", is not computed here", at);
   if (to.constant)
     return open_.wrong(Cause::StatementFormat, name + " is a number, and takes none", at);
   statement.target = target_of(to);
@@ -129,6 +128,8 @@ bool ExpressionReader::assignments(const Definition& to, std::vector<Statement>&
   const bool character = to.type == Type::String && open_.line.peek() == '[';
   if (character) {
     if (!character_side(to, statement)) return false;
+  } else if (to.type == Type::Frame && open_.line.peek() == '[') {
+    if (!frame_part_side(to, statement)) return false;
   } else {
     if (!open_.line.take('='))
       return open_.wrong(Cause::MissingEquals,
@@ -184,6 +185,26 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
   statement.width = width;
   statement.expression = open_.to.expressions().end(at, line.width_from(at));
   return true;
+}
+
+/// Read FRAME1[X,TR]=5: the frame with another value there.
+bool ExpressionReader::frame_part_side(const Definition& to, Statement& statement) {
+  if (to.is_array())
+    return open_.not_computed("a part of an element of an array of frames", open_.line.offset());
+  if (open_.assigned.contains(mark_of(to))) return late(open_, open_.line.offset());
+  const auto variable =
+      Instruction{to.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(to.local), 0};
+  Value assigned;
+  if (!write_frame_part(open_, variable, assigned)) return false;
+  statement.expression = assigned.expression;
+  statement.at = assigned.at;
+  statement.width = assigned.width;
+  return true;
+}
+
+bool ExpressionReader::control_frame(std::string_view name, std::uint32_t at,
+                                     Statement& statement) {
+  return assign_control_frame(open_, name, at, statement);
 }
 
 /// Read the value of an assignment.

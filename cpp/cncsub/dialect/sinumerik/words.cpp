@@ -42,7 +42,7 @@ void pass_expression(Line& line) {
     const char c = line.peek();
     if (is_among(kBetween, capitals(line.name())))
       line.pass(line.name().size());
-    else if (c != '\0' && std::string_view("+-*/<>=").find(c) != std::string_view::npos)
+    else if (c != '\0' && std::string_view("+-*/<>=:").find(c) != std::string_view::npos)
       line.pass(1);
     else
       return;
@@ -131,7 +131,7 @@ const std::string_view sinumerik_rules =
     "small_radius negative_radius helix dwell_words arc_angle_words added_turns "
     "drops_centre_across poles "
     "machine_move max_extra_systems extra_system_codes max_offset_number tool_edges "
-    "shifts_move_increments rotation_words start_up acute_corner idle_blocks "
+    "shifts_move_increments written_offset rotation_words start_up acute_corner idle_blocks "
     "chamfer_words round_words angle_words angles_on_mills "
     "dwell_turn_words unit_change computed_lengths";
 

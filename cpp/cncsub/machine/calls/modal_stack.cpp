@@ -45,7 +45,7 @@ bool restore_modes(Run& run, const SavedModes& modes) {
   if (!carry_out(run, modes_to(run.motion.view(), modes), modes)) return false;
   run.motion.set_turning(modes.turns);
   if (!modes.codes_alone) return true;
-  if (run.observer != nullptr && !(run.motion.state().frame == modes.frame))
+  if (run.observer != nullptr && !(run.motion.state().frames->program == modes.frame))
     run.observer->frame_restored = true;
   run.motion.set_frame(modes.frame);
   return true;

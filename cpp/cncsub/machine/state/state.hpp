@@ -137,6 +137,7 @@ struct State {
   std::vector<double> commons;           // by their place, see Code::place
   std::vector<double> elements;          // of arrays: level after level, Code::elements each
   Texts texts;                           // those that blocks made; numbered after those of the code
+  Texts frame_values;                    // the bytes of frames that blocks made; 1 is the first
   std::map<std::int64_t, double> system;  // what was written to system variables
   // Written variables that the control sets too, each with its place in MotionState::set_anew.
   std::map<std::int64_t, std::size_t> written_over;

@@ -24,7 +24,8 @@ void remember(Run& run, In in, std::size_t index) {
 }
 
 bool is_element(const Statement& statement) {
-  return statement.target >= Statement::Target::Element;
+  return statement.target == Statement::Target::Element ||
+         statement.target == Statement::Target::CommonElement;
 }
 
 /// Keep the elements of an array that an assignment is about to change.
@@ -51,6 +52,7 @@ void remember(Run& run, const Statement& statement, double number) {
     return remember(run, In::Locals, run.local_at(run.state.level, statement.index));
   if (statement.target == Statement::Target::Common) return remember(run, In::Commons, index);
   if (is_element(statement)) return remember_elements(run, statement, number);
+  if (statement.target == Statement::Target::VariableAt) return remember_system(run);
   const bool indirect = statement.target == Statement::Target::Indirect;
   const VariablePlace place =
       run.code->place(indirect ? to_whole<std::int64_t>(number) : statement.index);

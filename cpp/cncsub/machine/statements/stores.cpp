@@ -65,6 +65,11 @@ bool store(Run& run, const Statement& statement, double value) {
       return evaluate(run, statement.variable, place) &&
              store_elements(run, statement, place, value);
     }
+    case Statement::Target::VariableAt: {
+      double index = 0;
+      return evaluate(run, statement.variable, index) &&
+             store_number(run, statement.index + to_whole<std::int64_t>(index), value, statement);
+    }
     case Statement::Target::None:
       break;
   }

@@ -10,6 +10,7 @@
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/values/frame_instructions.hpp"
 #include "cncsub/machine/values/instructions.hpp"
 #include "cncsub/machine/values/text_instructions.hpp"
 

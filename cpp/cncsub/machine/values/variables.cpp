@@ -7,6 +7,7 @@
 
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
+#include "cncsub/machine/values/frames.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -212,6 +213,7 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
     write_over(run, *kind, number, value);
     return std::nullopt;
   }
+  if (std::optional<Fault> wrong; write_frame(run, place, value, wrong)) return wrong;
   value /= unit_of(run, place);
   switch (place.kind) {
     case VariableKind::Milliseconds:
@@ -270,6 +272,7 @@ std::optional<Fault> read_variable(Run& run, std::int64_t number, double& value)
   }
   if (place.kind == VariableKind::Hours) run.state.external_reads.time = true;
   if (place.range != nullptr && is_of_outside(place.kind)) run.state.external_reads.asked = number;
+  if (const auto frame = read_frame(run, place)) return value = *frame, std::nullopt;
   if (place.range != nullptr && place.range->not_compensated && compensating(run.motion.state()))
     return Fault{.cause = Cause::CompensationPosition,
                  .detail = "#" + std::to_string(number) + " is read under radius compensation"};

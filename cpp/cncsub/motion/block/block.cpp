@@ -70,6 +70,8 @@ Result one_shot(MotionContext& m, BlockWords& block) {
       return one_way(m, block);
     case Meaning::Tapping:  // a line at the feed; the code of motion stays in force
       return straight(m, block, Meaning::Line);
+    case Meaning::PositionAxes:
+      return position_axes(m, block);
     case Meaning::Local:
       return set_local(m, block);
     case Meaning::FrameShift:
@@ -146,6 +148,8 @@ Result make_motion(MotionContext& m, BlockWords& block) {
     case Meaning::Cw:
     case Meaning::Ccw:
       return arc(m, block, meaning);
+    case Meaning::TangentArc:
+      return tangent_arc(m, block);
     case Meaning::ThreePoints:
     case Meaning::ThreePointsAbsolute:
       return arc_by_points(m, block, meaning);

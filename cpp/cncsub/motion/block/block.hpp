@@ -51,6 +51,9 @@ Result check_reference(MotionContext& m, BlockWords& block);
 /// G60: rapid past the point on the same side every time, then rapid to the point.
 Result one_way(MotionContext& m, BlockWords& block);
 
+/// Move axes beside the path.
+Result position_axes(MotionContext& m, BlockWords& block);
+
 // Tools.
 
 /// Move the axis of a changed tool vector at once, unless the block moves it anyway.

@@ -42,8 +42,10 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
 }
 
 /// Return how fast the spindle turns where the tool stands, in r/min.
-double speed_now(const MotionState& s) {
-  return s.surface ? spindle_at(s.surface_speed, s.max_speed, s.work[0]) : s.speed;
+double speed_now(MotionView m) {
+  const MotionState& s = m.state;
+  const double diameter = 2 * m.facts.share(0) * s.work[0];
+  return s.surface ? spindle_at(s.surface_speed, s.max_speed, diameter) : s.speed;
 }
 
 /// The first of the letters of G04 that a block has, 0 where it has none, and the seconds it says.
@@ -57,7 +59,7 @@ DwellWord dwell_of(MotionView m, const NcWords& words) {
   for (const char letter : rules.dwell_words.value)
     if (words.has(letter)) return {letter, seconds_of_letter(m, words, letter)};
   for (const char letter : rules.dwell_turn_words.value)
-    if (words.has(letter)) return {letter, words[letter] / turning(speed_now(m.state)) * 60};
+    if (words.has(letter)) return {letter, words[letter] / turning(speed_now(m)) * 60};
   return {};
 }
 

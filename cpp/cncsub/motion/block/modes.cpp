@@ -101,6 +101,18 @@ void set_feed_mode(MotionContext& m, const BlockWords& block) {
 
 }  // namespace
 
+/// Set the mode of the feed that a code of the spindle brings, and end the surface speed where a
+/// mode of the feed does. [SONE p.99; 840De p.7-40]
+static void set_feed_by_spindle(MotionContext& m, const BlockWords& block) {
+  GCode& surface = m.state.modal[at(Group::Surface)];
+  if (surface.variant == 0) return;
+  if (block.has(Group::Surface))
+    m.state.modal[at(Group::Feed)] =
+        m.facts.codes.of(surface.variant == 1 ? Meaning::PerRevolution : Meaning::PerMinute);
+  else if (block.has(Group::Feed))
+    surface = {};
+}
+
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result set_modes(MotionContext& m, BlockWords& block) {
   constexpr std::uint32_t kRemembered =
@@ -114,11 +126,14 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   if (feed_first)
     if (auto wrong = set_feed(m, block)) return wrong;
   remember(m.state, *block.words.codes, kRemembered);
+  set_feed_by_spindle(m, block);
   if (block.has(Group::Plane)) m.state.plane = plane_of(block.meaning(Group::Plane));
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
   if (m.state.surface && !surface && (m.state.work[0] != 0 || m.state.max_speed > 0))
-    if (const double last = spindle_at(move_state(m.state), std::fabs(m.state.work[0])); last > 0)
+    if (const double last =
+            spindle_at(move_state(m.state), 2 * m.facts.share(0) * std::fabs(m.state.work[0]));
+        last > 0)
       m.state.speed = last;
   m.state.surface = surface;
   m.state.unit = unit_of(m.facts, m.state.modal[at(Group::Units)].meaning);

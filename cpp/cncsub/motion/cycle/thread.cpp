@@ -242,13 +242,16 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
   return cut_thread(m, block, end, axis_bit(0) | axis_bit(2), out, sign_of(way), 0);
 }
 
+/// The variant of a thread by a letter of its axis whose lead grows by F; the next one's shrinks.
+constexpr int kGrowing = 4;
+
 Result thread_by_k(MotionContext& m, BlockWords& block) {
   const Axes start = m.state.work;
   const auto [end, named] = end_point(m, block);
   if (named == 0) return std::nullopt;
   const int variant = m.state.modal[at(Group::Motion)].variant;
   // The lead stands at K, or at the letter of the centre along the axis of the thread.
-  const char lead = variant != 3 || block.words.has('K') ? 'K' : block.words.has('I') ? 'I' : 'J';
+  const char lead = variant < 3 || block.words.has('K') ? 'K' : block.words.has('I') ? 'I' : 'J';
   if (!block.words.has(lead)) return fault_at('K', Cause::ThreadLead, block);
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
     return fault(Cause::SpindleStands, block);
@@ -256,6 +259,14 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   Piece piece = make_piece(m, block, MoveKind::Thread, end, named);
   piece.state.feed = std::fabs(number(m, block, lead));
   piece.state.feed_mode = FeedMode::PerRevolution;
+  if (variant >= kGrowing && block.words.has('F')) {
+    const double growth = block.words['F'] * m.state.unit * (variant == kGrowing ? 1 : -1);
+    const int axis = lead == 'K' ? 2 : lead == 'I' ? 0 : 1;
+    const double length = std::fabs(end[axis] - start[axis]) * m.facts.share(axis);
+    const double first = piece.state.feed, square = first * first + 2 * growth * length;
+    if (square <= 0) return fault_at('F', Cause::ThreadLead, block, "the lead would fall to 0");
+    piece.state.feed = (first + std::sqrt(square)) / 2;  // the mean: the length by the revolutions
+  }
   if (auto wrong = move(m, block, piece)) return wrong;
   if (variant != 2) return std::nullopt;
   piece.end = start + piece.offset;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/frame/frame_values.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
 
@@ -81,9 +82,17 @@ Result select_work(MotionContext& m, BlockWords& block) {
   }
   m.state.work_system = system;
   m.state.modal[at(Group::Work)] = block.code(Group::Work);
-  if (system_in_force(m.state) != before) {
-    if (m.facts.control->motion.written_offset.value == WrittenOffset::WhenSelected)
-      lose_written_shift(m.state);
+  const WrittenOffset written = m.facts.control->motion.written_offset.value;
+  if (written == WrittenOffset::WhenProgrammed) {
+    m.state.zero_is_held = false;
+    const Matrix matrix = m.state.frame.matrix;
+    take_stored_frame(m.state);
+    if (moves_wait(m.state) && matrix != m.state.frame.matrix)
+      return fault_at({.groups = bit(Group::Work)}, Cause::CodeNotComputed, block,
+                      "cncsub does not compute another rotation, scale or mirror while a radius is "
+                      "compensated or a corner waits");
+  } else if (system_in_force(m.state) != before) {
+    if (written == WrittenOffset::WhenSelected) lose_written_shift(m.state);
     m.state.zero_is_held = false;
     m.state.set_anew[1] = true;
   }

@@ -4,74 +4,18 @@
 #include <cmath>
 
 #include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/frame/frame_values.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
 namespace {
 
-using Matrix = std::array<double, 9>;
-constexpr Matrix kUnit{1, 0, 0, 0, 1, 0, 0, 0, 1};
-
-double& cell(Matrix& of, int row, int column) {
-  return of[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
-}
-double cell(const Matrix& of, int row, int column) {
-  return of[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
-}
-
-/// Return the product of two matrices.
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix result{};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k) cell(result, i, j) += cell(a, i, k) * cell(b, k, j);
-  return result;
-}
-
-/// Return a point to which a matrix is applied.
-Axes applied(const Matrix& of, Axes point) {
-  const std::array<double, 3> from{point[0], point[1], point[2]};
-  for (int i = 0; i < 3; ++i)
-    point[static_cast<std::size_t>(i)] =
-        cell(of, i, 0) * from[0] + cell(of, i, 1) * from[1] + cell(of, i, 2) * from[2];
-  return point;
-}
-
-/// Return the inverse of a matrix that has one.
-Matrix inverse(const Matrix& of) {
-  Matrix result{};
-  const auto minor = [&](int i, int j) {
-    const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-    return cell(of, a, c) * cell(of, b, d) - cell(of, a, d) * cell(of, b, c);
-  };
-  const double size =
-      cell(of, 0, 0) * minor(0, 0) + cell(of, 0, 1) * minor(0, 1) + cell(of, 0, 2) * minor(0, 2);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) cell(result, j, i) = minor(i, j) / size;
-  return result;
-}
-
-/// Return a rotation about an axis, counter-clockwise as seen against it. A quarter of a turn
-/// leaves no rounding.
-Matrix rotation(int axis, double degrees) {
-  const double quarters = degrees / 90;
-  const bool whole = quarters == std::floor(quarters) && std::fabs(quarters) < 1e9;
-  const auto turns = whole ? static_cast<int>(std::fmod(std::fmod(quarters, 4) + 4, 4)) : 0;
-  static constexpr std::array<int, 4> kSine{0, 1, 0, -1}, kCosine{1, 0, -1, 0};
-  const double s = whole ? kSine[static_cast<std::size_t>(turns)] : std::sin(degrees * kPi / 180);
-  const double c = whole ? kCosine[static_cast<std::size_t>(turns)] : std::cos(degrees * kPi / 180);
-  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-  Matrix result = kUnit;
-  cell(result, a, a) = cell(result, b, b) = c;
-  cell(result, a, b) = -s;
-  cell(result, b, a) = s;
-  return result;
-}
+double& diagonal(FrameValue& of, int i) { return of.matrix[static_cast<std::size_t>(4 * i)]; }
 
 /// Read the shift of a frame, in mm.
-GeneralFrame shift_of(MotionView m, const BlockWords& block) {
-  GeneralFrame frame;
+FrameValue shift_of(MotionView m, const BlockWords& block) {
+  FrameValue frame;
   for (std::size_t i = 0; i < frame.shift.size(); ++i)
     if (const char name = kAxisNames[i]; block.words.has(name))
       frame.shift[i] = number(m, block, name);
@@ -79,8 +23,8 @@ GeneralFrame shift_of(MotionView m, const BlockWords& block) {
 }
 
 /// Read a rotation: in the plane, or about Z, then the new Y, then the new X.
-GeneralFrame rotation_of(MotionView m, const BlockWords& block) {
-  GeneralFrame frame;
+FrameValue rotation_of(MotionView m, const BlockWords& block) {
+  FrameValue frame;
   for (const char name : m.facts.control->motion.rotation_words.value)
     if (block.words.has(name))
       frame.matrix = rotation(plane_axes(m.state.plane).across, block.words[name]);
@@ -90,25 +34,28 @@ GeneralFrame rotation_of(MotionView m, const BlockWords& block) {
   return frame;
 }
 
-Result scale_of(const BlockWords& block, GeneralFrame& frame) {
+Result scale_of(const BlockWords& block, FrameValue& frame) {
   for (int i = 0; i < 3; ++i) {
     const char name = kAxisNames[static_cast<std::size_t>(i)];
     if (!block.words.has(name)) continue;
     if (block.words[name] == 0) return fault_at(name, Cause::ScaleZero, block);
-    cell(frame.matrix, i, i) = block.words[name];
+    diagonal(frame, i) = block.words[name];
   }
   return std::nullopt;
 }
 
-GeneralFrame mirror_of(const BlockWords& block) {
-  GeneralFrame frame;
+FrameValue mirror_of(const BlockWords& block) {
+  FrameValue frame;
   for (int i = 0; i < 3; ++i)
-    if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) cell(frame.matrix, i, i) = -1;
+    if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) {
+      diagonal(frame, i) = -1;
+      frame.mirrored |= std::uint64_t{1} << i;
+    }
   return frame;
 }
 
 /// Read what a block does to the frame.
-Result read_frame(MotionView m, const BlockWords& block, Meaning meaning, GeneralFrame& frame) {
+Result read_frame(MotionView m, const BlockWords& block, Meaning meaning, FrameValue& frame) {
   switch (meaning) {
     case Meaning::FrameShift:
       frame = shift_of(m, block);
@@ -124,14 +71,6 @@ Result read_frame(MotionView m, const BlockWords& block, Meaning meaning, Genera
   }
 }
 
-/// Return a frame that lies in another one.
-GeneralFrame chained(const GeneralFrame& outer, const GeneralFrame& inner) {
-  GeneralFrame frame;
-  frame.matrix = product(outer.matrix, inner.matrix);
-  frame.shift = outer.shift + applied(outer.matrix, inner.shift);
-  return frame;
-}
-
 }  // namespace
 
 Result set_frame(MotionContext& m, BlockWords& block, Meaning meaning) {
@@ -140,13 +79,15 @@ Result set_frame(MotionContext& m, BlockWords& block, Meaning meaning) {
   if (moves_wait(s))
     return fault(Cause::CodeNotComputed, block,
                  "cncsub does not compute a frame while a radius is compensated or a corner waits");
-  GeneralFrame frame;
+  FrameValue frame;
   if (auto wrong = read_frame(m, block, meaning, frame)) return wrong;
   const Axes from = increments_from(s);
   const bool added = block.code(Group::OneShot).variant == 1;
-  s.frame = added ? chained(s.frame, frame) : frame;
-  s.frame.turned = s.frame.matrix != kUnit;
-  if (!in_range(s.frame.matrix) || !in_range(s.frame.shift)) return out_of_range(block.words.at);
+  FrameValue& program = s.frames.change().program;
+  program = added ? chained(program, frame) : frame;
+  combine_frames(s);
+  if (!in_range(program) || !in_range(s.frame.matrix) || !in_range(s.frame.shift))
+    return out_of_range(block.words.at);
   refresh_offset(s);
   keep_increments(m.facts, s, from);
   return std::nullopt;

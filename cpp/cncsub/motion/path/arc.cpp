@@ -118,10 +118,22 @@ Fault off_circle(MotionView m, const BlockWords& block, const Piece& piece, Poin
   return wrong;
 }
 
+/// Return whether the pole is the centre of an arc: its end is polar, and it has neither a radius
+/// nor a centre of its own. [802Dsl p.8-156]
+bool is_about_pole(MotionView m, const BlockWords& block) {
+  return m.facts.control->motion.poles.value && (block.words.mask & kPolarWords) != 0 &&
+         !block.words.has('R') && !has_centre(block, plane_axes(m.state.plane));
+}
+
 /// Read the words of a centre as its way from the start.
 void centre_words(MotionView m, const BlockWords& block, const Piece& piece, double& i, double& j) {
   const PlaneAxes plane = axes_of(piece);
   const Axes programmed = as_programmed(m.state, m.state.work);
+  if (is_about_pole(m, block)) {
+    i = m.state.pole[static_cast<std::size_t>(plane.a)] - programmed[plane.a];
+    j = m.state.pole[static_cast<std::size_t>(plane.b)] - programmed[plane.b];
+    return turn_vector(m.state, i, j, plane_axes(piece.plane));
+  }
   const auto word = [&](int axis) {
     const char name = centre_name(axis);
     if (!block.words.has(name)) return 0.0;
@@ -221,17 +233,6 @@ bool lacks_centre(MotionView m, const BlockWords& block) {
          !block.words.has(kCentreNames[static_cast<std::size_t>(plane.b)]);
 }
 
-/// Add the full turns that an arc makes besides.
-Result add_turns(MotionView m, const BlockWords& block, Piece& piece) {
-  for (const char name : m.facts.control->motion.added_turns.value) {
-    if (!block.words.has(name)) continue;
-    const double turns = std::round(block.words[name]);
-    if (turns < 0 || turns > kMostMoves) return fault_at(name, Cause::ValueOutOfRange, block);
-    piece.turn += std::copysign(2 * kPi * turns, piece.turn);
-  }
-  return std::nullopt;
-}
-
 /// Add the full turns that P asks of an arc.
 Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
   if (auto wrong = add_turns(m, block, piece)) return wrong;
@@ -299,9 +300,10 @@ Result find_centre(MotionView m, const BlockWords& block, bool radius, bool cent
     if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
     return more_turns(m, block, piece);
   }
-  if ((block.words.mask & kPolarWords) != 0)
-    return fault_at({.addresses = kCentreWords}, Cause::CodeNotComputed, block,
-                    "an arc about the pole is not computed");
+  if (is_about_pole(m, block)) {
+    if (auto wrong = arc_by_centre(m, block, piece)) return wrong;
+    return more_turns(m, block, piece);
+  }
   if (m.facts.control->motion.no_radius.value == NoRadius::Alarm)
     return fault_at({.addresses = kCentreWords}, Cause::NoRadius, block);
   piece.kind = MoveKind::Feed;
@@ -324,6 +326,16 @@ Result check_form(MotionView m, const BlockWords& block) {
 bool has_radius(const BlockWords& block) { return block.words.has('R') && block.words['R'] != 0; }
 
 }  // namespace
+
+Result add_turns(MotionView m, const BlockWords& block, Piece& piece) {
+  for (const char name : m.facts.control->motion.added_turns.value) {
+    if (!block.words.has(name)) continue;
+    const double turns = std::round(block.words[name]);
+    if (turns < 0 || turns > kMostMoves) return fault_at(name, Cause::ValueOutOfRange, block);
+    piece.turn += std::copysign(2 * kPi * turns, piece.turn);
+  }
+  return std::nullopt;
+}
 
 Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome) {
   const bool radius = has_radius(block);

@@ -1,6 +1,7 @@
 // From a block's motion to the rows of the table: the pieces, their lengths and times.
 #include "cncsub/motion/path/emit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -142,12 +143,34 @@ inline Result count_move(MotionContext& m, const BlockWords& block) {
   return std::nullopt;
 }
 
+/// Keep the direction in which a piece ends, as the frame of the program counts it.
+void keep_heading(MotionState& state, const Piece& piece, const Axes& from) {
+  std::array<double, 3> way{};
+  if (piece.turn == 0) {
+    for (std::size_t i = 0; i < way.size(); ++i) way[i] = piece.end[i] - from[i];
+  } else {
+    const PlaneAxes plane = plane_axes(piece.plane);
+    const double side = piece.turn < 0 ? -1 : 1;
+    const auto arm = [&](int axis) {
+      return piece.end[static_cast<std::size_t>(axis)] - piece.centre[centre_place(axis)];
+    };
+    way[static_cast<std::size_t>(plane.a)] = -side * arm(plane.b);
+    way[static_cast<std::size_t>(plane.b)] = side * arm(plane.a);
+  }
+  if (std::hypot(way[0], way[1], way[2]) < kStanding) return;
+  Axes direction{};
+  std::copy(way.begin(), way.end(), direction.begin());
+  if (state.frame.turned) direction = turned_back(state.frame, direction);
+  std::copy_n(direction.begin(), way.size(), state.heading.begin());
+}
+
 }  // namespace
 
 Result move(MotionContext& m, BlockWords& block, const Piece& piece) {
   if (auto wrong = count_move(m, block)) return wrong;
   if (!in_range(piece.end)) return out_of_range(piece.at);
   const Axes from = m.state.work + piece.offset, end = piece.end - piece.offset;
+  if (m.facts.keeps_heading) keep_heading(m.state, piece, from);
   m.outcome.moved = m.outcome.moved || piece.turn != 0 || comes_elsewhere(m.state.work, end);
   m.state.work = end;
   m.state.tool_pending = false;

@@ -15,6 +15,10 @@ inline double least_length(MotionView m) {
 
 /// Execute G02 and G03.
 Result arc(MotionContext& m, BlockWords& block, Meaning meaning);
+/// Add the full turns that an arc makes besides.
+Result add_turns(MotionView m, const BlockWords& block, Piece& piece);
+/// Execute an arc that goes on in the direction of the move before it.
+Result tangent_arc(MotionContext& m, BlockWords& block);
 /// Find the centre of an arc whose piece has all else, and the angle it runs through.
 Result shape_arc(MotionView m, const BlockWords& block, Piece& piece, MotionOutcome& outcome);
 /// Return whether an arc that begins and ends at these distances from its centre, mm, is refused.

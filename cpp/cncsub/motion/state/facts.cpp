@@ -76,7 +76,10 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
       chamfers(control->motion.chamfer_words.value, lathe()),
       rounds(control->motion.round_words.value, lathe()),
       angles(control->motion.angle_words.value, lathe()),
-      general_only(general) {
+      keeps_heading(std::any_of(
+          meanings->blocks.begin(), meanings->blocks.end(),
+          [](const BlockCodes& block) { return block.all.test(at(Meaning::TangentArc)); })),
+      general_only(general || keeps_heading) {
   number_groups(*this);
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
   const std::uint32_t corners = chamfers.mask | rounds.mask | angles.mask;

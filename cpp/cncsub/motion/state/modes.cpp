@@ -7,6 +7,9 @@ bool takes_word(MotionView m, const BlockWords& block, char letter) {
   const MotionRules& rules = m.facts.control->motion;
   if (block.meaning(Group::OneShot) == Meaning::Dwell)
     return rules.dwell_words.value.has(letter) || rules.dwell_turn_words.value.has(letter);
+  const GCode& motion =
+      block.has(Group::Motion) ? block.code(Group::Motion) : m.state.modal[at(Group::Motion)];
+  if (letter == 'F' && motion.meaning == Meaning::Thread && motion.variant >= 4) return true;
   return letter == 'D' && rules.speed_limit.value == SpeedLimit::OfSurface &&
          block.meaning(Group::Surface) == Meaning::SurfaceSpeed;
 }

@@ -8,6 +8,7 @@
 
 #include "cncsub/code/block_codes.hpp"
 #include "cncsub/control/control.hpp"
+#include "cncsub/motion/state/frames.hpp"
 #include "cncsub/motion/state/offset_tables.hpp"
 #include "cncsub/trace/moves.hpp"
 
@@ -157,10 +158,10 @@ struct Transform {  // rotation, scaling and mirror
   bool operator==(const Transform&) const = default;
 };
 
-/// A frame that a program lays over its work system: points are turned, scaled and mirrored by a
-/// matrix, then shifted.
+/// The frame that lies over the offsets of the work system: that of the program, in the matrix of
+/// the work system. Points are turned, scaled and mirrored by a matrix, then shifted.
 struct GeneralFrame {
-  std::array<double, 9> matrix{1, 0, 0, 0, 1, 0, 0, 0, 1};  // of X, Y and Z, row by row
+  Matrix matrix = kUnitMatrix;
   Axes shift{};
   bool turned = false;  // the matrix is not that of a shift alone
 
@@ -249,6 +250,10 @@ struct ModalValues {
   // The changes of offsets that no move along their axes has made yet, where increments make them.
   Axes unmoved{};
   std::array<double, 3> pole{};  // from which polar words count, in programmed coordinates
+  // The direction of the last move in programmed coordinates, zero: none. Kept where a program has
+  // arcs that go on from it.
+  std::array<double, 3> heading{};
+  std::array<double, 3> axis_feeds{};  // of moves beside the path, mm/min; 0: the axis' own
   StrokeArea area;
 
   bool operator==(const ModalValues&) const = default;
@@ -266,6 +271,7 @@ struct ModalState : ModalValues {
 /// The whole state of the motion. A copy is a snapshot: it shares the offset tables.
 struct MotionState : ModalState {
   OffsetTables tables;
+  Shared<Frames> frames;  // what ModalValues::frame is made of
 
   bool operator==(const MotionState&) const = default;
 };

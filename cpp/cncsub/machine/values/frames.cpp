@@ -1,0 +1,86 @@
+#include "cncsub/machine/values/frames.hpp"
+
+#include <cstring>
+#include <type_traits>
+
+#include "cncsub/machine/state/limits.hpp"
+#include "cncsub/motion/frame/frame_values.hpp"
+
+namespace cncsub {
+namespace {
+
+// What is kept is found again by its bytes.
+static_assert(std::has_unique_object_representations_v<FrameEntry> || sizeof(FrameEntry) == 16);
+static_assert(sizeof(FrameValue) == sizeof(Matrix) + 2 * sizeof(Axes) + sizeof(std::uint64_t));
+
+template <class Kept>
+double keep(Run& run, const Kept& of) {
+  constexpr std::size_t kMany = 4096;
+  std::string bytes(sizeof of, '\0');
+  std::memcpy(bytes.data(), &of, sizeof of);
+  const std::uint32_t number = run.state.frame_values.number_of(bytes);
+  if (run.state.frame_values.size() % kMany == 0) look_soon(run);
+  return static_cast<double>(number) + 1;
+}
+
+const std::string* bytes_of(const Run& run, double value) {
+  if (!(value >= 1) || !(value <= static_cast<double>(run.state.frame_values.size())))
+    return nullptr;
+  return &run.state.frame_values.at(to_whole<std::size_t>(value) - 1);
+}
+
+template <class Kept>
+Kept kept(const Run& run, double value) {
+  Kept of;
+  const std::string* const bytes = bytes_of(run, value);
+  if (bytes != nullptr && bytes->size() == sizeof of) std::memcpy(&of, bytes->data(), sizeof of);
+  return of;
+}
+
+}  // namespace
+
+FrameValue frame_of(const Run& run, double value) { return kept<FrameValue>(run, value); }
+FrameEntry entry_of(const Run& run, double value) { return kept<FrameEntry>(run, value); }
+double keep_frame(Run& run, const FrameValue& frame) {
+  return frame == FrameValue() ? 0 : keep(run, frame);
+}
+double keep_entry(Run& run, const FrameEntry& entry) { return keep(run, entry); }
+
+std::optional<double> read_frame(Run& run, const VariablePlace& place) {
+  if (place.range == nullptr) return std::nullopt;
+  const MotionState& state = run.motion.state();
+  switch (place.kind) {
+    case VariableKind::StoredFrame:
+      return keep_frame(run, stored_frame(state, place.index));
+    case VariableKind::FrameInForce:
+      return keep_frame(run, frame_in_force(state, static_cast<FrameInForce>(place.index)));
+    case VariableKind::FrameNumber:
+      return frame_number(state);
+    default:
+      return std::nullopt;
+  }
+}
+
+bool write_frame(Run& run, const VariablePlace& place, double value, std::optional<Fault>& wrong) {
+  FrameValue frame = frame_of(run, value);
+  const std::string* const bytes = bytes_of(run, value);
+  if (bytes != nullptr && bytes->size() == sizeof(FrameEntry)) {
+    const auto now = read_frame(run, place);
+    if (!now) return false;
+    frame = frame_of(run, *now);
+    if (!set_part(frame, entry_of(run, value))) {
+      wrong = Fault{.cause = Cause::CodeNotComputed,
+                    .detail = "this part of a frame that shears is not computed"};
+      return true;
+    }
+  }
+  if (place.kind == VariableKind::StoredFrame)
+    wrong = run.motion.set_stored_frame(place.index, frame);
+  else if (place.kind == VariableKind::FrameInForce)
+    wrong = run.motion.set_frame_in_force(static_cast<FrameInForce>(place.index), frame);
+  else
+    return false;
+  return true;
+}
+
+}  // namespace cncsub

@@ -1,0 +1,25 @@
+// Frames of a run: the number of each, and what they are.
+#pragma once
+
+#include <optional>
+
+#include "cncsub/machine/state/context.hpp"
+#include "cncsub/motion/state/frames.hpp"
+
+namespace cncsub {
+
+/// Return the frame that a value stands for. 0, and a value that is none, change nothing.
+FrameValue frame_of(const Run& run, double value);
+/// Return the value that stands for a frame.
+double keep_frame(Run& run, const FrameValue& frame);
+/// Return the value that stands for one entry of a frame, and the entry.
+double keep_entry(Run& run, const FrameEntry& entry);
+FrameEntry entry_of(const Run& run, double value);
+
+/// Read a frame of the work systems or in force; nothing where the variable is none.
+std::optional<double> read_frame(Run& run, const VariablePlace& place);
+/// Write one, or put an entry in it; return whether the variable is one, with the fault where it is
+/// refused.
+bool write_frame(Run& run, const VariablePlace& place, double value, std::optional<Fault>& wrong);
+
+}  // namespace cncsub

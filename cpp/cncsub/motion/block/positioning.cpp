@@ -1,0 +1,85 @@
+// Axes that go beside the path, each at its own feed.
+#include <algorithm>
+#include <cmath>
+
+#include "cncsub/motion/block/block.hpp"
+#include "cncsub/motion/frame/frame.hpp"
+#include "cncsub/motion/path/emit.hpp"
+#include "cncsub/motion/state/modes.hpp"
+#include "cncsub/motion/state/values.hpp"
+
+namespace cncsub {
+namespace {
+
+constexpr std::size_t kStraight = 3;  // axes that may go so
+constexpr std::string_view kFeedNames = "IJK";
+
+/// Axes on their way: how far each goes, how fast, and how long.
+struct Way {
+  std::array<double, kStraight> length{}, speed{}, minutes{};
+
+  /// Return how far an axis has come after so long a time.
+  double at(std::size_t axis, double time) const {
+    return time >= minutes[axis] ? length[axis] : std::copysign(speed[axis] * time, length[axis]);
+  }
+};
+
+/// Read the feeds of axes, which stay in force. 0 is that of the axis itself. [MD840, MD 32060]
+Result read_feeds(MotionContext& m, const BlockWords& block) {
+  for (std::size_t i = 0; i < kStraight; ++i) {
+    if (!block.words.has(kFeedNames[i])) continue;
+    const double feed = block.words[kFeedNames[i]] * m.state.unit;
+    if (feed < 0) return fault_at(kFeedNames[i], Cause::FeedOutOfRange, block);
+    m.state.axis_feeds[i] = feed;
+  }
+  return std::nullopt;
+}
+
+Way way_of(MotionView m, const Axes& end) {
+  Way way;
+  for (std::size_t i = 0; i < kStraight; ++i) {
+    const int axis = static_cast<int>(i);
+    way.length[i] = (end[i] - m.state.work[i]) * m.facts.share(axis);
+    way.speed[i] = m.state.axis_feeds[i] > 0 ? m.state.axis_feeds[i] : m.facts.rapid[i];
+    way.minutes[i] = way.speed[i] > 0 ? std::fabs(way.length[i]) / way.speed[i] : 0;
+  }
+  return way;
+}
+
+}  // namespace
+
+Result position_axes(MotionContext& m, BlockWords& block) {
+  block.consumed = true;
+  if (auto wrong = read_feeds(m, block)) return wrong;
+  if (moves_wait(m.state) || compensating(m.state) || is_turned(m.state))
+    return fault(Cause::CodeNotComputed, block,
+                 "cncsub computes axes beside the path neither in a frame that turns, scales or "
+                 "mirrors nor while a radius is compensated or a corner waits");
+  const auto [end, named] = target(m, block);
+  const Axes start = m.state.work;
+  const Way way = way_of(m, end);
+  std::array<double, kStraight> times = way.minutes;
+  std::sort(times.begin(), times.end());
+  double before = 0;
+  for (const double time : times) {
+    if (time <= before) continue;
+    Axes next = start;
+    double square = 0;  // of the speed
+    std::uint32_t moved = 0;
+    for (std::size_t i = 0; i < kStraight; ++i) {
+      const int axis = static_cast<int>(i);
+      next[i] = time >= way.minutes[i] ? end[i] : start[i] + way.at(i, time) / m.facts.share(axis);
+      if (way.minutes[i] <= before) continue;
+      square += way.speed[i] * way.speed[i];
+      moved |= axis_bit(axis);
+    }
+    Piece piece = make_piece(m, block, MoveKind::Feed, next, moved & named);
+    piece.state.feed = std::sqrt(square);
+    piece.state.feed_mode = FeedMode::PerMinute;
+    if (auto wrong = move(m, block, piece)) return wrong;
+    before = time;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cncsub

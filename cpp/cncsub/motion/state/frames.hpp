@@ -1,0 +1,48 @@
+// Frames as values: what programs keep, write and read of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+
+#include "cncsub/code/frame_parts.hpp"
+#include "cncsub/trace/moves.hpp"
+
+namespace cncsub {
+
+/// A matrix of X, Y and Z, row by row.
+using Matrix = std::array<double, 9>;
+constexpr Matrix kUnitMatrix{1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// A frame with the parts that a program can name: points are turned, scaled and mirrored by a
+/// matrix, then shifted. It has no padding: frames of the same bytes are the same.
+struct FrameValue {
+  Matrix matrix = kUnitMatrix;
+  Axes shift{}, fine{};        // mm and degrees
+  std::uint64_t mirrored = 0;  // axes that count as mirrored, where the matrix mirrors
+
+  Axes whole_shift() const {
+    Axes sum = shift;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += fine[i];
+    return sum;
+  }
+  bool operator==(const FrameValue&) const = default;
+};
+
+/// One value of an axis in a frame. It has no padding either.
+struct FrameEntry {
+  std::uint32_t part = 0;  // a FramePart
+  std::uint32_t axis = 0;
+  double value = 0;
+};
+
+/// The frames that lie in each other, the work system's first.
+struct Frames {
+  std::map<int, FrameValue> stored;  // of work systems that are more than an offset: without it
+  FrameValue settable;               // of the work system in force, without its offset
+  FrameValue program;                // what the program lays over it
+
+  bool operator==(const Frames&) const = default;
+};
+
+}  // namespace cncsub
