@@ -209,6 +209,16 @@ Address Code::return_target(const Program& program, std::int64_t n, Address call
   return kNowhere;
 }
 
+bool Code::leads_inside(Address from, Address to) const {
+  const auto behind =
+      std::upper_bound(structures.begin(), structures.end(), to,
+                       [](Address at, const StructureMark& of) { return at < of.from; });
+  if (behind == structures.begin()) return false;
+  const StructureMark& of = *std::prev(behind);
+  if (of.first == kNowhere) return false;
+  return !(from > of.first && (of.last == kNowhere || from <= of.last));
+}
+
 std::string Code::no_block(std::int64_t n, const Program& program) const {
   return "there is no N" + std::to_string(n) + " in " + name_of(program);
 }

@@ -52,7 +52,9 @@ void ReferenceReader::operands(const CallRecord& call) {
   for (const Operand* of : {&call.p, &call.l, &call.start(), &call.device()}) used_.operand(*of);
   for (std::uint32_t i = 0; i < call.arguments; ++i)
     used_.operand(code_.arguments[call.first_argument + i].operand);
-  for (const HandedBack& back : call.back()) used_.written(back.to);
+  used_.operand(call.name_text());
+  for (const PassedReference& of : call.references())
+    if (!of.copied) used_.written(of.variable);
 }
 
 /// Fill in what the operands say that are written as numbers; the others are computed.

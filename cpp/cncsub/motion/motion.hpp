@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/code/code.hpp"
@@ -68,6 +69,7 @@ class Motion {
   // What variables write. `system` and `axis` count as in query.hpp.
   void set_work_offset(int system, int axis, double value);
   void set_offset(VariableKind kind, int number, double value);
+  void name_tool(int number, std::string_view name) { now().tables.name_tool(number, name); }
 
   /// Let the rows go to another table from now on.
   void forget_table() { now().row_moves = nullptr; }

@@ -132,10 +132,10 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
   if (equals && open.definitions.find(std::string(1, letter)) != nullptr)
     return open.not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
-  bool is_text = false;
+  Type type = Type::Real;
   const bool read = !equals ? open.expression.number(value) || open.refuse(block)
                     : letter == 'T'
-                        ? open.expression.value_or_text(value, is_text) || open.refuse(block)
+                        ? open.expression.value_of_any(value, type) || open.refuse(block)
                         : form(open, block, at, letter - 'A', words.list.forms, value);
   if (!read) return false;
   value.at = at;
@@ -146,7 +146,7 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
                   : g_code(open, block, words, value);
   if (letter == 'M') return m_code(open, block, words, value);
   // The number of a tool's name is the machine's affair.
-  if (!known || is_text) return reported(open, words, at);
+  if (!known || type == Type::String) return reported(open, words, at);
   return put(open, block, words, letter - 'A', value);
 }
 

@@ -47,16 +47,29 @@ bool pass_count(OpenBlock& open, Block& block, Operand& count) {
   return true;
 }
 
+/// Read one value of a call, which may be a variable or an array.
+bool given_value(OpenBlock& open, ActualParameter& one) {
+  const Line before = open.line;
+  Type type = Type::Real;
+  Value value;
+  value.at = one.operand.at;
+  if (!open.expression.variable_alone(one.variable, type, one.extents) || one.extents.empty()) {
+    open.line = before;
+    if (!open.expression.value_of_any(value, type)) return false;
+  }
+  value.width = open.line.width_from(value.at);
+  one.type = shown_type(type);
+  one.operand = operand_of(value);
+  return true;
+}
+
 /// Read the values of a call up to the closing bracket. A value may be left out between its commas.
 bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& given) {
   while (!open.line.take(')')) {
     ActualParameter& one = given.emplace_back();
     one.operand.at = open.line.offset();
     if (open.line.peek() != ',') {
-      one.variable = open.expression.variable_alone();
-      Value value;
-      if (!open.expression.value_or_text(value, one.is_text)) return open.refuse(block);
-      one.operand = operand_of(value);
+      if (!given_value(open, one)) return open.refuse(block);
     }
     if (open.line.peek() != ')' && !open.line.take(','))
       return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());

@@ -52,15 +52,15 @@ class ExpressionReader {
   bool number(Value& value);
   /// Read the expression after =.
   bool value(Value& value);
-  /// Read an expression that may be a text, and set whether it is.
-  bool value_or_text(Value& value, bool& is_text);
+  /// Read an expression of any type, which is set.
+  bool value_of_any(Value& value, Type& type);
   /// Read a text, or what << makes one of.
   bool text(Value& value);
   /// Read the expression after =, as a value that the variable takes.
   bool value_of(const Definition& of, Value& value);
-  /// Return the variable that stands here with nothing but it before the next comma or bracket. It
-  /// is not taken.
-  Statement variable_alone();
+  /// Set the variable that stands here with nothing but it before the next comma or bracket, which
+  /// is not taken; or the array, and its extents. Return false where none does.
+  bool variable_alone(Statement& variable, Type& type, std::vector<std::int32_t>& extents);
   /// Read the expression of a condition; `otherwise`: of its negation.
   bool condition(std::uint32_t& expression, bool otherwise = false);
   /// Read R1=5 or R[R2]=R1+1.

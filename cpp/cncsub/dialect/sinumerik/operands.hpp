@@ -41,6 +41,14 @@ bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_
 void convert_to_text(OpenExpression& open, Type from);
 WrittenAs written_as(Type type);
 
+/// Return the instruction that reads a variable which is no array.
+inline Instruction reading(const Definition& of) {
+  const auto local = static_cast<std::uint32_t>(of.local);
+  if (of.reference >= 0)
+    return {Ins::Referenced, 0, static_cast<std::uint32_t>(of.reference), of.local + 0.0};
+  return {of.global ? Ins::Common : Ins::Local, 0, local, 0};
+}
+
 /// Return the mark of a variable among what a block has assigned to.
 inline std::int32_t mark_of(const Definition& of) {
   constexpr std::int32_t kGlobal = 1 << 29, kArray = 1 << 28;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cncsub/dialect/sinumerik/open_block.hpp"
+#include "cncsub/dialect/sinumerik/operands.hpp"
 #include "cncsub/system/decimal.hpp"
 
 namespace cncsub::sinumerik {
@@ -190,7 +191,9 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   Statement first;
   if (of != nullptr ? !open.expression.assignment(*of, first) : !open.expression.assignment(first))
     return open.refuse(block);
-  if (first.target != Statement::Target::Local && first.target != Statement::Target::Common)
+  using Target = Statement::Target;
+  if (first.target != Target::Local && first.target != Target::Common &&
+      first.target != Target::Referenced)
     return open.not_computed(block, "a FOR that counts with a parameter of a computed number", at);
   if (capitals(open.line.name()) != "TO")
     return open.refuse(block, Cause::StatementFormat, "TO is missing: FOR R1=1 TO 10",
@@ -202,12 +205,13 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   if (of == nullptr || of->type == Type::Real)
     first.expression = open.to.expressions().changed(first.expression, Ins::Round);
   Statement next = first;
-  const bool local = first.target == Statement::Target::Local;
   double number = 0;
   if (parameter) system::parse(name.substr(1), number);
   open.to.expressions().begin();
-  open.to.expressions().emit({local ? Ins::Local : Ins::Common, 0,
-                              static_cast<std::uint32_t>(first.index), local ? 0 : number});
+  if (of != nullptr)
+    open.to.expressions().emit(reading(*of));
+  else
+    open.to.expressions().emit({Ins::Common, 0, static_cast<std::uint32_t>(first.index), number});
   open.to.expressions().emit({Ins::Constant, 0, at, 1});
   open.to.expressions().emit({Ins::Add, 0, at, 0});
   open.to.expressions().emit({Ins::Round, 0, at, 0});

@@ -159,18 +159,19 @@ void Structure::close(const Met& met, Link::Kind opener) {
 
 /// Return the blocks of a label, or of a block number, in their order.
 const std::vector<Address>& Structure::blocks_of(const JumpTarget& target) {
+  static const std::vector<Address> kNone;
   if (!target.label.empty()) {
     const auto found = labels_.find(target.label);
-    if (found != labels_.end()) return found->second;
+    return found != labels_.end() ? found->second : kNone;
   }
-  numbered_.clear();
-  if (!target.label.empty()) return numbered_;
+  const auto [found, is_new] = numbered_.try_emplace(target.number);
+  if (!is_new) return found->second;
   const Code& code = to_.code();
   const Program& program = code.programs.back();
   for (Address a = code.first_of(program, target.number); a != kNowhere;
        a = code.next_of(program, target.number, a))
-    numbered_.push_back(a);
-  return numbered_;
+    found->second.push_back(a);
+  return found->second;
 }
 
 /// Return the nearest block of the label, or of the number, in the direction of the search. `other`

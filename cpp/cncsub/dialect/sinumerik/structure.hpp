@@ -16,6 +16,7 @@ class Structure {
 
   void begin() {
     labels_.clear();
+    numbered_.clear();
     links_.clear();
   }
   /// Add the block that is appended next.
@@ -69,7 +70,7 @@ class Structure {
 
   Builder& to_;
   std::unordered_map<std::string, std::vector<Address>> labels_;
-  std::vector<Address> numbered_;  // the blocks of the number that was searched for last
+  std::unordered_map<std::int32_t, std::vector<Address>> numbered_;  // the blocks of a number
   std::vector<Met> links_;
   std::vector<Open> open_;
   std::vector<Span> spans_;  // by their numbers, less 1

@@ -115,8 +115,24 @@ char code_letter(CallKind kind, char of_caller) {
   }
 }
 
+/// Give the arrays that a call hands over by value copies of their own, on the level that is open.
+void copy_arrays(Run& run, const CallRecord& record) {
+  State& s = run.state;
+  for (const PassedReference& of : record.references()) {
+    if (!of.copied) continue;
+    double* const local = s.locals.data() + run.local_at(s.level, of.local);
+    const Reference from = Reference::of(local[0]);
+    const auto count = to_whole<std::size_t>(local[1]);
+    local[0] = Reference{Reference::In::Copies, s.copies.size()}.packed();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const value = s.cell(from.behind(i));
+      s.copies.push_back(value == nullptr ? 0 : *value);
+    }
+  }
+}
+
 /// Open a level of locals with the arguments in it.
-void open_level(Run& run) {
+void open_level(Run& run, const CallRecord& record) {
   State& s = run.state;
   ++s.level;
   const std::size_t first = run.local_at(s.level, 0);
@@ -133,6 +149,13 @@ void open_level(Run& run) {
   std::copy(block.arguments.begin(), block.arguments.end(), s.locals.data() + first);
   if (run.control().macros.call_passes_words.value)
     std::copy(block.programmed.begin(), block.programmed.end(), s.programmed.data() + first);
+  if (!record.references().empty()) copy_arrays(run, record);
+}
+
+/// Return whether an argument is one of those that a program does not see: references.
+bool is_hidden(const Code& code, std::size_t local) {
+  const auto index = static_cast<std::int32_t>(local);
+  return index > code.locals_per_level && code.named(false, index) == nullptr;
 }
 
 /// Write the call into the trace, with its arguments where it opened a level for them.
@@ -156,7 +179,7 @@ void record_call(Run& run, std::uint32_t index, const Target& target, OpenFrame&
   const std::vector<double>& arguments = run.block.arguments;
   if (open.own_locals && !open.shares_locals)
     for (std::size_t i = 0; i < arguments.size(); ++i)
-      if (!is_vacant(arguments[i]))
+      if (!is_vacant(arguments[i]) && !is_hidden(*run.code, i))
         trace.arguments.push({static_cast<std::int32_t>(i), arguments[i]});
   row.arguments = static_cast<std::uint32_t>(trace.arguments.size()) - row.first_argument;
   open.call = trace.call_number(trace.calls.size());
@@ -181,6 +204,50 @@ bool decode_target(Run& run, const CallRecord& record, Target& target) {
   return true;
 }
 
+namespace {
+
+/// Return the variable of the present level that a call names, or the array; nothing where the run
+/// stopped.
+std::optional<Reference> passed(Run& run, const Statement& of) {
+  double number = 0;
+  if (of.is_computed() && !evaluate(run, of.variable, number)) return std::nullopt;
+  if (of.is_element()) return elements_of(run, of, number).first;
+  if (const auto variable = variable_of(run, of)) return variable;
+  const VariablePlace place = run.code->place(number_of_variable(number));
+  if (place.is_common())
+    return Reference{Reference::In::Commons, static_cast<std::size_t>(place.index)};
+  alarm(run, {Cause::IllegalVariable, of.variable_at, of.variable_width,
+              "there is no variable of this number"});
+  return std::nullopt;
+}
+
+/// Evaluate which variables the parameters by reference stand for.
+bool evaluate_references(Run& run, const CallRecord& record) {
+  std::vector<double>& arguments = run.block.arguments;
+  for (const PassedReference& of : record.references()) {
+    const std::optional<Reference> at = passed(run, of.variable);
+    if (!at) return false;
+    const auto local = static_cast<std::size_t>(of.local);
+    arguments[local] = at->packed();
+    if (of.extents.empty()) continue;
+    double elements = 1;
+    for (std::size_t i = 0; i < of.extents.size(); ++i) {
+      // That of an array that is a parameter itself is known now.
+      const double extent =
+          of.extents[i] > 0
+              ? of.extents[i]
+              : run.state.locals[run.local_at(run.state.level,
+                                              of.variable.index + 2 + static_cast<std::int32_t>(i))];
+      arguments[local + 2 + i] = extent;
+      elements *= extent;
+    }
+    arguments[local + 1] = elements;
+  }
+  return true;
+}
+
+}  // namespace
+
 bool evaluate_arguments(Run& run, const CallRecord& record) {
   RunningBlock& block = run.block;
   block.arguments.assign(static_cast<std::size_t>(run.code->locals), kVacant);
@@ -197,7 +264,7 @@ bool evaluate_arguments(Run& run, const CallRecord& record) {
     block.arguments[place] = value;
     if (reported) block.programmed[place] = modal_code(run.motion.view(), 3) == 91 ? 91 : 90;
   }
-  return true;
+  return record.references().empty() || evaluate_references(run, record);
 }
 
 std::optional<Fault> refused_here(const Run& run, const CallRecord& record) {
@@ -297,26 +364,8 @@ CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord&
   open.modal = modal;
   open.modal_limit = modal >= 0 ? modal : run.frame().modal_limit;
   open.loops = static_cast<std::uint32_t>(run.state.loops.size());
+  open.copies = run.state.copies.size();
   return open;
-}
-
-/// Return what the open program hands back to its caller, in the order of the call.
-std::vector<double> values_back(const Run& run, const OpenFrame& open) {
-  std::vector<double> values;
-  if (open.hands_back < 0) return values;
-  for (const HandedBack& of : run.code->calls[static_cast<std::size_t>(open.hands_back)].back())
-    values.push_back(run.state.locals[run.local_at(run.state.level, of.from)]);
-  return values;
-}
-
-/// Give variables of the caller, whose level is open again, the values of the parameters that
-/// stand for them.
-bool hand_back(Run& run, const OpenFrame& open, const std::vector<double>& values) {
-  if (open.hands_back < 0) return true;
-  const auto& back = run.code->calls[static_cast<std::size_t>(open.hands_back)].back();
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!store(run, back[i].to, is_vacant(values[i]) ? 0 : values[i])) return false;
-  return true;
 }
 
 }  // namespace
@@ -340,8 +389,7 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
     s.moved_at = s.pc;
   }
   ++s.changes;
-  if (!record.back().empty()) open.hands_back = static_cast<std::int32_t>(index);
-  if (open.own_locals) open_level(run);
+  if (open.own_locals) open_level(run, record);
   (record.macro ? s.macros : s.subprograms) += 1;
   if (run.trace.depth != Trace::Depth::None)
     record_call(run, index, target, open,
@@ -371,12 +419,11 @@ bool leave(Run& run, Address to, bool goes_on) {
     std::copy_n(own, run.code->locals_per_level + 1,
                 s.locals.data() + run.local_at(s.level - 1, 0));
   }
-  const std::vector<double> values = values_back(run, open);
   if (open.own_locals) {
     --s.level;
     s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)));
+    s.copies.resize(open.copies);
   }
-  if (!hand_back(run, open, values)) return false;
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();

@@ -1,6 +1,8 @@
 // Macro statements: assignments, branches, loops, jumps, names.
 #pragma once
 
+#include <optional>
+
 #include "cncsub/machine/state/context.hpp"
 
 namespace cncsub {
@@ -18,6 +20,15 @@ bool h_code(Run& run, const HCode& h, bool& holds);
 /// Execute the assignments of a block that does something else too, all with the values from
 /// before, and its message. The words have their values already, and are executed after it.
 bool assign_in_parallel(Run& run);
+/// Return the local, the common or what a parameter stands for that an assignment names; nothing
+/// where it names something else.
+std::optional<Reference> variable_of(const Run& run, const Statement& statement);
+/// The elements of an array from the one on that an assignment names.
+struct ArrayElements {
+  Reference first;
+  std::int32_t left = 0;  // how many there are
+};
+ArrayElements elements_of(const Run& run, const Statement& statement, double place);
 /// Return the number of the variable that an expression gives.
 std::int64_t number_of_variable(double value);
 /// Give the variable of an assignment its value.
