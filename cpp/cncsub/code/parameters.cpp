@@ -75,8 +75,7 @@ std::optional<Fault> refused(const FormalParameter& formal, const ActualParamete
                  "the parameter takes a variable, and stands for it");
   if (!can_become(formal, actual.type))
     return fault(actual, Cause::ParameterType,
-                 "this is " + name_of(actual.type) + ", and the parameter " +
-                     name_of(formal.type));
+                 "this is " + name_of(actual.type) + ", and the parameter " + name_of(formal.type));
   return std::nullopt;
 }
 

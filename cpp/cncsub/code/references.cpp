@@ -68,6 +68,7 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
   computed(known.l, reference.computed_repeats);
   if (CallExtras* extras = known.extras.find()) computed(extras->start, reference.computed_start);
   computed(known.p, reference.computed_program);
+  if (call.name_text().present()) reference.computed_program = place_of(call.name_text());
   if (reference.computed_program) known.program_number = 0;
   Target target;
   const CallOperands values{known.p.value, known.l.value, known.start().value,

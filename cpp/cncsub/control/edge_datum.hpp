@@ -13,9 +13,9 @@ struct EdgeDatum {
   static constexpr std::int32_t kData = 36, kEdges = 20, kTools = 40'000;  // more than any control has
   static constexpr std::int32_t kNumbers = kData * kEdges * kTools;
 
-  std::int32_t number() const { return (datum * kEdges + edge) * kTools + tool; }
+  std::int32_t number() const { return (datum * kTools + tool) * kEdges + edge; }
   static EdgeDatum of(std::int32_t number) {
-    return {number / kTools / kEdges, number / kTools % kEdges, number % kTools};
+    return {number / kEdges / kTools, number % kEdges, number / kEdges % kTools};
   }
 };
 

@@ -212,7 +212,8 @@ bool DeclarationReader::extents(Block& block, Declared& declared) {
     if (line_.peek() == ']' || line_.peek() == ',') {
       if (!declared.is_parameter)
         return refuse(block, Cause::StatementFormat, "the size of the array is missing", at);
-      if (definition.dimensions == Definition::kMostDimensions) return too_many_dimensions(block, at);
+      if (definition.dimensions == Definition::kMostDimensions)
+        return too_many_dimensions(block, at);
       definition.extents[definition.dimensions++] = 0;
       continue;
     }
@@ -241,11 +242,8 @@ bool DeclarationReader::declared(Block& block, Declared& declared, std::size_t s
     place(declared);
   if (line_.take('=') && !initial_value(block, declared)) return false;
   if (declared.definition.type != Type::Frame)
-    to_.names().defined({shown_type(declared.definition.type),
-                         declared.definition.global,
-                         declared.definition.local,
-                         declared.definition.shape(),
-                         declared.name,
+    to_.names().defined({shown_type(declared.definition.type), declared.definition.global,
+                         declared.definition.local, declared.definition.shape(), declared.name,
                          declared.definition.reference},
                         declared.definition.global);
   definitions_.add(declared.name, declared.definition);

@@ -52,6 +52,45 @@ bool jumps_later(OpenBlock& open) {
   return false;
 }
 
+/// Let a jump know its target, as far as that is known before the whole program is read.
+void name_target(Statement& jump, const JumpTarget& target) {
+  jump.variable_at = target.at;
+  jump.variable_width = target.width;
+  if (!target.computed) return;
+  using Search = Statement::Search;
+  jump.number = -1;
+  jump.variable = target.text;
+  jump.search = target.direction == 'F'   ? Search::Forward
+                : target.direction == 'B' ? Search::Back
+                : target.direction == 'C' ? Search::BothOrOn
+                                          : Search::Both;
+}
+
+/// Read the text of a jump: "LBL"<<R1, or a variable.
+bool text_target(OpenBlock& open, Block& block, JumpTarget& target) {
+  Value value;
+  Type type = Type::Real;
+  if (!open.expression.value_of_any(value, type)) return open.refuse(block);
+  target.width = open.line.width_from(target.at);
+  if (type != Type::String)
+    return open.refuse(block, Cause::TypeMismatch,
+                       "a jump goes to a label or to a text that names it", target.at);
+  target.computed = value.computed;
+  target.text = value.expression;
+  if (value.computed) return true;
+  const std::string text =
+      capitals(trimmed(open.to.code().texts.at(to_whole<std::size_t>(value.number))));
+  target.label = text.empty() ? "\"" : text;  // no block has it
+  const std::size_t digits = text.starts_with('N') ? 1 : 0;
+  const bool number =
+      text.size() > digits &&
+      std::all_of(text.begin() + static_cast<std::ptrdiff_t>(digits), text.end(), is_digit);
+  if (!number) return true;
+  target.label.clear();
+  std::from_chars(text.data() + digits, text.data() + text.size(), target.number);
+  return true;
+}
+
 /// Write a block that jumps to the first alternative which applies.
 bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
                   std::vector<Alternative>& alternatives) {
@@ -63,8 +102,7 @@ bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
     } else {
       Statement statement;
       statement.at = one.choice.at;
-      statement.variable_at = one.target.at;
-      statement.variable_width = one.target.width;
+      name_target(statement, one.target);
       open.to.become(jump, Op::Goto, statement);
     }
     one.choice.then = open.to.keep(jump);
@@ -103,8 +141,7 @@ bool condition_jumps(OpenBlock& open, Block& block, Link& link, Statement first)
   link.kind = Link::Kind::Jump;
   link.conditional = true;
   link.target = all.front().target;
-  first.variable_at = link.target.at;
-  first.variable_width = link.target.width;
+  name_target(first, link.target);
   open.to.become(block, Op::IfGoto, first);
   return true;
 }
@@ -133,8 +170,7 @@ bool jump(OpenBlock& open, Block& block, Link& link, std::string_view word, Stat
     open.to.words(block, {});
     return true;
   }
-  jump.variable_at = link.target.at;
-  jump.variable_width = link.target.width;
+  name_target(jump, link.target);
   link.kind = Link::Kind::Jump;
   open.to.become(block, Op::Goto, jump);
   return true;
@@ -281,14 +317,12 @@ bool jump_target(OpenBlock& open, Block& block, std::string_view word, JumpTarge
     const std::string_view digits = open.line.take_digits();
     std::from_chars(digits.data(), digits.data() + digits.size(), target.number);
   } else if (open.line.peek() == '"') {
-    std::string text;
-    if (!text_here(open, block, text)) return false;
-    target.label = capitals(text);
+    return text_target(open, block, target);
   } else if (name.size() > 1) {
     target.label = capitals(name);
+    const Definition* const of = open.definitions.find(target.label);
+    if (of != nullptr && of->type == Type::String) return text_target(open, block, target);
     open.line.pass(name.size());
-    if (open.definitions.find(target.label) != nullptr)
-      return open.not_computed(block, "a jump to what a text names", target.at);
   } else {
     open.line.pass(name.size());
     return open.refuse(block, Cause::StatementFormat,

@@ -47,7 +47,8 @@ bool ExpressionReader::variable_alone(Statement& variable, Type& type,
   bool read = false;
   type = of != nullptr ? of->type : Type::Real;
   if (of != nullptr) {
-    const bool whole = of->is_array() && open_.line.ahead(open_.line.past_blanks(name.size())) != '[';
+    const bool whole =
+        of->is_array() && open_.line.ahead(open_.line.past_blanks(name.size())) != '[';
     read = left_side(*of, variable);
     if (whole) extents = of->shape();
   } else if (name.starts_with('R')) {
@@ -136,6 +137,21 @@ bool ExpressionReader::assignment(const Definition& to, Statement& statement) {
   if (statements.size() != 1 || statements[0].count != 1)
     return open_.wrong(Cause::StatementFormat, "one value is given to a variable here", at);
   statement = statements[0];
+  return true;
+}
+
+bool ExpressionReader::tool_datum(const ToolDatum& of, Statement& statement) {
+  const std::uint32_t at = statement.at;
+  open_.to.expressions().begin();
+  if (!read_tool_datum(open_, of, 0)) return false;
+  statement.target = Statement::Target::Indirect;
+  statement.variable = open_.to.expressions().end(at, open_.line.width_from(at));
+  statement.variable_width = open_.line.width_from(at);
+  if (!open_.line.take('=')) return open_.wrong(Cause::MissingEquals, "= is missing", at);
+  Definition as;
+  as.type = of.of_edge ? Type::Real : Type::String;
+  if (!assigned_value(as, statement)) return false;
+  open_.assigned.insert(kToolData);
   return true;
 }
 

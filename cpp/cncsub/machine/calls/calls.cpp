@@ -115,22 +115,6 @@ char code_letter(CallKind kind, char of_caller) {
   }
 }
 
-/// Give the arrays that a call hands over by value copies of their own, on the level that is open.
-void copy_arrays(Run& run, const CallRecord& record) {
-  State& s = run.state;
-  for (const PassedReference& of : record.references()) {
-    if (!of.copied) continue;
-    double* const local = s.locals.data() + run.local_at(s.level, of.local);
-    const Reference from = Reference::of(local[0]);
-    const auto count = to_whole<std::size_t>(local[1]);
-    local[0] = Reference{Reference::In::Copies, s.copies.size()}.packed();
-    for (std::size_t i = 0; i < count; ++i) {
-      const double* const value = s.cell(from.behind(i));
-      s.copies.push_back(value == nullptr ? 0 : *value);
-    }
-  }
-}
-
 /// Open a level of locals with the arguments in it.
 void open_level(Run& run, const CallRecord& record) {
   State& s = run.state;
@@ -201,52 +185,8 @@ bool decode_target(Run& run, const CallRecord& record, Target& target) {
     return false;
   if (auto fault = decode_call(*run.code, record, values, run.frame().program, target))
     return alarm(run, *fault);
-  return true;
+  return !record.name_text().present() || find_by_text(run, record, target);
 }
-
-namespace {
-
-/// Return the variable of the present level that a call names, or the array; nothing where the run
-/// stopped.
-std::optional<Reference> passed(Run& run, const Statement& of) {
-  double number = 0;
-  if (of.is_computed() && !evaluate(run, of.variable, number)) return std::nullopt;
-  if (of.is_element()) return elements_of(run, of, number).first;
-  if (const auto variable = variable_of(run, of)) return variable;
-  const VariablePlace place = run.code->place(number_of_variable(number));
-  if (place.is_common())
-    return Reference{Reference::In::Commons, static_cast<std::size_t>(place.index)};
-  alarm(run, {Cause::IllegalVariable, of.variable_at, of.variable_width,
-              "there is no variable of this number"});
-  return std::nullopt;
-}
-
-/// Evaluate which variables the parameters by reference stand for.
-bool evaluate_references(Run& run, const CallRecord& record) {
-  std::vector<double>& arguments = run.block.arguments;
-  for (const PassedReference& of : record.references()) {
-    const std::optional<Reference> at = passed(run, of.variable);
-    if (!at) return false;
-    const auto local = static_cast<std::size_t>(of.local);
-    arguments[local] = at->packed();
-    if (of.extents.empty()) continue;
-    double elements = 1;
-    for (std::size_t i = 0; i < of.extents.size(); ++i) {
-      // That of an array that is a parameter itself is known now.
-      const double extent =
-          of.extents[i] > 0
-              ? of.extents[i]
-              : run.state.locals[run.local_at(run.state.level,
-                                              of.variable.index + 2 + static_cast<std::int32_t>(i))];
-      arguments[local + 2 + i] = extent;
-      elements *= extent;
-    }
-    arguments[local + 1] = elements;
-  }
-  return true;
-}
-
-}  // namespace
 
 bool evaluate_arguments(Run& run, const CallRecord& record) {
   RunningBlock& block = run.block;
@@ -305,6 +245,7 @@ bool call(Run& run, const Block& block) {
   const bool passes = record.arguments > 0 || record.locals != CallRecord::Locals::ByKind ||
                       run.control().macros.call_passes_words.value;
   if (passes && !evaluate_arguments(run, record)) return false;
+  if (passes && record.name_text().present() && !take_own_values(run, record, target)) return false;
   if (has_words(block) && in_cycle(run.motion.state()) && run.refuses(Cause::CallWithWordsInCycle))
     return alarm(run, fault(record, Cause::CallWithWordsInCycle,
                             "M98 has other words in its block while a canned cycle is active"));

@@ -25,8 +25,7 @@ void remember(Run& run, const Reference& at) {
 /// Keep the elements of an array that an assignment is about to change.
 void remember_elements(Run& run, const Statement& statement, double place) {
   const ArrayElements all = elements_of(run, statement, place);
-  const std::int32_t most =
-      statement.count == 0 ? all.left : std::min(statement.count, all.left);
+  const std::int32_t most = statement.count == 0 ? all.left : std::min(statement.count, all.left);
   for (std::int32_t i = 0; i < most; ++i)
     remember(run, all.first.behind(static_cast<std::size_t>(i)));
 }
@@ -46,8 +45,7 @@ void remember(Run& run, const Statement& statement, double number) {
       run.code->place(indirect ? to_whole<std::int64_t>(number) : statement.index);
   if (place.is_local())
     return remember(run, {In::Locals, run.local_at(run.state.level, place.index)});
-  if (place.is_common())
-    return remember(run, {In::Commons, static_cast<std::size_t>(place.index)});
+  if (place.is_common()) return remember(run, {In::Commons, static_cast<std::size_t>(place.index)});
   remember_system(run);
 }
 

@@ -44,6 +44,8 @@ bool may_jump(Run& run, const Statement& statement);
 /// Return whether the run waits here for the world outside. A jump back that is reached twice with
 /// nothing changed in between can only wait, for what the condition that was asked last reads.
 bool waits(Run& run);
+/// Execute a jump to what a text names.
+bool jump_by_text(Run& run, const Statement& statement);
 /// Go on at a block of the running program, or wait there for the world outside.
 bool jump_to(Run& run, Address to);
 /// Leave the loops that do not hold the block.

@@ -125,8 +125,7 @@ bool store_elements(Run& run, const Statement& statement, double place, double v
     return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
                        "the array ends before the last value"});
   if (count <= 0) return true;
-  const double* const last =
-      run.state.cell(first.behind(static_cast<std::size_t>(count) - 1));
+  const double* const last = run.state.cell(first.behind(static_cast<std::size_t>(count) - 1));
   if (last == nullptr) return is_gone(run, statement);
   std::fill_n(run.state.cell(first), count, value);
   ++run.state.changes;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cncsub/machine/values/instructions.hpp"
+#include "cncsub/machine/values/reference_instructions.hpp"
 #include "cncsub/machine/values/texts.hpp"
 #include "cncsub/system/decimal.hpp"
 #include "cncsub/text/axis_names.hpp"

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "cncsub/motion/frame/frame.hpp"
-#include "cncsub/motion/query.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
 
@@ -274,7 +273,7 @@ Result set_edge(MotionContext& m, const BlockWords& block) {
   return std::nullopt;
 }
 
-double edge_datum(MotionView m, std::int32_t number) {
+double datum_of_edge(MotionView m, std::int32_t number) {
   const OffsetTables& tables = m.state.tables;
   const EdgeDatum of = EdgeDatum::of(number);
   if (const auto written = written_datum(*tables.edges, of)) return *written;
