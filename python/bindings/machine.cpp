@@ -187,6 +187,7 @@ py::object named_value(const Machine& machine, DefinedVariable::Type type, doubl
   const auto whole = to_whole<std::int64_t>(value);
   switch (type) {
     case DefinedVariable::Type::Real:
+    case DefinedVariable::Type::Frame:  // of a parameter: no variable is shown as one
       break;
     case DefinedVariable::Type::Int:
     case DefinedVariable::Type::Char:
@@ -202,9 +203,9 @@ py::object named_value(const Machine& machine, DefinedVariable::Type type, doubl
 }
 
 /// Return an array as lists in each other, from `at` on, which goes past it.
-py::object named_array(const Machine& machine, const DefinedVariable& of, std::size_t dimension,
+py::object named_array(const Machine& machine, const NamedValues& of, std::size_t dimension,
                        const double*& at) {
-  if (dimension == of.extents.size()) return named_value(machine, of.type, *at++);
+  if (dimension == of.extents.size()) return named_value(machine, of.variable->type, *at++);
   py::list list;
   for (std::int32_t i = 0; i < of.extents[dimension]; ++i)
     list.append(named_array(machine, of, dimension + 1, at));
@@ -217,7 +218,7 @@ py::dict named_variables(Live& live, int level) {
   for (const NamedValues& of : machine->named(level_or_present(*machine, level))) {
     const double* at = of.values;
     const py::str name(of.variable->name);
-    if (!named.contains(name)) named[name] = named_array(*machine, *of.variable, 0, at);
+    if (!named.contains(name)) named[name] = named_array(*machine, of, 0, at);
   }
   return named;
 }

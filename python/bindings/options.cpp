@@ -106,6 +106,18 @@ Inputs inputs_of(const py::dict& from) {
   return inputs;
 }
 
+static void read_edge(const py::dict& from, Setup::Edge& edge) {
+  for (const auto& [key, value] : from) {
+    const auto name = key.cast<std::string>();
+    if (name == "tip")
+      edge.tip = to_whole<int>(value.cast<double>());
+    else if (name == "R")
+      edge.radius = value.cast<double>();
+    else if (name != "name" && name != "edges")
+      edge.values[axis_of(name)] = value.cast<double>();
+  }
+}
+
 Setup setup_of(const py::dict& from) {
   Setup setup;
   setup.machine = get(from, "machine", std::string());
@@ -129,15 +141,11 @@ Setup setup_of(const py::dict& from) {
   if (from.contains("tools"))
     for (const auto& [number, values] : from["tools"].cast<py::dict>()) {
       Setup::Tool tool;
-      for (const auto& [key, value] : values.cast<py::dict>()) {
-        const auto name = key.cast<std::string>();
-        if (name == "tip")
-          tool.tip = to_whole<int>(value.cast<double>());
-        else if (name == "R")
-          tool.radius = value.cast<double>();
-        else
-          tool.values[axis_of(name)] = value.cast<double>();
-      }
+      read_edge(values.cast<py::dict>(), tool);
+      if (values.contains("name")) tool.name = values["name"].cast<std::string>();
+      if (values.contains("edges"))
+        for (const auto& [edge, offsets] : values["edges"].cast<py::dict>())
+          read_edge(offsets.cast<py::dict>(), tool.edges[edge.cast<int>()]);
       setup.tools[number.cast<int>()] = tool;
     }
   return setup;

@@ -25,7 +25,9 @@ _DEEP = re.compile(r"(?:\.[^.,=\[\]{}#\n]{0,80}){100}")
 _SYSTEM = re.compile(
     r"EXT|G5[4-9]|G54\.1 P([1-9][0-9]?|[12][0-9]{2}|300)|G500|G5(0[5-9]|[1-9][0-9])"
 )
-_TOOL_KEYS = ("X", "Y", "Z", "R", "tip")
+_EDGE_KEYS = ("X", "Y", "Z", "R", "tip")
+_TOOL_KEYS = (*_EDGE_KEYS, "name", "edges")  # the last two where D is an edge of the tool
+_MOST_EDGES = 12  # [general knowledge of the SINUMERIK 840D]
 
 Point = Mapping[str, float]
 T = TypeVar("T")
@@ -40,7 +42,9 @@ class Setup:
     `"G54"` to `"G59"`, `"EXT"`, `"G54.1 P1"`, and on a SINUMERIK `"G505"` to `"G599"`.
     `length_offsets`, `radius_offsets`: by H and by D, or by T where D is an edge of the tool.
     `tools`: a lathe's tool offsets by number, each with `"X"`, `"Z"`, `"R"` (nose radius) and
-    `"tip"` (0 to 9); where D is an edge of the tool, the lengths and the radius of tool T.
+    `"tip"` (0 to 9); where D is an edge of the tool, the lengths and the radius of tool T, its
+    `"name"`, by which `T="MILL_10"` calls it, and the same of its other edges, `"edges"` by number
+    from 2 on.
     `reference`: reference points 1 to 4 in machine coordinates, 1 is that of G28. `rapid`: mm/min
     by axis. `limits`: lowest and highest machine coordinate by axis; without them nothing is
     limited. `stroke_area`: the same for the area of G22, before a program sets it. `increment`:
@@ -60,7 +64,7 @@ class Setup:
     work_offsets: Mapping[str, Point] = field(default_factory=dict)
     length_offsets: Mapping[int, float] = field(default_factory=dict)
     radius_offsets: Mapping[int, float] = field(default_factory=dict)
-    tools: Mapping[int, Mapping[str, float]] = field(default_factory=dict)
+    tools: Mapping[int, Mapping[str, Any]] = field(default_factory=dict)
     reference: Mapping[int, Point] = field(default_factory=dict)
     rapid: Point = field(default_factory=dict)
     limits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
@@ -242,11 +246,30 @@ def _reference(what: str, key: object) -> int:
     return number
 
 
-def _tool(what: str, tool: object) -> dict[str, float]:
-    values = _mapping(what, tool)
+def _tool(what: str, tool: object) -> dict[str, Any]:
+    values = dict(_mapping(what, tool))
+    named: dict[str, Any] = {}
+    if (name := values.pop("name", None)) is not None:
+        if not isinstance(name, str) or not name.strip():
+            raise TypeError(f"{what}['name'] must be a text, not {name!r}")
+        named["name"] = name
+    if (edges := values.pop("edges", None)) is not None:
+        named["edges"] = _checked(f"{what}['edges']", edges, _edge_number, _edge)
+    return {**_edge(what, values, _TOOL_KEYS), **named}
+
+
+def _edge_number(what: str, key: object) -> int:
+    number = _offset(what, key)
+    if not 2 <= number <= _MOST_EDGES:
+        raise ValueError(f"{what}: the edges must be 2 to {_MOST_EDGES}, not {key!r}")
+    return number
+
+
+def _edge(what: str, edge: object, keys: tuple[str, ...] = _EDGE_KEYS) -> dict[str, float]:
+    values = _mapping(what, edge)
     for key in values:
-        if key not in _TOOL_KEYS:
-            raise ValueError(f"{what} has no {key!r}; there are {', '.join(_TOOL_KEYS)}")
+        if key not in _EDGE_KEYS:
+            raise ValueError(f"{what} has no {key!r}; there are {', '.join(keys)}")
     numbers = {key: checked_number(f"{what}[{key!r}]", value) for key, value in values.items()}
     if numbers.get("tip", 0) not in range(10):
         raise ValueError(f"{what}: the tip must be a direction 0 to 9, not {values['tip']!r}")

@@ -146,6 +146,11 @@ class Builder {
     ++program().parameters;
   }
 
+  /// Keep the control structures of the program that was ended last.
+  void structures(const std::vector<StructureMark>& marks) {
+    code_.structures.insert(code_.structures.end(), marks.begin(), marks.end());
+  }
+
   // ---- words ----
 
   /// Give the block its words. One with nothing but a plain move becomes Op::Linear or Op::Arc.

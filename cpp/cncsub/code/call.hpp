@@ -87,14 +87,18 @@ struct JumpRecord {
 /// A value in the brackets of a call, in the order of the called program's parameters.
 struct ActualParameter {
   Operand operand;  // absent: left out
-  bool is_text = false;
+  DefinedVariable::Type type = DefinedVariable::Type::Real;
   Statement variable;  // its target is the variable that stands there and nothing else, if any
+  std::vector<std::int32_t> extents;  // of an array that stands there; 0: not known before it runs
 };
 
-/// What a return gives to a variable of the caller: the value of a local of the called program.
-struct HandedBack {
-  std::int32_t from = 0;
-  Statement to;
+/// A parameter that stands for a variable of the caller, or for an array or its copy.
+struct PassedReference {
+  std::int32_t local = 0;  // of the called program: it holds the Reference; where `extents` is not
+                           // empty, the next one the number of elements, then come the extents
+  Statement variable;      // of the caller
+  std::vector<std::int32_t> extents;
+  bool copied = false;
 };
 
 /// The parts that few calls have.
@@ -109,7 +113,8 @@ struct CallExtras {
   bool by_values = false;
   Operand after, levels;
   std::vector<ActualParameter> given;  // until the called program is known
-  std::vector<HandedBack> back;
+  std::vector<PassedReference> references;
+  Operand name_text;  // the name of the program, a text that is computed
 };
 
 /// Extras of a call that take no room where there are none.
@@ -161,7 +166,8 @@ struct CallRecord {
   const Operand& start() const { return extras.get().start; }
   const Operand& device() const { return extras.get().device; }
   const std::string& name() const { return extras.get().name; }
-  const std::vector<HandedBack>& back() const { return extras.get().back; }
+  const std::vector<PassedReference>& references() const { return extras.get().references; }
+  const Operand& name_text() const { return extras.get().name_text; }
 };
 
 }  // namespace cncsub

@@ -65,6 +65,12 @@ struct PlacedRange {
   std::int32_t base = 0;
 };
 
+/// The block from which on a control structure is the innermost one; `first` and `last`: its own
+/// blocks; kNowhere: it has no end, or there is no structure.
+struct StructureMark {
+  Address from, first = kNowhere, last = kNowhere;
+};
+
 /// Locals, or some of the first commons: where they lie, and the instruction that pushes a value
 /// that may be vacant.
 struct DirectVariables {
@@ -106,6 +112,8 @@ struct Code {
   std::int32_t locals_per_level = 33;  // as a level's image counts them
   std::int32_t commons = 0;
   std::int32_t elements = 0;  // of the arrays of one level
+  std::unordered_map<std::string, std::int32_t> hidden_locals;  // the first of each, by what they are for
+  std::vector<std::vector<double>> lists;  // numbers of which an expression chooses one
   std::vector<SourceFile> files;
   LargeVector<Program> programs;
   LargeVector<Block> blocks;
@@ -133,6 +141,7 @@ struct Code {
   std::vector<DefinedVariable> shared_variables;              // of all programs
   std::vector<std::pair<std::int32_t, double>> first_values;  // of commons, when a run begins
   Texts texts;                                                // the first is empty
+  std::vector<StructureMark> structures;  // of programs whose jumps are computed, by address
   std::vector<cncsub::ParallelAssign> parallel_assigns;
   std::vector<Print> prints;
   std::vector<Select> selects;
@@ -160,6 +169,9 @@ struct Code {
   }
   Fault lacking_fault(StatementKind kind, std::uint32_t at) const;
 
+  /// Return whether a jump leads into a control structure that it does not stand in, in a program
+  /// whose jumps are computed.
+  bool leads_inside(Address from, Address to) const;
   /// Return the innermost program that holds a block.
   std::int32_t program_at(Address address) const;
   /// Return the label that is this number; OWord::kNone where no block has it.

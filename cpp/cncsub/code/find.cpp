@@ -65,34 +65,6 @@ auto with_name(const Code& code, std::string_view name) {
 
 }  // namespace
 
-void Code::register_programs(const std::function<bool()>& over) {
-  for (auto* index : {&by_number, &by_name})
-    for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
-  const auto known = [this](std::size_t i) {
-    Program& program = programs[i];
-    const SourceFile& file = files[program.file];
-    const auto place = static_cast<std::int32_t>(i);
-    if (program.number >= 0)
-      program.duplicate_of = by_number[file.external].find_or_add(
-          static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
-    ProgramIndex& names = by_name[file.external];
-    const std::string name = name_of(program);
-    const std::int32_t before = names.find_or_add(hash_of(name), with_name(*this, name), place);
-    if (program.number < 0) program.duplicate_of = before;
-    const std::string_view base = last_part(file.name);
-    if (first_in_file(*this, i) && !base.empty())
-      names.find_or_add(hash_of(base), with_name(*this, base), place);
-  };
-  bool parts = false;
-  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
-    if (programs[i].inside == kNoProgram) known(i);
-    parts = parts || programs[i].inside != kNoProgram;
-  }
-  // A name means a file first, so the parts of files come last: they are found by their labels.
-  for (std::size_t i = 0; parts && i < programs.size() && !over(); ++i)
-    if (programs[i].inside != kNoProgram) known(i);
-}
-
 namespace {
 
 /// Return whether a name ends as that of a main program: SHAFT.MPF, _N_SHAFT_MPF.
@@ -113,6 +85,41 @@ bool is_main(const Code& code, const Program& program) {
 }
 
 }  // namespace
+
+void Code::register_programs(const std::function<bool()>& over) {
+  for (auto* index : {&by_number, &by_name})
+    for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
+  const auto known = [this](std::size_t i) {
+    Program& program = programs[i];
+    const SourceFile& file = files[program.file];
+    const auto place = static_cast<std::int32_t>(i);
+    if (program.number >= 0)
+      program.duplicate_of = by_number[file.external].find_or_add(
+          static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
+    ProgramIndex& names = by_name[file.external];
+    const std::string name = name_of(program);
+    const std::int32_t before = names.find_or_add(hash_of(name), with_name(*this, name), place);
+    const bool other_kind = before != kNoProgram && !spelling->called_ending.empty() &&
+                            is_main(*this, program) &&
+                            !is_main(*this, programs[static_cast<std::size_t>(before)]);
+    if (program.number < 0 && !other_kind) program.duplicate_of = before;
+    const std::string_view base = last_part(file.name);
+    if (first_in_file(*this, i) && !base.empty())
+      names.find_or_add(hash_of(base), with_name(*this, base), place);
+  };
+  bool parts = false;
+  // Where a main program has the name of another one, a call means the other.
+  const bool two_kinds = !spelling->called_ending.empty();
+  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+    if (programs[i].inside == kNoProgram && !(two_kinds && is_main(*this, programs[i]))) known(i);
+    parts = parts || programs[i].inside != kNoProgram;
+  }
+  for (std::size_t i = 0; two_kinds && i < programs.size() && !over(); ++i)
+    if (programs[i].inside == kNoProgram && is_main(*this, programs[i])) known(i);
+  // A name means a file first, so the parts of files come last: they are found by their labels.
+  for (std::size_t i = 0; parts && i < programs.size() && !over(); ++i)
+    if (programs[i].inside != kNoProgram) known(i);
+}
 
 bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
   const std::string_view ending = spelling.definitions, name = file.name;
@@ -207,6 +214,16 @@ Address Code::return_target(const Program& program, std::int64_t n, Address call
     }
   }
   return kNowhere;
+}
+
+bool Code::leads_inside(Address from, Address to) const {
+  const auto behind =
+      std::upper_bound(structures.begin(), structures.end(), to,
+                       [](Address at, const StructureMark& of) { return at < of.from; });
+  if (behind == structures.begin()) return false;
+  const StructureMark& of = *std::prev(behind);
+  if (of.first == kNowhere) return false;
+  return !(from > of.first && (of.last == kNowhere || from <= of.last));
 }
 
 std::string Code::no_block(std::int64_t n, const Program& program) const {

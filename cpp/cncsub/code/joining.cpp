@@ -133,7 +133,8 @@ class Joining {
       CallRecord& call = code_.calls[i];
       for (Operand* operand : {&call.p, &call.l}) move(*operand);
       if (CallExtras* extras = call.extras.find()) {
-        for (Operand* operand : {&extras->start, &extras->device}) move(*operand);
+        for (Operand* operand : {&extras->start, &extras->device, &extras->name_text})
+          move(*operand);
         for (ActualParameter& given : extras->given) move(given.operand);
       }
       call.first_argument += arguments_;
@@ -212,7 +213,8 @@ bool Joint::can_join(Builder& to, const Joined& of) {
   const Code& part = of.code;
   const bool own_names = !part.names.empty() || part.labels.size() > 1 || !part.o_words.empty() ||
                          !part.heads.empty() || !part.named_variables.empty() ||
-                         part.returned >= 0 || part.texts.size() > 1;
+                         part.returned >= 0 || part.texts.size() > 1 || !part.structures.empty() ||
+                         !part.lists.empty();
   const bool looks_at_file = of.goes_on && !part.h_codes.empty();
   return !own_names && !looks_at_file && part.parallel_assigns.empty() &&
          list_codes(to.code_, part, of.lists);

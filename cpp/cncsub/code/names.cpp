@@ -55,6 +55,17 @@ std::int32_t Names::commons(std::int32_t count) {
   return code_.commons - count;
 }
 
+std::int32_t Names::hidden(const std::string& purpose, std::int32_t count) {
+  const auto [found, is_new] = code_.hidden_locals.try_emplace(purpose, code_.locals);
+  if (is_new) code_.locals += count;
+  return found->second;
+}
+
+std::uint32_t Names::list(std::vector<double> numbers) {
+  code_.lists.push_back(std::move(numbers));
+  return static_cast<std::uint32_t>(code_.lists.size() - 1);
+}
+
 void Names::first_value(std::int32_t common, double value) {
   code_.first_values.emplace_back(common, value);
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cncsub/code/code.hpp"
 
@@ -30,6 +31,10 @@ class Names {
   std::int32_t returned();
   /// Return the first of so many commons that nothing else uses.
   std::int32_t commons(std::int32_t count);
+  /// Return the first of so many locals in a row that no program can name, for this purpose.
+  std::int32_t hidden(const std::string& purpose, std::int32_t count);
+  /// Return the place in Code::lists of a list of numbers.
+  std::uint32_t list(std::vector<double> numbers);
   /// Make a common have a value when a run begins.
   void first_value(std::int32_t common, double value);
   /// Make room for the arrays of a level: so many elements.

@@ -8,30 +8,76 @@ namespace cncsub {
 
 namespace {
 
-bool is_given(const ActualParameter& of) { return of.is_text || of.operand.present(); }
+using Type = DefinedVariable::Type;
+
+bool is_given(const ActualParameter& of) { return of.operand.present(); }
 
 Fault fault(const ActualParameter& at, Cause cause, std::string detail) {
   return {cause, at.operand.at, at.operand.width, std::move(detail)};
 }
 
+/// Return how a type is written.
+std::string name_of(Type type) {
+  switch (type) {
+    case Type::Real:
+      return "a REAL";
+    case Type::Int:
+      return "an INT";
+    case Type::Bool:
+      return "a BOOL";
+    case Type::Char:
+      return "a CHAR";
+    case Type::Text:
+      return "a STRING";
+    case Type::Axis:
+      return "an AXIS";
+    case Type::Frame:
+      break;
+  }
+  return "a FRAME";
+}
+
 /// Give a parameter that takes a character the code of the one in its text.
 void as_character(const Texts& texts, const FormalParameter& formal, ActualParameter& actual) {
-  if (!formal.is_character || !actual.is_text || actual.operand.kind != Operand::Kind::Constant)
+  if (formal.type != Type::Char || actual.type != Type::Text || formal.by_reference ||
+      actual.operand.kind != Operand::Kind::Constant)
     return;
   const std::string& text = texts.at(to_whole<std::size_t>(actual.operand.value));
   if (text.size() != 1) return;
-  actual.is_text = false;
+  actual.type = Type::Char;
   actual.operand.value = static_cast<unsigned char>(text[0]);
+}
+
+/// Return whether an array is one of the extents that a parameter declares.
+bool fits(const FormalParameter& formal, const ActualParameter& actual) {
+  if (formal.extents.size() != actual.extents.size()) return false;
+  for (std::size_t i = 0; i < formal.extents.size(); ++i)
+    if (formal.extents[i] > 0 && actual.extents[i] > 0 && formal.extents[i] != actual.extents[i])
+      return false;
+  return true;
+}
+
+/// Return whether a value can become one of the parameter's type: numbers change into each other.
+/// What a parameter by reference stands for has the same type. [general knowledge]
+bool can_become(const FormalParameter& formal, Type type) {
+  if (formal.type == type) return true;
+  const auto number = [](Type of) { return of <= Type::Char; };
+  return !formal.by_reference && !formal.is_array() && number(formal.type) && number(type);
 }
 
 /// Return why a parameter does not take a value.
 std::optional<Fault> refused(const FormalParameter& formal, const ActualParameter& actual) {
-  if (actual.is_text != formal.is_text)
-    return fault(actual, Cause::StatementFormat,
-                 formal.is_text ? "the parameter takes a text" : "the parameter takes no text");
-  if (formal.by_reference && actual.variable.target == Statement::Target::None)
-    return fault(actual, Cause::StatementFormat,
-                 "the parameter takes a variable, whose value the return changes");
+  const bool variable = actual.variable.target != Statement::Target::None;
+  if (!fits(formal, actual))
+    return fault(actual, Cause::ParameterDimension,
+                 formal.is_array() ? "the parameter takes an array of its own dimensions"
+                                   : "the parameter takes no array");
+  if (formal.by_reference && !variable)
+    return fault(actual, Cause::ParameterNoVariable,
+                 "the parameter takes a variable, and stands for it");
+  if (!can_become(formal, actual.type))
+    return fault(actual, Cause::ParameterType,
+                 "this is " + name_of(actual.type) + ", and the parameter " + name_of(formal.type));
   return std::nullopt;
 }
 
@@ -41,6 +87,29 @@ void add_argument(Code& code, CallRecord& call, std::int32_t variable, const Ope
   argument.operand = value;
   code.arguments.push_back(argument);
   ++call.arguments;
+}
+
+/// Pass one value, or the variable that a parameter stands for.
+std::optional<Fault> pass(Code& code, CallRecord& call, const FormalParameter& formal,
+                          ActualParameter& actual) {
+  if (!is_given(actual)) {
+    if (formal.by_reference || formal.is_array())
+      return Fault{Cause::ParameterMissing, call.at, call.width,
+                   "the call gives no variable for parameter " +
+                       code.named_variables[code.named_at[0].at(formal.variable)].name};
+    Operand value;
+    value.kind = Operand::Kind::Constant;
+    value.value = formal.otherwise;
+    add_argument(code, call, formal.variable, value);
+    return std::nullopt;
+  }
+  as_character(code.texts, formal, actual);
+  if (auto wrong = refused(formal, actual)) return wrong;
+  if (!formal.is_array()) add_argument(code, call, formal.variable, actual.operand);
+  if (formal.reference >= 0)
+    call.extras.make().references.push_back(
+        {formal.reference, actual.variable, actual.extents, !formal.by_reference});
+  return std::nullopt;
 }
 
 }  // namespace
@@ -67,17 +136,11 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
     add_argument(code, call, 0, given[i].operand);  // what it reads is known, if nothing else
   }
   for (std::size_t i = 0; i < formals.size(); ++i) {
-    const FormalParameter& formal = formals[i];
-    Operand value;
-    value.kind = Operand::Kind::Constant;
-    value.value = formal.otherwise;
-    if (i < given.size() && is_given(given[i])) {
-      as_character(code.texts, formal, given[i]);
-      if (auto wrong = refused(formal, given[i])) return wrong;
-      value = given[i].operand;
-      if (formal.by_reference) extras->back.push_back({formal.variable, given[i].variable});
-    }
-    add_argument(code, call, formal.variable, value);
+    ActualParameter none;
+    none.operand.at = call.at;
+    none.operand.width = call.width;
+    ActualParameter& actual = i < given.size() ? given[i] : none;
+    if (auto wrong = pass(code, call, formals[i], actual)) return wrong;
   }
   return std::nullopt;
 }

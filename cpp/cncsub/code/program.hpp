@@ -33,28 +33,33 @@ struct SequenceEntry {
   Address address;
 };
 
-/// A parameter that the head of a program declares.
-struct FormalParameter {
-  std::int32_t variable = 0;  // the local that takes the value of a call
-  double otherwise = 0;       // its value where a call leaves it out
-  bool by_reference = false;  // at the return the caller's variable takes its value
-  bool is_text = false;       // takes a text
-  bool is_character = false;  // takes a text of one character too
-};
 
 /// A variable that a program defines by a name, or that all programs share, as it is shown.
 struct DefinedVariable {
-  enum class Type : std::uint8_t { Real, Int, Bool, Char, Text, Axis } type = Type::Real;
+  enum class Type : std::uint8_t { Real, Int, Bool, Char, Text, Axis, Frame } type = Type::Real;
   bool common = false;
   std::int32_t index = 0;             // of the variable, or of the first element
-  std::vector<std::int32_t> extents;  // of an array
+  std::vector<std::int32_t> extents;  // of an array; of one that is a parameter they are 0
   std::string name;
+  std::int32_t reference = -1;  // of a parameter by reference: the local that says what it stands for
 
   std::int32_t size() const {
     std::int32_t elements = 1;
     for (const std::int32_t extent : extents) elements *= extent;
     return elements;
   }
+};
+
+/// A parameter that the head of a program declares.
+struct FormalParameter {
+  std::int32_t variable = 0;    // the local that takes the value of a call
+  double otherwise = 0;         // its value where a call leaves it out
+  bool by_reference = false;    // it stands for the caller's variable
+  std::int32_t reference = -1;  // the local that says for which, or for which array
+  std::vector<std::int32_t> extents;  // of an array; 0: any
+  DefinedVariable::Type type = DefinedVariable::Type::Real;
+
+  bool is_array() const { return !extents.empty(); }
 };
 
 /// A program of the memory. Its name and its comment stand in the text: Code::name_of, comment_of.

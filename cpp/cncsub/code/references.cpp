@@ -52,7 +52,9 @@ void ReferenceReader::operands(const CallRecord& call) {
   for (const Operand* of : {&call.p, &call.l, &call.start(), &call.device()}) used_.operand(*of);
   for (std::uint32_t i = 0; i < call.arguments; ++i)
     used_.operand(code_.arguments[call.first_argument + i].operand);
-  for (const HandedBack& back : call.back()) used_.written(back.to);
+  used_.operand(call.name_text());
+  for (const PassedReference& of : call.references())
+    if (!of.copied) used_.written(of.variable);
 }
 
 /// Fill in what the operands say that are written as numbers; the others are computed.
@@ -66,6 +68,7 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
   computed(known.l, reference.computed_repeats);
   if (CallExtras* extras = known.extras.find()) computed(extras->start, reference.computed_start);
   computed(known.p, reference.computed_program);
+  if (call.name_text().present()) reference.computed_program = place_of(call.name_text());
   if (reference.computed_program) known.program_number = 0;
   Target target;
   const CallOperands values{known.p.value, known.l.value, known.start().value,

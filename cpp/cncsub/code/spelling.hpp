@@ -25,6 +25,8 @@ struct Spelling {
   // What the name of a main program ends in, after _ or a point; nothing where the first program is
   // the main one.
   std::string_view main_ending{};
+  // What the name of a program ends in that a call means, where a main program has the same name.
+  std::string_view called_ending{};
 
   // The spelling of expressions.
   Around brackets{"[", "]"};

@@ -25,7 +25,12 @@ struct Statement {
     Indirect,
     Element,  // of an array: `variable` gives its place from `index` on, of `number` elements;
     CommonElement,  // `count` elements from it on take the value, 0: all
-    VariableAt      // the variable of the index that `variable` gives; `index`: that of index 0
+    // The same of what a parameter stands for: `index` is the local that holds it, see Reference,
+    // and the one after it how many elements it has.
+    ReferencedElement,
+    Referenced,  // the variable that a parameter stands for; `number`: the local that counts where
+                 // a call gave none
+    VariableAt   // the variable of the index that `variable` gives; `index`: that of index 0
   } target = Target::None;
   std::int32_t index = 0;  // Local, Common: the place; Variable: the number; see kAlways, kHasValue
   Address to = kNowhere;   // where a jump goes, when known
@@ -38,6 +43,15 @@ struct Statement {
   std::uint32_t text = 0, text_length = 0;  // the comment of #3000 and #3006
   // IfThen, an alternative: the variant block to execute. For, EndFor: the assignment, a statement.
   std::uint32_t then = 0;
+
+  /// Where a jump to a label looks for it whose name is a text that is computed: the value of
+  /// `variable`.
+  enum class Search : std::uint8_t { None, Forward, Back, Both, BothOrOn } search = Search::None;
+
+  /// Return whether the target is an element of an array, whose place `variable` gives.
+  bool is_element() const { return target >= Target::Element && target <= Target::ReferencedElement; }
+  /// Return whether `variable` is an expression that says which variable is meant.
+  bool is_computed() const { return target == Target::Indirect || is_element(); }
 
   static constexpr std::int32_t kAlways = 1;    // `index` of an alternative without a condition
   static constexpr std::int32_t kHasValue = 1;  // `index` of a Switch whose alternatives are values

@@ -132,7 +132,7 @@ std::optional<Fault> CallWords::program(std::int32_t own) {
     target_.program_number = call_.program_number;
     return std::nullopt;
   }
-  if (!call_.name().empty()) return std::nullopt;
+  if (!call_.name().empty() || call_.name_text().present()) return std::nullopt;
   if (!given(call_.p, values_.p)) return left_out(own);
   const bool names_block =
       call_.kind == CallKind::Local ||

@@ -54,6 +54,8 @@ void VariablesUsed::reads(std::uint32_t expression) {
     if (is_local(here.op) || is_common(here.op)) {
       if (here.value == 0 && here.at == 0) continue;  // #0
       found = variable(here, is_local(here.op), place);
+    } else if (here.op == Ins::Referenced) {
+      found = variable(false, to_whole<std::int32_t>(here.value), place);
     } else if (here.op == Ins::Variable || here.op == Ins::VariableRaw) {
       found.number = to_whole<std::int64_t>(here.value);
     } else if (here.op == Ins::NamedLocal || here.op == Ins::NamedCommon) {
@@ -102,9 +104,13 @@ void VariablesUsed::written(const Statement& statement) {
     case Target::Common:
       to = variable(statement.target == Target::Common, statement.index, place);
       break;
+    case Target::Referenced:
+      to = variable(false, statement.number, place);
+      break;
     case Target::Element:
     case Target::CommonElement:
     case Target::VariableAt:
+    case Target::ReferencedElement:
       reads(statement.variable);
       return;
     case Target::Variable:

@@ -181,6 +181,8 @@ enum class VariableKind : std::uint8_t {
   LengthGeometry,
   RadiusWear,
   RadiusGeometry,
+  EdgeDatum,        // of an edge of a tool, see edge_datum.hpp
+  ToolName,         // by the number of the tool: the text that names it
   ParameterChoice,  // #100000...: which parameter #100010 reads
   ParameterValue,   // #100010
   StoredFrame,      // the frames of the work systems, by FrameNumber

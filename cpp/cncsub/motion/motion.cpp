@@ -202,6 +202,10 @@ void Motion::set_offset(VariableKind kind, int number, double value) {
     const int point = number / kReferenceStep + 1;
     return write(state.tables.reference.change()[point], number % kReferenceStep, value);
   }
+  if (kind == VariableKind::EdgeDatum) {
+    state.tables.edges.change().data[number] = value;
+    return;
+  }
   auto* table = state.tables.of(kind);
   if (table == nullptr || number < 0 || number >= static_cast<int>((*table)->size())) return;
   state.row_moves = nullptr;  // compensation may use the offset

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cncsub/code/code.hpp"
@@ -71,6 +72,7 @@ class Motion {
   /// Write a frame of a work system, or one that is in force; return why not where it is refused.
   std::optional<Fault> set_stored_frame(int number, const FrameValue& frame);
   std::optional<Fault> set_frame_in_force(FrameInForce which, const FrameValue& frame);
+  void name_tool(int number, std::string_view name) { now().tables.name_tool(number, name); }
 
   /// Let the rows go to another table from now on.
   void forget_table() { now().row_moves = nullptr; }

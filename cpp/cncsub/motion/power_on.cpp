@@ -22,6 +22,14 @@ void fill_table(std::vector<double>& table, const std::map<int, double>& values)
   }
 }
 
+ToolOffsets offsets_of(const Setup::Edge& edge) {
+  ToolOffsets offsets;
+  fill(offsets.value, edge.values);
+  offsets.tip = edge.tip;
+  offsets.radius = edge.radius;
+  return offsets;
+}
+
 OffsetTables tables_of(const Setup& setup, const Control& control,
                        const std::map<int, Axes>& reference) {
   OffsetTables tables;
@@ -41,10 +49,10 @@ OffsetTables tables_of(const Setup& setup, const Control& control,
   tables.radius_wear.change().resize(tables.radius->size());
   for (const auto& [number, tool] : setup.tools) {
     if (number < 0 || number > kLargestOffset) continue;
-    ToolOffsets& entry = tables.change_tool(number);
-    fill(entry.value, tool.values);
-    entry.tip = tool.tip;
-    entry.radius = tool.radius;
+    tables.change_tool(number) = offsets_of(tool);
+    if (!tool.name.empty()) tables.name_tool(number, tool.name);
+    for (const auto& [edge, offsets] : tool.edges)
+      tables.edges.change().offsets[{number, edge}] = offsets_of(offsets);
   }
   tables.reference.change() = reference;
   return tables;

@@ -112,6 +112,8 @@ double active_length(MotionView m, int axis) {
   return shown(m, axis, in_machine(m.state, m.state.length + m.state.tool_shift));
 }
 
+double edge_datum(MotionView m, std::int32_t number) { return datum_of_edge(m, number); }
+
 double tool_length(MotionView m, int axis) {
   return shown(m, axis, length_of_tool(m.state, m.state.tool));
 }

@@ -20,6 +20,8 @@ double skip_position(MotionView m, int axis);
 /// Return the length of the tool in the spindle.
 double tool_length(MotionView m, int axis);
 double active_length(MotionView m, int axis);
+/// Return a datum of an edge of a tool by its number: what a program wrote, or what the setup says.
+double edge_datum(MotionView m, std::int32_t number);
 /// Return a number of the zero point of a work system: 0 is the external one, 7 the first extra
 /// one.
 double work_offset(MotionView m, int system, int axis);

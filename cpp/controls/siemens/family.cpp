@@ -1,6 +1,7 @@
 // The parts that the controls of Siemens share in their own language.
 #include "controls/siemens/family.hpp"
 
+#include "cncsub/control/edge_datum.hpp"
 #include "controls/facts.hpp"
 
 namespace cncsub::siemens {
@@ -141,6 +142,16 @@ void system_variables(Control& c) {
   c.variables.back().access = Access::ReadWrite;
   add(6301, 1, VariableKind::FrameNumber, 0, "SONE p.636: $P_UIFRNUM", Manual);
   add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
+  add(5066, 1, VariableKind::ActiveWord, 'D', kKnown, Inferred);
+  const auto add_written = [&c](std::int32_t first, std::int32_t count, VariableKind kind,
+                                const char* source) {
+    c.variables.push_back({first, first + count - 1, kind, Access::ReadWrite, 0, source, Inferred});
+  };
+  constexpr std::int32_t kNames = 1'800'000'000, kEdges = 1'900'000'000;
+  add_written(kNames, EdgeDatum::kTools, VariableKind::ToolName,
+              "general knowledge of the SINUMERIK 840D: $TC_TP2");
+  add_written(kEdges, EdgeDatum::kNumbers, VariableKind::EdgeDatum,
+              "general knowledge of the SINUMERIK 840D: $TC_DP1 to $TC_DP35");
 }
 
 }  // namespace

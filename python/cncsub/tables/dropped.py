@@ -22,7 +22,7 @@ def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
         words = words_of(control, row[-1])
         warning = None
         if words and words[0].address == "M":
-            starts = starts or _starts(control)
+            starts = _starts(control) if starts is None else starts
             warning = starts.get(words[0].value)
         yield Dropped(*row, warning=warning)
 
@@ -30,6 +30,8 @@ def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
 def _starts(control: Control) -> dict[float | None, str]:
     """Return by M code what is said where it is dropped; by None where it is computed."""
     rules = {rule.name: rule.value for rule in control.rules}
+    if "m_codes_per_block" not in rules:  # an M code of another spindle
+        return {}
     allows = _allows(control, rules["m_codes_per_block"])
     spindle = dict.fromkeys(map(int, _SPINDLE.findall(str(rules["roles"]))), "spindle")
     what = {**dict.fromkeys(_COOLANT, "coolant"), **spindle}

@@ -143,10 +143,6 @@ case(
 case(
     "without one it is the first", **NAMES, files={"AA1.SPF": "N10 BB1\nN20 M17\n", "BB1.SPF": "N30 M17\n"}, runs="N10 N30 N20",
 )
-case(
-    "of a main program and a subprogram of one name the first counts", control=ONE, source="828D p.490, search path", evidence="secondary",
-    files={"MAIN.MPF": "N10 PART\nN20 M30\n", "PART.MPF": "N30 M30\n", "PART.SPF": "N40 M17\n"}, runs="N10 N30 N20",
-)
 for name in ("L1", "L01", "L001"):
     case(
         f"{name} is a program of its own", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
@@ -191,7 +187,7 @@ for words in ('CALL ""', "PCALL /_N_SPF_DIR/"):
     case(
         f"{words} names no program", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="illegal-program-name", at="MAIN N10",
     )
-for words in ("CALL NAME", 'ISOCALL "PART"', 'CALL "PA"<<R1'):
+for words in ("CALL NAME", 'ISOCALL "PART"'):
     case(
         f"{words} is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
         program=f"N10 {words}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
@@ -279,4 +275,25 @@ case("nothing follows them", **RET, program="N10 RET() X5\nN20 M30", runs="", al
 case(
     "a block that is no text is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
     program="N10 RET(R1)\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word="R1",
+)
+
+# ---- an MPF and an SPF of one name ----
+
+TWO = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D: MPF and SPF are two kinds of one name", "evidence": "inferred"}
+case(
+    "a call means the SPF where an MPF has the same name", **TWO,
+    files={"MAIN.MPF": "N10 PART\nN20 M30\n", "PART.MPF": "N30 R1=1\nN40 M30\n", "PART.SPF": "N50 R1=2\nN60 M17\n"}, main="MAIN",
+    vars={1: 2}, runs="N10 N50 N60 N20",
+)
+case(
+    "the main program is the MPF", **TWO,
+    files={"PART.MPF": "N30 R1=1\nN40 PART\nN45 M30\n", "PART.SPF": "N50 R1=R1+1\nN60 M17\n"}, vars={1: 2}, runs="N30 N40 N50 N60 N45",
+)
+case(
+    "and so in one text with two heads", **TWO,
+    program="%_N_PART_MPF\nN30 R1=1\nN40 PART\nN45 M30\n%_N_PART_SPF\nN50 R1=R1+1\nN60 M17", vars={1: 2}, runs="N30 N40 N50 N60 N45",
+)
+case(
+    "an MPF alone is called too", **TWO,
+    files={"MAIN.MPF": "N10 PART\nN20 M30\n", "PART.MPF": "N30 R1=1\nN40 M17\n"}, main="MAIN", runs="N10 N30 N40 N20",
 )

@@ -6,6 +6,7 @@ ONE = "siemens-one"
 PASSED = {"control": ONE, "source": "SONE p.494, parameter transfer", "evidence": "maker's manual"}
 TYPES = {"control": ONE, "source": "840Da p.45, conversions of types", "evidence": "secondary"}
 KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
+NUMBERS = {"control": ONE, "source": "general knowledge of the SINUMERIK alarms", "evidence": "inferred"}
 POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred"}
 
 
@@ -75,8 +76,8 @@ case(
     program=_call("PART(R1)", "(REAL FIRST)", "N50 FIRST=9\n", "N10 R1=20\n"), vars={1: 20},
 )
 case(
-    "VAR takes a variable and no value", **KNOWN,
-    program=_call("PART(R1+1)", "(VAR REAL FIRST)"), runs="", alarm="statement-format", at="MAIN N20", word="R1+1",
+    "VAR takes a variable and no value", **NUMBERS, number="12320",
+    program=_call("PART(R1+1)", "(VAR REAL FIRST)"), runs="", alarm="parameter-no-variable", at="MAIN N20", word="R1+1",
 )
 case(
     "each open call has parameters of its own", **KNOWN,
@@ -102,12 +103,12 @@ case(
     vars={1: 4}, runs="N20 N40 N50 N55 N60 N30", messages=["A, B"],
 )
 case(
-    "a number is no text", **KNOWN,
-    program=_call("PART(4)", "(STRING[20] NOTE)"), runs="", alarm="statement-format", at="MAIN N20",
+    "a number is no text", **NUMBERS, number="12330",
+    program=_call("PART(4)", "(STRING[20] NOTE)"), runs="", alarm="parameter-type", at="MAIN N20", word="4",
 )
 case(
-    "a text is no number", **KNOWN,
-    program=_call('PART("A")', "(REAL WIDE)"), runs="", alarm="statement-format", at="MAIN N20",
+    "a text is no number", **NUMBERS, number="12330",
+    program=_call('PART("A")', "(REAL WIDE)"), runs="", alarm="parameter-type", at="MAIN N20", word='"A"',
 )
 case(
     "more values than parameters alarm", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
@@ -180,8 +181,8 @@ case(
     program=_call('PART("A", 66)', "(CHAR FIRST, CHAR LAST)", "N50 R1=FIRST R2=LAST\n"), vars={1: 65, 2: 66},
 )
 case(
-    "and no text of two", **TYPES,
-    program=_call('PART("AB")', "(CHAR FIRST)"), runs="", alarm="statement-format", at="MAIN N20",
+    "and no text of two", **NUMBERS, number="12330",
+    program=_call('PART("AB")', "(CHAR FIRST)"), runs="", alarm="parameter-type", at="MAIN N20", word='"AB"',
 )
 case(
     "an element of an array may stand for a VAR parameter, and R[...]", **KNOWN,
@@ -192,5 +193,6 @@ case(
 )
 case(
     "an element with an operator beside it is no variable", **KNOWN,
-    program=_call("PART(GRID[1]+1)", "(VAR REAL FIRST)", "", "N5 DEF REAL GRID[3]\n"), runs="N5", alarm="statement-format", at="MAIN N20",
+    program=_call("PART(GRID[1]+1)", "(VAR REAL FIRST)", "", "N5 DEF REAL GRID[3]\n"), runs="N5",
+    alarm="parameter-no-variable", number="12320", at="MAIN N20", word="GRID[1]+1",
 )

@@ -100,8 +100,15 @@ bool numbered(OpenBlock& open, Block& block, Words& words, std::string_view name
   const bool first = name.substr(1) == "1";
   WordForms none;
   Value value;
-  if (letter == 'T' && open.line.peek() == '"') return tool_by_name(open, words, at);
-  if (!form(open, block, at, letter - 'A', none, value)) return false;
+  if (letter == 'T') {
+    Type type = Type::Real;
+    if (!open.expression.value_of_any(value, type)) return open.refuse(block);
+    if (first && type == Type::String) return tool_by_name(open, block, words, value, at);
+    if (type == Type::String) return reported(open, words, at);
+  } else if (letter == 'M' ? !value_of_code(open, block, at, value)
+                           : !form(open, block, at, letter - 'A', none, value)) {
+    return false;
+  }
   value.at = at;
   value.width = open.line.width_from(at);
   words.any = true;
@@ -228,12 +235,6 @@ bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::strin
                std::uint32_t at) {
   open.line.pass(name.size());
   return add_code(open, block, words, group_of(name), code, at);
-}
-
-/// Read the text of T="MILL_10". Its number is the machine's affair: the tool is reported.
-bool tool_by_name(OpenBlock& open, Words& words, std::uint32_t at) {
-  open.line.pass_quoted();
-  return reported(open, words, at);
 }
 
 }  // namespace cncsub::sinumerik

@@ -84,6 +84,7 @@ bool item(OpenBlock& open, Block& block, Words& words) {
   if (name.size() > 1 && !is_digit(name[1])) return named(open, block, words);
   if (!name.empty() && is_letter(name[0])) return address(open, block, words);
   const bool system = open.line.peek() == '$';
+  if (system && system_assignment(open, block, words, at)) return block.op != Op::Fault;
   const std::string_view character = first_character(open.line.rest());
   open.line.pass(character.size());
   if (system) {
@@ -109,10 +110,7 @@ bool address(OpenBlock& open, Block& block, Words& words) {
   if (letter == 'R') return assignment(open, block, words);
   if (letter == 'L') return call(open, block, words, open.line.name());
   open.line.pass(1);
-  if (open.line.ahead(0) == '[') {  // M[1]=5 of a spindle, G[8]=2 of a group
-    open.line.pass_brackets('[', ']');
-    return open.not_computed(block, "an address with an index", at);
-  }
+  if (open.line.ahead(0) == '[') return indexed(open, block, words, letter, at);
   std::size_t digits = 0;
   while (is_digit(open.line.ahead(digits))) ++digits;
   const std::size_t after = open.line.past_blanks(digits);
@@ -135,29 +133,31 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
     return open.refuse(block, Cause::AddressNotUsable,
                        std::string(1, letter) + " cannot be an address of a block", at);
   const bool equals = open.line.take('=');
-  if (equals && letter == 'T' && open.line.peek() == '"') return tool_by_name(open, words, at);
   if (equals && open.definitions.find(std::string(1, letter)) != nullptr)
     return open.not_computed(block, "an address that is a parameter of the program too", at);
   Value value;
-  bool is_text = false;
-  const bool read = !equals ? open.expression.number(value) || open.refuse(block)
-                    : letter == 'T'
-                        ? open.expression.value_or_text(value, is_text) || open.refuse(block)
-                        : form(open, block, at, letter - 'A', words.list.forms, value);
+  Type type = Type::Real;
+  const bool read =
+      !equals                 ? open.expression.number(value) || open.refuse(block)
+      : letter == 'T'         ? open.expression.value_of_any(value, type) || open.refuse(block)
+      : code || letter == 'S' ? value_of_code(open, block, at, value)
+                              : form(open, block, at, letter - 'A', words.list.forms, value);
   if (!read) return false;
   value.at = at;
   value.width = open.line.width_from(at);
   words.any = true;
-  if (letter == 'G')
-    return equals ? open.refuse(block, Cause::StatementFormat, "G cannot have =", at)
-                  : g_code(open, block, words, value);
+  if (letter == 'G') return g_code(open, block, words, value);
   if (letter == 'M') return m_code(open, block, words, value);
-  // The number of a tool's name is the machine's affair.
-  if (!known || is_text) return reported(open, words, at);
+  if (type == Type::String) return tool_by_name(open, block, words, value, at);
+  if (!known) return reported(open, words, at);
   return put(open, block, words, letter - 'A', value);
 }
 
 bool g_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
+  if (value.computed) {  // which group it has is not known before it runs
+    words.list.add_g(word_of(value));
+    return true;
+  }
   const auto code = to_whole<int>(std::round(value.number * 10));
   const bool whole = code % 10 == 0;  // tenths are those of codes that are written as words
   if (value.number < 0 || !whole || !open.to.control().reading.g_codes.value.has(code))

@@ -47,16 +47,29 @@ bool pass_count(OpenBlock& open, Block& block, Operand& count) {
   return true;
 }
 
+/// Read one value of a call, which may be a variable or an array.
+bool given_value(OpenBlock& open, ActualParameter& one) {
+  const Line before = open.line;
+  Type type = Type::Real;
+  Value value;
+  value.at = one.operand.at;
+  if (!open.expression.variable_alone(one.variable, type, one.extents) || one.extents.empty()) {
+    open.line = before;
+    if (!open.expression.value_of_any(value, type)) return false;
+  }
+  value.width = open.line.width_from(value.at);
+  one.type = shown_type(type);
+  one.operand = operand_of(value);
+  return true;
+}
+
 /// Read the values of a call up to the closing bracket. A value may be left out between its commas.
 bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& given) {
   while (!open.line.take(')')) {
     ActualParameter& one = given.emplace_back();
     one.operand.at = open.line.offset();
     if (open.line.peek() != ',') {
-      one.variable = open.expression.variable_alone();
-      Value value;
-      if (!open.expression.value_or_text(value, one.is_text, true)) return open.refuse(block);
-      one.operand = operand_of(value);
+      if (!given_value(open, one)) return open.refuse(block);
     }
     if (open.line.peek() != ')' && !open.line.take(','))
       return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
@@ -92,13 +105,24 @@ bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint3
   return true;
 }
 
+/// Write the call of the program that a text names.
+bool call_named_by(OpenBlock& open, Block& block, const Value& path, std::uint32_t at) {
+  if (!path.computed)
+    return named_call(open, block, open.to.code().texts.at(to_whole<std::size_t>(path.number)), at,
+                      std::vector<ActualParameter>());
+  CallRecord call = call_of(open, "", at);
+  call.extras.make().name_text = operand_of(path);
+  if (!open.end_of_statement(block)) return false;
+  open.to.become(block, Op::Call, std::move(call));
+  return true;
+}
+
 /// Read CALL "/_N_SPF_DIR/_N_SUB_SPF".
 bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
-  std::string path;
-  if (!text_here(open, block, path)) return false;
-  if (capitals(open.line.name()) != "BLOCK")
-    return named_call(open, block, path, at, std::vector<ActualParameter>());
+  Value path;
+  if (!open.expression.text(path)) return open.refuse(block);
   link.kind = Link::Kind::None;
+  if (capitals(open.line.name()) != "BLOCK") return call_named_by(open, block, path, at);
   return open.not_computed(block, "the call of a part of another program", at);
 }
 
@@ -151,11 +175,11 @@ bool call_by_path(OpenBlock& open, Block& block, std::uint32_t at) {
 /// Read EXTCALL("SUB.SPF"), with its brackets or without.
 bool external_call(OpenBlock& open, Block& block, std::uint32_t at) {
   const bool bracket = open.line.take('(');
-  std::string path;
-  if (!text_here(open, block, path)) return false;
+  Value path;
+  if (!open.expression.text(path)) return open.refuse(block);
   if (bracket && !open.line.take(')'))
     return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
-  return named_call(open, block, path, at, std::vector<ActualParameter>());
+  return call_named_by(open, block, path, at);
 }
 
 /// Read SETAL(65000), or SETAL(65000, "TEXT").
@@ -231,7 +255,8 @@ bool other_call(OpenBlock& open, Block& block, Link& link, const std::string& wo
   if (word == "PCALL") return call_by_path(open, block, at);
   if (word == "EXTCALL") return external_call(open, block, at);
   if (word == "SETAL") return user_alarm(open, block, at);
-  return open.not_computed(block, "a program in ISO mode", at);  // ISOCALL
+  return open.not_computed(block, "a program in ISO mode, which is one of another dialect",
+                           at);  // ISOCALL
 }
 
 /// Read a text between quotes that is the whole of a value.

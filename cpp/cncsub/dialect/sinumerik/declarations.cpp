@@ -27,7 +27,8 @@ constexpr std::int32_t kMostElements = 100'000;  // of the arrays of a program
 constexpr std::string_view kAttributes[] = {"SAVE",  "DISPLOF", "DISPLON", "ACTBLOCNO", "SBLOF",
                                             "SBLON", "PREPRO",  "ICYCOF",  "ICYCON"};
 
-/// Return the type under which a variable is shown.
+}  // namespace
+
 DefinedVariable::Type shown_type(Type type) {
   switch (type) {
     case Type::Int:
@@ -40,12 +41,12 @@ DefinedVariable::Type shown_type(Type type) {
       return DefinedVariable::Type::Text;
     case Type::Axis:
       return DefinedVariable::Type::Axis;
+    case Type::Frame:
+      return DefinedVariable::Type::Frame;
     default:
       return DefinedVariable::Type::Real;
   }
 }
-
-}  // namespace
 
 std::optional<Type> type_named(std::string_view word) {
   for (const TypeName& of : kTypes)
@@ -119,21 +120,26 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
     formal.by_reference = true;
   }
   Declared declared;
+  declared.is_parameter = true;
+  declared.by_reference = formal.by_reference;
   const Definition& definition = declared.definition;
   if (!type(block, declared.definition)) return false;
   if (!this->declared(block, declared, 1)) return false;
-  if (definition.is_array())
-    return refuse(block, Cause::CodeNotComputed, "an array as a parameter is not computed here",
-                  declared.at);
   formal.variable = definition.local;
-  formal.is_text = definition.type == Type::String;
-  formal.is_character = definition.type == Type::Char;
+  formal.reference = definition.reference;
+  formal.extents = declared.declared_extents;
+  formal.type = shown_type(definition.type);
   if (declared.value && declared.value->computed)
     return refuse(block, Cause::CodeNotComputed, "a computed default value is not computed here",
                   declared.at);
   if (declared.value) formal.otherwise = declared.value->number;
   to_.parameter(formal);
-  if (definition.type == Type::Real || definition.type == Type::Frame) return true;
+  if (declared.value && definition.reference >= 0)
+    return refuse(block, Cause::StatementFormat, "a variable of the caller has its own value",
+                  declared.value->at);
+  if (definition.type == Type::Real || definition.reference >= 0 ||
+      definition.type == Type::Frame)
+    return true;
   Statement conversion = assignment_of(declared);
   to_.expressions().begin();
   expression_.push_converted(definition);
@@ -193,6 +199,10 @@ bool DeclarationReader::name(Block& block, Declared& declared, std::size_t short
                 declared.at);
 }
 
+bool DeclarationReader::too_many_dimensions(Block& block, std::uint32_t at) {
+  return refuse(block, Cause::StatementFormat, "an array has at most three dimensions", at);
+}
+
 /// Read the extents of an array, whose bracket stands here.
 bool DeclarationReader::extents(Block& block, Declared& declared) {
   const std::uint32_t at = line_.offset();
@@ -201,13 +211,18 @@ bool DeclarationReader::extents(Block& block, Declared& declared) {
   double elements = 1;
   do {
     Value extent;
-    if (line_.peek() == ']' || line_.peek() == ',')
-      return refuse(block, Cause::CodeNotComputed, "an array of any size is not computed here", at);
+    if (line_.peek() == ']' || line_.peek() == ',') {
+      if (!declared.is_parameter)
+        return refuse(block, Cause::StatementFormat, "the size of the array is missing", at);
+      if (definition.dimensions == Definition::kMostDimensions)
+        return too_many_dimensions(block, at);
+      definition.extents[definition.dimensions++] = 0;
+      continue;
+    }
     if (!expression_.value(extent)) return refuse(block);
     if (extent.computed)
       return refuse(block, Cause::CodeNotComputed, "a computed size is not computed here", at);
-    if (definition.dimensions == Definition::kMostDimensions)
-      return refuse(block, Cause::StatementFormat, "an array has at most three dimensions", at);
+    if (definition.dimensions == Definition::kMostDimensions) return too_many_dimensions(block, at);
     const double whole = std::round(extent.number);
     if (!(whole >= 1)) return refuse(block, Cause::ValueOutOfRange, "an array has elements", at);
     elements *= whole;
@@ -223,20 +238,35 @@ bool DeclarationReader::extents(Block& block, Declared& declared) {
 bool DeclarationReader::declared(Block& block, Declared& declared, std::size_t shortest) {
   if (!name(block, declared, shortest)) return false;
   if (line_.peek() == '[' && !extents(block, declared)) return false;
-  place(declared);
+  if (declared.is_parameter)
+    place_parameter(declared);
+  else
+    place(declared);
   if (line_.take('=') && !initial_value(block, declared)) return false;
   if (declared.definition.type != Type::Frame)
-    to_.names().defined({shown_type(declared.definition.type),
-                         declared.definition.global,
-                         declared.definition.local,
-                         {declared.definition.extents.begin(),
-                          declared.definition.extents.begin() +
-                              static_cast<std::ptrdiff_t>(declared.definition.dimensions)},
-                         declared.name},
+    to_.names().defined({shown_type(declared.definition.type), declared.definition.global,
+                         declared.definition.local, declared.definition.shape(), declared.name,
+                         declared.definition.reference},
                         declared.definition.global);
   definitions_.add(declared.name, declared.definition);
   if (declared.value) expression_.note_assigned(declared.definition);
   return true;
+}
+
+/// Give a parameter its place, and one that stands for a variable or an array of the caller the
+/// locals that say for which.
+void DeclarationReader::place_parameter(Declared& declared) {
+  Definition& definition = declared.definition;
+  const std::uint32_t named = to_.names().variable(declared.name, false);
+  definition.local = to_.code().named_variables[named].index;
+  if (definition.is_array()) {
+    declared.declared_extents = definition.shape();
+    definition.extents = {};
+    const auto kExtents = static_cast<std::int32_t>(Definition::kMostDimensions);
+    definition.reference = to_.names().hidden(declared.name + "[]", 2 + kExtents);
+  } else if (declared.by_reference) {
+    definition.reference = to_.names().hidden(declared.name, 1);
+  }
 }
 
 /// Give a variable its place.

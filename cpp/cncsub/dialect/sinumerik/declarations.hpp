@@ -16,6 +16,8 @@ struct Declared {
   std::uint32_t at = 0, width = 1;
   std::optional<Value> value;
   std::vector<Statement> elements;  // of an array: the assignments of its list
+  bool is_parameter = false, by_reference = false;
+  std::vector<std::int32_t> declared_extents;  // of a parameter; 0: any
 };
 
 class DeclarationReader {
@@ -41,6 +43,8 @@ class DeclarationReader {
   bool declared(Block& block, Declared& declared, std::size_t shortest);
   bool initial_value(Block& block, Declared& declared);
   void place(Declared& declared);
+  void place_parameter(Declared& declared);
+  bool too_many_dimensions(Block& block, std::uint32_t at);
   bool lacks_end(Block& block);
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
   bool refuse(Block& block);

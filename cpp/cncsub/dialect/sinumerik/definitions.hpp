@@ -8,10 +8,16 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
+
+#include "cncsub/code/program.hpp"
 
 namespace cncsub::sinumerik {
 
 enum class Type : std::uint8_t { Int, Real, Bool, Char, String, Axis, Frame };
+
+/// Return the type under which a variable is shown, and by which parameters are compared.
+DefinedVariable::Type shown_type(Type type);
 
 /// Return the type of this name, in capitals; nothing where it is none.
 std::optional<Type> type_named(std::string_view word);
@@ -30,8 +36,12 @@ struct Definition {
   std::size_t dimensions = 0;          // of an array
   std::array<std::int32_t, kMostDimensions> extents{};
   std::optional<double> constant{};  // the number that a macro stands for
+  // Of a parameter that stands for a variable: the local that says for which. Of an array the
+  // next one holds how many elements it has, and the extents, which are 0 here, come after it.
+  std::int32_t reference = -1;
 
   bool is_array() const { return dimensions > 0; }
+  std::vector<std::int32_t> shape() const { return {extents.begin(), extents.begin() + dimensions}; }
   std::int32_t size() const {
     std::int32_t elements = 1;
     for (std::size_t i = 0; i < dimensions; ++i) elements *= extents[i];

@@ -162,13 +162,11 @@ bool ExpressionReader::number(Value& value) {
   return true;
 }
 
-bool ExpressionReader::value_or_text(Value& value, bool& is_text, bool or_frame) {
+bool ExpressionReader::value_of_any(Value& value, Type& type) {
   const std::uint32_t at = open_.line.offset();
   open_.to.expressions().begin();
   const Read read = read_value(open_, 0);
-  is_text = read == Type::String;
-  if (read == Type::Frame && !or_frame)
-    return open_.wrong(Cause::TypeMismatch, no_number(*read), at);
+  if (read) type = *read;
   return read && finish(value, at);
 }
 

@@ -41,6 +41,14 @@ struct OpenExpression {
   }
 };
 
+/// Data of tools that the control keeps as variables: of edges, by tool and edge, or names by tool.
+struct ToolDatum {
+  std::int32_t first = 0;  // the variable before all of them
+  bool of_edge = false;
+};
+/// Return the data of this name, in capitals; nothing where the control has none that are computed.
+std::optional<ToolDatum> tool_datum_of(const Builder& to, std::string_view name);
+
 class ExpressionReader {
  public:
   ExpressionReader(Builder& to, Line& line, const Definitions& definitions)
@@ -52,15 +60,15 @@ class ExpressionReader {
   bool number(Value& value);
   /// Read the expression after =.
   bool value(Value& value);
-  /// Read an expression that may be a text, or a frame, and set whether it is a text.
-  bool value_or_text(Value& value, bool& is_text, bool or_frame = false);
+  /// Read an expression of any type, which is set.
+  bool value_of_any(Value& value, Type& type);
   /// Read a text, or what << makes one of.
   bool text(Value& value);
   /// Read the expression after =, as a value that the variable takes.
   bool value_of(const Definition& of, Value& value);
-  /// Return the variable that stands here with nothing but it before the next comma or bracket. It
-  /// is not taken.
-  Statement variable_alone();
+  /// Set the variable that stands here with nothing but it before the next comma or bracket, which
+  /// is not taken; or the array, and its extents. Return false where none does.
+  bool variable_alone(Statement& variable, Type& type, std::vector<std::int32_t>& extents);
   /// Read the expression of a condition; `otherwise`: of its negation.
   bool condition(std::uint32_t& expression, bool otherwise = false);
   /// Read R1=5 or R[R2]=R1+1.
@@ -73,6 +81,8 @@ class ExpressionReader {
   bool control_frame(std::string_view name, std::uint32_t at, Statement& statement);
   /// Read SET(...), REP(...) or (...), which give elements from `first` on their values.
   bool elements(const Definition& to, const Statement& first, std::vector<Statement>& statements);
+  /// Read the indices of a datum, and the value that it is given.
+  bool tool_datum(const ToolDatum& of, Statement& statement);
   /// Note that the block gives a variable its value: what comes after in it does not read that.
   void note_assigned(const Definition& of);
   /// Return whether SET(, REP( or, in a definition, a bracket stands here.

@@ -14,6 +14,8 @@ struct JumpTarget {
   std::string label;      // in capitals; empty: the number
   std::int32_t number = -1;
   std::uint32_t at = 0, width = 1;
+  bool computed = false;   // its name is the text of an expression
+  std::uint32_t text = 0;  // this expression
 };
 
 /// One of several jumps of a block: the block that jumps, among Code::variants, and its target.

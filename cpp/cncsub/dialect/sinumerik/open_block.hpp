@@ -101,8 +101,15 @@ bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view n
 /// Read a G code that is written as a word.
 bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::string_view name,
                std::uint32_t at);
-/// Read the text of T="MILL_10". Its number is the machine's affair: the tool is reported.
-bool tool_by_name(OpenBlock& open, Words& words, std::uint32_t at);
+/// Read G[8]=2, M[1]=5 or S[SPINDLE]=500, whose letter is passed. What another spindle than the
+/// first does is reported.
+bool indexed(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_t at);
+/// Read the value of an M or S after its =: 5, or QU(5), which the machine takes without waiting.
+bool value_of_code(OpenBlock& open, Block& block, std::uint32_t at, Value& value);
+/// Let T be the tool of a name, a text. Where no tool has it, the word is reported.
+bool tool_by_name(OpenBlock& open, Block& block, Words& words, const Value& name, std::uint32_t at);
+/// Read $TC_DP3[5,1]=120 where it stands here; return false where another variable does.
+bool system_assignment(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
 /// Add an M code to the words, or what it does in the program.
 bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value);
 

@@ -91,10 +91,12 @@ Read read_variable(OpenExpression& open, const Definition& of, std::string_view 
   if (of.constant) return open.push_constant(*of.constant), Type::Real;
   if (of.is_array()) {
     if (!read_indices(open, of, depth + 1)) return std::nullopt;
-    open.emit(of.global ? Ins::CommonElement : Ins::Element, of.local);
+    if (of.reference >= 0)
+      open.emit(Ins::ReferencedElement, of.reference);
+    else
+      open.emit(of.global ? Ins::CommonElement : Ins::Element, of.local);
   } else {
-    open.to.expressions().emit(
-        {of.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(of.local), 0});
+    open.to.expressions().emit(reading(of));
   }
   open.constant.reset();
   if (open.assigned.contains(mark_of(of))) return fails(late(open, at));
@@ -179,6 +181,31 @@ Read read_number(OpenExpression& open) {
   return read;
 }
 
+namespace {
+
+/// Push an extent of an array that is a parameter.
+void push_extent(OpenExpression& open, const Definition& of, std::size_t dimension) {
+  const auto first = static_cast<std::uint32_t>(of.reference) + 2;
+  open.to.expressions().emit({Ins::Local, 0, first + static_cast<std::uint32_t>(dimension), 0});
+}
+
+void check_index(OpenExpression& open, const Definition& of, std::size_t dimension,
+                 std::uint32_t at) {
+  if (of.reference < 0)
+    return open.to.expressions().emit(
+        {Ins::Index, 0, at, static_cast<double>(of.extents[dimension])});
+  push_extent(open, of, dimension);
+  open.to.expressions().emit({Ins::IndexBelow, 0, at, 0});
+}
+
+void multiply_by_extent(OpenExpression& open, const Definition& of, std::size_t dimension) {
+  if (of.reference < 0) return open.emit(Ins::MultiplyConstant, of.extents[dimension]);
+  push_extent(open, of, dimension);
+  open.emit(Ins::Multiply);
+}
+
+}  // namespace
+
 bool read_indices(OpenExpression& open, const Definition& of, int depth) {
   const std::uint32_t at = open.line.offset();
   if (!open.line.take('['))
@@ -190,9 +217,9 @@ bool read_indices(OpenExpression& open, const Definition& of, int depth) {
     const Read read = read_value(open, depth);
     if (!read) return false;
     if (!is_number(*read)) return open.wrong(Cause::TypeMismatch, "an index is a number", at);
-    open.to.expressions().emit({Ins::Index, 0, index_at, static_cast<double>(of.extents[i])});
+    check_index(open, of, i, index_at);
     if (i > 0) open.emit(Ins::Add);
-    if (i + 1 < of.dimensions) open.emit(Ins::MultiplyConstant, of.extents[i + 1]);
+    if (i + 1 < of.dimensions) multiply_by_extent(open, of, i + 1);
   }
   return open.line.take(']') || open.wrong(Cause::BracketNotClosed, "] is missing", at);
 }

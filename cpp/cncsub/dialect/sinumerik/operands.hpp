@@ -31,6 +31,8 @@ Read read_function(OpenExpression& open, std::string_view name, int depth);
 Read read_system_variable(OpenExpression& open, int depth);
 /// Read the indices of an array, in their brackets, as the place of one element.
 bool read_indices(OpenExpression& open, const Definition& of, int depth);
+/// Read the indices of a datum of a tool, as the number of its variable.
+bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth);
 /// Return the place of a parameter R; one that does not exist is a fault.
 bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32_t at,
                       VariablePlace& place, std::int32_t& number);
@@ -51,12 +53,20 @@ inline const char* no_number(Type type) {
          : type == Type::Frame ? "a frame is no number"
                                : "a text is no number";
 }
+/// Return the instruction that reads a variable which is no array.
+inline Instruction reading(const Definition& of) {
+  const auto local = static_cast<std::uint32_t>(of.local);
+  if (of.reference >= 0)
+    return {Ins::Referenced, 0, static_cast<std::uint32_t>(of.reference), of.local + 0.0};
+  return {of.global ? Ins::Common : Ins::Local, 0, local, 0};
+}
 
 /// Return the mark of a variable among what a block has assigned to.
 inline std::int32_t mark_of(const Definition& of) {
   constexpr std::int32_t kGlobal = 1 << 29, kArray = 1 << 28;
   return -1 - of.local - (of.global ? kGlobal : of.is_array() ? kArray : 0);
 }
+constexpr std::int32_t kToolData = -2147483647;  // the mark of data of tools
 /// Write that the block has assigned to what is read here.
 bool late(OpenExpression& open, std::uint32_t at);
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cncsub/dialect/sinumerik/open_block.hpp"
+#include "cncsub/dialect/sinumerik/operands.hpp"
 #include "cncsub/system/decimal.hpp"
 
 namespace cncsub::sinumerik {
@@ -51,6 +52,45 @@ bool jumps_later(OpenBlock& open) {
   return false;
 }
 
+/// Let a jump know its target, as far as that is known before the whole program is read.
+void name_target(Statement& jump, const JumpTarget& target) {
+  jump.variable_at = target.at;
+  jump.variable_width = target.width;
+  if (!target.computed) return;
+  using Search = Statement::Search;
+  jump.number = -1;
+  jump.variable = target.text;
+  jump.search = target.direction == 'F'   ? Search::Forward
+                : target.direction == 'B' ? Search::Back
+                : target.direction == 'C' ? Search::BothOrOn
+                                          : Search::Both;
+}
+
+/// Read the text of a jump: "LBL"<<R1, or a variable.
+bool text_target(OpenBlock& open, Block& block, JumpTarget& target) {
+  Value value;
+  Type type = Type::Real;
+  if (!open.expression.value_of_any(value, type)) return open.refuse(block);
+  target.width = open.line.width_from(target.at);
+  if (type != Type::String)
+    return open.refuse(block, Cause::TypeMismatch,
+                       "a jump goes to a label or to a text that names it", target.at);
+  target.computed = value.computed;
+  target.text = value.expression;
+  if (value.computed) return true;
+  const std::string text =
+      capitals(trimmed(open.to.code().texts.at(to_whole<std::size_t>(value.number))));
+  target.label = text.empty() ? "\"" : text;  // no block has it
+  const std::size_t digits = text.starts_with('N') ? 1 : 0;
+  const bool number =
+      text.size() > digits &&
+      std::all_of(text.begin() + static_cast<std::ptrdiff_t>(digits), text.end(), is_digit);
+  if (!number) return true;
+  target.label.clear();
+  std::from_chars(text.data() + digits, text.data() + text.size(), target.number);
+  return true;
+}
+
 /// Write a block that jumps to the first alternative which applies.
 bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
                   std::vector<Alternative>& alternatives) {
@@ -62,8 +102,7 @@ bool write_switch(OpenBlock& open, Block& block, Link& link, Statement choice,
     } else {
       Statement statement;
       statement.at = one.choice.at;
-      statement.variable_at = one.target.at;
-      statement.variable_width = one.target.width;
+      name_target(statement, one.target);
       open.to.become(jump, Op::Goto, statement);
     }
     one.choice.then = open.to.keep(jump);
@@ -102,8 +141,7 @@ bool condition_jumps(OpenBlock& open, Block& block, Link& link, Statement first)
   link.kind = Link::Kind::Jump;
   link.conditional = true;
   link.target = all.front().target;
-  first.variable_at = link.target.at;
-  first.variable_width = link.target.width;
+  name_target(first, link.target);
   open.to.become(block, Op::IfGoto, first);
   return true;
 }
@@ -132,8 +170,7 @@ bool jump(OpenBlock& open, Block& block, Link& link, std::string_view word, Stat
     open.to.words(block, {});
     return true;
   }
-  jump.variable_at = link.target.at;
-  jump.variable_width = link.target.width;
+  name_target(jump, link.target);
   link.kind = Link::Kind::Jump;
   open.to.become(block, Op::Goto, jump);
   return true;
@@ -190,7 +227,9 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   Statement first;
   if (of != nullptr ? !open.expression.assignment(*of, first) : !open.expression.assignment(first))
     return open.refuse(block);
-  if (first.target != Statement::Target::Local && first.target != Statement::Target::Common)
+  using Target = Statement::Target;
+  if (first.target != Target::Local && first.target != Target::Common &&
+      first.target != Target::Referenced)
     return open.not_computed(block, "a FOR that counts with a parameter of a computed number", at);
   if (capitals(open.line.name()) != "TO")
     return open.refuse(block, Cause::StatementFormat, "TO is missing: FOR R1=1 TO 10",
@@ -202,12 +241,13 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   if (of == nullptr || of->type == Type::Real)
     first.expression = open.to.expressions().changed(first.expression, Ins::Round);
   Statement next = first;
-  const bool local = first.target == Statement::Target::Local;
   double number = 0;
   if (parameter) system::parse(name.substr(1), number);
   open.to.expressions().begin();
-  open.to.expressions().emit({local ? Ins::Local : Ins::Common, 0,
-                              static_cast<std::uint32_t>(first.index), local ? 0 : number});
+  if (of != nullptr)
+    open.to.expressions().emit(reading(*of));
+  else
+    open.to.expressions().emit({Ins::Common, 0, static_cast<std::uint32_t>(first.index), number});
   open.to.expressions().emit({Ins::Constant, 0, at, 1});
   open.to.expressions().emit({Ins::Add, 0, at, 0});
   open.to.expressions().emit({Ins::Round, 0, at, 0});
@@ -277,14 +317,12 @@ bool jump_target(OpenBlock& open, Block& block, std::string_view word, JumpTarge
     const std::string_view digits = open.line.take_digits();
     std::from_chars(digits.data(), digits.data() + digits.size(), target.number);
   } else if (open.line.peek() == '"') {
-    std::string text;
-    if (!text_here(open, block, text)) return false;
-    target.label = capitals(text);
+    return text_target(open, block, target);
   } else if (name.size() > 1) {
     target.label = capitals(name);
+    const Definition* const of = open.definitions.find(target.label);
+    if (of != nullptr && of->type == Type::String) return text_target(open, block, target);
     open.line.pass(name.size());
-    if (open.definitions.find(target.label) != nullptr)
-      return open.not_computed(block, "a jump to what a text names", target.at);
   } else {
     open.line.pass(name.size());
     return open.refuse(block, Cause::StatementFormat,

@@ -28,6 +28,7 @@ void Structure::match() {
   open_.clear();
   spans_.clear();
   marks_.clear();
+  computed_ = false;
   for (const Met& met : links_) {
     if (to_.interrupt().requested(InterruptCheck::kBlock)) return;
     match(met);
@@ -39,6 +40,21 @@ void Structure::match() {
     if (met.link.kind == Link::Kind::Part) resolve_part(met);
   }
   for (const Open& open : open_) leave_open(open);
+  if (computed_) keep_structures();
+}
+
+/// Keep the structures for jumps that are searched for when they are made.
+void Structure::keep_structures() {
+  std::vector<StructureMark> marks;
+  const auto around = [this](std::size_t span) {
+    return span == 0 ? Span{kNowhere} : spans_[span - 1];
+  };
+  for (const Mark& mark : marks_) {
+    const Span of = around(mark.span);
+    marks.push_back({mark.from, mark.span == 0 ? kNowhere : of.first, of.last});
+  }
+  marks.push_back({to_.next_address()});
+  to_.structures(marks);
 }
 
 /// Let a structure without an end run, up to where its end is searched for. The control does not
@@ -159,18 +175,19 @@ void Structure::close(const Met& met, Link::Kind opener) {
 
 /// Return the blocks of a label, or of a block number, in their order.
 const std::vector<Address>& Structure::blocks_of(const JumpTarget& target) {
+  static const std::vector<Address> kNone;
   if (!target.label.empty()) {
     const auto found = labels_.find(target.label);
-    if (found != labels_.end()) return found->second;
+    return found != labels_.end() ? found->second : kNone;
   }
-  numbered_.clear();
-  if (!target.label.empty()) return numbered_;
+  const auto [found, is_new] = numbered_.try_emplace(target.number);
+  if (!is_new) return found->second;
   const Code& code = to_.code();
   const Program& program = code.programs.back();
   for (Address a = code.first_of(program, target.number); a != kNowhere;
        a = code.next_of(program, target.number, a))
-    numbered_.push_back(a);
-  return numbered_;
+    found->second.push_back(a);
+  return found->second;
 }
 
 /// Return the nearest block of the label, or of the number, in the direction of the search. `other`
@@ -199,6 +216,8 @@ void Structure::refuse_jump(Block& block, const JumpTarget& target, bool inside)
 
 void Structure::resolve(const Met& met) {
   const JumpTarget& sought = met.link.target;
+  computed_ = computed_ || sought.computed;
+  if (sought.computed) return;
   Address other = kNowhere;
   const Address to = target(met.address, sought, other);
   const bool inside = to != kNowhere && leads_inside(met.address, to);
@@ -222,6 +241,8 @@ void Structure::resolve(const Met& met) {
 
 /// Resolve one of several jumps of a block.
 void Structure::resolve(Address from, const AlternativeJump& one) {
+  computed_ = computed_ || one.target.computed;
+  if (one.target.computed) return;
   Address other = kNowhere;
   const Address to = target(from, one.target, other);
   const bool inside = to != kNowhere && leads_inside(from, to);

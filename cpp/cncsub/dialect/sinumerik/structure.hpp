@@ -16,6 +16,7 @@ class Structure {
 
   void begin() {
     labels_.clear();
+    numbered_.clear();
     links_.clear();
   }
   /// Add the block that is appended next.
@@ -60,6 +61,7 @@ class Structure {
   const std::vector<Address>& blocks_of(const JumpTarget& target);
   Address target(Address from, const JumpTarget& sought, Address& other);
   Address part_end(const Met& met, Address first);
+  void keep_structures();
   bool leads_inside(Address from, Address to) const;
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
@@ -69,11 +71,12 @@ class Structure {
 
   Builder& to_;
   std::unordered_map<std::string, std::vector<Address>> labels_;
-  std::vector<Address> numbered_;  // the blocks of the number that was searched for last
+  std::unordered_map<std::int32_t, std::vector<Address>> numbered_;  // the blocks of a number
   std::vector<Met> links_;
   std::vector<Open> open_;
   std::vector<Span> spans_;  // by their numbers, less 1
   std::vector<Mark> marks_;
+  bool computed_ = false;  // a jump of the program goes to what a text names
 };
 
 }  // namespace cncsub::sinumerik

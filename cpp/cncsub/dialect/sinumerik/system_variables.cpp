@@ -1,7 +1,9 @@
 // System variables, $AA_IW[X] and others, as far as a run knows what they hold.
 #include <algorithm>
+#include <charconv>
 #include <iterator>
 
+#include "cncsub/control/edge_datum.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
@@ -25,6 +27,7 @@ constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, B
                                          {"AA_IM", VariableKind::MachinePosition, By::Axis},
                                          {"P_EP", VariableKind::BlockEnd, By::Axis},
                                          {"P_TOOLNO", VariableKind::ActiveWord, By::Nothing, 'T'},
+                                         {"P_TOOL", VariableKind::ActiveWord, By::Nothing, 'D'},
                                          {"P_F", VariableKind::ActiveWord, By::Nothing, 'F'},
                                          {"P_S", VariableKind::ActiveWord, By::Nothing, 'S'},
                                          {"P_GG", VariableKind::ModalCode, By::Group},
@@ -85,7 +88,46 @@ bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
   return open.wrong(Cause::CodeNotComputed, "a run does not know $P_GG[" + number + "]", at);
 }
 
+/// Read $TC_DP3[5,1], whose name is passed.
+Read read_datum(OpenExpression& open, const ToolDatum& of, int depth) {
+  if (!read_tool_datum(open, of, depth + 1)) return std::nullopt;
+  open.constant.reset();
+  open.emit(Ins::Indirect);
+  if (open.assigned.contains(kToolData)) {
+    late(open, open.line.offset());
+    return std::nullopt;
+  }
+  return Type::Real;
+}
+
 }  // namespace
+
+std::optional<ToolDatum> tool_datum_of(const Builder& to, std::string_view name) {
+  constexpr std::string_view kEdge = "TC_DP", kName = "TC_TP2";
+  const auto first = [&to](VariableKind kind) {
+    for (const PlacedRange& placed : to.code().variables)
+      if (placed.range.kind == kind) return placed.range.first;
+    return -1;
+  };
+  if (name == kName && first(VariableKind::ToolName) >= 0)
+    return ToolDatum{first(VariableKind::ToolName), false};
+  std::int32_t datum = 0;
+  const char* const last = name.data() + name.size();
+  if (!name.starts_with(kEdge) || first(VariableKind::EdgeDatum) < 0) return std::nullopt;
+  const auto read = std::from_chars(name.data() + kEdge.size(), last, datum);
+  if (read.ec != std::errc() || read.ptr != last || datum < 1 || datum >= EdgeDatum::kData)
+    return std::nullopt;
+  return ToolDatum{first(VariableKind::EdgeDatum) + EdgeDatum{datum, 0, 0}.number(), true};
+}
+
+bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth) {
+  Definition indices;
+  indices.dimensions = of.of_edge ? 2 : 1;
+  indices.extents = {EdgeDatum::kTools, EdgeDatum::kEdges};
+  if (!read_indices(open, indices, depth)) return false;
+  open.emit(Ins::AddConstant, of.first);
+  return true;
+}
 
 Read read_system_variable(OpenExpression& open, int depth) {
   const std::uint32_t at = open.line.offset();
@@ -98,6 +140,8 @@ Read read_system_variable(OpenExpression& open, int depth) {
     return Type::Real;
   }
   if (is_frame_variable(name)) return read_control_frame(open, name, at, depth);
+  if (const auto datum = tool_datum_of(open.to, name); datum && datum->of_edge)
+    return read_datum(open, *datum, depth);
   const auto* const of = std::find_if(std::begin(kVariables), std::end(kVariables),
                                       [&](const auto& known) { return known.name == name; });
   const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);
@@ -118,7 +162,7 @@ Read read_system_variable(OpenExpression& open, int depth) {
                                                                                : Type::Real;
   }
   open.emit(Ins::Variable, range->first);
-  if (of->divisor == 0) return of->address == 'T' ? Type::Int : Type::Real;
+  if (of->divisor == 0) return of->address == 'T' || of->address == 'D' ? Type::Int : Type::Real;
   open.emit(Ins::DivideConstant, of->divisor);
   open.emit(Ins::Fix);
   open.emit(Ins::Constant, 100);

@@ -11,6 +11,8 @@ constexpr std::size_t kMostElements = 10'000;  // of one list of SET
 
 /// Return the target of an assignment to a variable that is no array.
 Statement::Target target_of(const Definition& of) {
+  using Target = Statement::Target;
+  if (of.reference >= 0) return of.is_array() ? Target::ReferencedElement : Target::Referenced;
   if (of.is_array())
     return of.global ? Statement::Target::CommonElement : Statement::Target::Element;
   return of.global ? Statement::Target::Common : Statement::Target::Local;
@@ -18,30 +20,50 @@ Statement::Target target_of(const Definition& of) {
 
 Definition real() { return {}; }
 
+/// Make an assignment one to the next element.
+void pass_element(Statement& of) {
+  if (of.target == Statement::Target::ReferencedElement) {
+    ++of.number;  // the place after the one that is named
+    return;
+  }
+  ++of.index;
+  --of.number;
+}
+
 }  // namespace
 
 void ExpressionReader::push_converted(const Definition& of) {
   open_.constant.reset();
-  open_.to.expressions().emit({Ins::Local, 0, static_cast<std::uint32_t>(of.local), 0});
+  open_.to.expressions().emit(reading(of));
   convert(open_, of.type, of, open_.line.offset());
 }
 
-Statement ExpressionReader::variable_alone() {
+bool ExpressionReader::variable_alone(Statement& variable, Type& type,
+                                      std::vector<std::int32_t>& extents) {
   const Line before = open_.line;
-  Statement found;
-  found.at = found.variable_at = open_.line.offset();
+  variable = Statement();
+  variable.at = variable.variable_at = open_.line.offset();
   const std::string name = capitals(open_.line.name());
   const Definition* const of = open_.definitions.find(name);
   bool read = false;
-  if (of != nullptr && (!of->is_array() || open_.line.ahead(name.size()) == '['))
-    read = left_side(*of, found);
-  else if (of == nullptr && name.starts_with('R'))
-    read = parameter_side(found);
+  type = of != nullptr ? of->type : Type::Real;
+  if (of != nullptr) {
+    const bool whole =
+        of->is_array() && open_.line.ahead(open_.line.past_blanks(name.size())) != '[';
+    read = left_side(*of, variable);
+    if (whole) extents = of->shape();
+  } else if (name.starts_with('R')) {
+    read = parameter_side(variable);
+  }
   const char next = open_.line.peek();
-  if (!read || (next != ',' && next != ')')) found.target = Statement::Target::None;
-  open_.line = before;
+  read = read && (next == ',' || next == ')');
+  if (!read) {
+    variable.target = Statement::Target::None;
+    extents.clear();
+    open_.line = before;
+  }
   fault.reset();
-  return found;
+  return read;
 }
 
 // ---- one value ----
@@ -91,7 +113,8 @@ bool ExpressionReader::left_side(const Definition& to, Statement& statement) {
   if (to.constant)
     return open_.wrong(Cause::StatementFormat, name + " is a number, and takes none", at);
   statement.target = target_of(to);
-  statement.index = to.local;
+  statement.index = to.reference >= 0 ? to.reference : to.local;
+  if (to.reference >= 0 && !to.is_array()) statement.number = to.local;
   if (to.is_array()) {
     open_.to.expressions().begin();
     if (line.peek() == '[') {
@@ -100,7 +123,7 @@ bool ExpressionReader::left_side(const Definition& to, Statement& statement) {
       open_.emit(Ins::Constant, 0);  // all of it
     }
     statement.variable = open_.to.expressions().end(at, line.width_from(at));
-    statement.number = to.size();
+    if (to.reference < 0) statement.number = to.size();
   }
   statement.variable_width = line.width_from(at);
   return true;
@@ -113,6 +136,21 @@ bool ExpressionReader::assignment(const Definition& to, Statement& statement) {
   if (statements.size() != 1 || statements[0].count != 1)
     return open_.wrong(Cause::StatementFormat, "one value is given to a variable here", at);
   statement = statements[0];
+  return true;
+}
+
+bool ExpressionReader::tool_datum(const ToolDatum& of, Statement& statement) {
+  const std::uint32_t at = statement.at;
+  open_.to.expressions().begin();
+  if (!read_tool_datum(open_, of, 0)) return false;
+  statement.target = Statement::Target::Indirect;
+  statement.variable = open_.to.expressions().end(at, open_.line.width_from(at));
+  statement.variable_width = open_.line.width_from(at);
+  if (!open_.line.take('=')) return open_.wrong(Cause::MissingEquals, "= is missing", at);
+  Definition as;
+  as.type = of.of_edge ? Type::Real : Type::String;
+  if (!assigned_value(as, statement)) return false;
+  open_.assigned.insert(kToolData);
   return true;
 }
 
@@ -155,8 +193,7 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
   const std::uint32_t at = line.offset();
   if (to.is_array())
     return open_.not_computed("a character of an element of an array of texts", at);
-  const auto variable =
-      Instruction{to.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(to.local), 0};
+  const Instruction variable = reading(to);
   line.pass(1);
   Value index;
   if (!value(index)) return false;
@@ -245,14 +282,13 @@ bool ExpressionReader::set_list(const Definition& to, const Statement& first,
     if (statements.size() > kMostElements)
       return open_.not_computed("a list of so many values", open_.line.offset());
     if (open_.line.peek() != ',' && open_.line.peek() != ')') {
-      if (next.number <= 0)
+      if (to.reference < 0 && next.number <= 0)
         return open_.wrong(Cause::ArrayElement, "the array ends before the last value",
                            open_.line.offset());
       if (!assigned_value(to, next)) return false;
       statements.push_back(next);
     }
-    ++next.index;
-    --next.number;
+    pass_element(next);
   } while (open_.line.take(','));
   return true;
 }
@@ -268,7 +304,7 @@ bool ExpressionReader::repeated(const Definition& to, const Statement& first,
     Value count;
     if (!value(count)) return false;
     if (count.computed) return open_.not_computed("REP with a computed number of elements", at);
-    if (count.number < 1 || count.number > to.size())
+    if (count.number < 1 || (to.reference < 0 && count.number > to.size()))
       return open_.wrong(Cause::ArrayElement, "the array has fewer elements", at);
     all.count = to_whole<std::int32_t>(count.number);
   }

@@ -116,7 +116,7 @@ char code_letter(CallKind kind, char of_caller) {
 }
 
 /// Open a level of locals with the arguments in it.
-void open_level(Run& run) {
+void open_level(Run& run, const CallRecord& record) {
   State& s = run.state;
   ++s.level;
   const std::size_t first = run.local_at(s.level, 0);
@@ -133,6 +133,13 @@ void open_level(Run& run) {
   std::copy(block.arguments.begin(), block.arguments.end(), s.locals.data() + first);
   if (run.control().macros.call_passes_words.value)
     std::copy(block.programmed.begin(), block.programmed.end(), s.programmed.data() + first);
+  if (!record.references().empty()) copy_arrays(run, record);
+}
+
+/// Return whether an argument is one of those that a program does not see: references.
+bool is_hidden(const Code& code, std::size_t local) {
+  const auto index = static_cast<std::int32_t>(local);
+  return index > code.locals_per_level && code.named(false, index) == nullptr;
 }
 
 /// Write the call into the trace, with its arguments where it opened a level for them.
@@ -156,7 +163,7 @@ void record_call(Run& run, std::uint32_t index, const Target& target, OpenFrame&
   const std::vector<double>& arguments = run.block.arguments;
   if (open.own_locals && !open.shares_locals)
     for (std::size_t i = 0; i < arguments.size(); ++i)
-      if (!is_vacant(arguments[i]))
+      if (!is_vacant(arguments[i]) && !is_hidden(*run.code, i))
         trace.arguments.push({static_cast<std::int32_t>(i), arguments[i]});
   row.arguments = static_cast<std::uint32_t>(trace.arguments.size()) - row.first_argument;
   open.call = trace.call_number(trace.calls.size());
@@ -178,7 +185,7 @@ bool decode_target(Run& run, const CallRecord& record, Target& target) {
     return false;
   if (auto fault = decode_call(*run.code, record, values, run.frame().program, target))
     return alarm(run, *fault);
-  return true;
+  return !record.name_text().present() || find_by_text(run, record, target);
 }
 
 bool evaluate_arguments(Run& run, const CallRecord& record) {
@@ -197,7 +204,7 @@ bool evaluate_arguments(Run& run, const CallRecord& record) {
     block.arguments[place] = value;
     if (reported) block.programmed[place] = modal_code(run.motion.view(), 3) == 91 ? 91 : 90;
   }
-  return true;
+  return record.references().empty() || evaluate_references(run, record);
 }
 
 std::optional<Fault> refused_here(const Run& run, const CallRecord& record) {
@@ -238,6 +245,7 @@ bool call(Run& run, const Block& block) {
   const bool passes = record.arguments > 0 || record.locals != CallRecord::Locals::ByKind ||
                       run.control().macros.call_passes_words.value;
   if (passes && !evaluate_arguments(run, record)) return false;
+  if (passes && record.name_text().present() && !take_own_values(run, record, target)) return false;
   if (has_words(block) && in_cycle(run.motion.state()) && run.refuses(Cause::CallWithWordsInCycle))
     return alarm(run, fault(record, Cause::CallWithWordsInCycle,
                             "M98 has other words in its block while a canned cycle is active"));
@@ -297,26 +305,8 @@ CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord&
   open.modal = modal;
   open.modal_limit = modal >= 0 ? modal : run.frame().modal_limit;
   open.loops = static_cast<std::uint32_t>(run.state.loops.size());
+  open.copies = run.state.copies.size();
   return open;
-}
-
-/// Return what the open program hands back to its caller, in the order of the call.
-std::vector<double> values_back(const Run& run, const OpenFrame& open) {
-  std::vector<double> values;
-  if (open.hands_back < 0) return values;
-  for (const HandedBack& of : run.code->calls[static_cast<std::size_t>(open.hands_back)].back())
-    values.push_back(run.state.locals[run.local_at(run.state.level, of.from)]);
-  return values;
-}
-
-/// Give variables of the caller, whose level is open again, the values of the parameters that
-/// stand for them.
-bool hand_back(Run& run, const OpenFrame& open, const std::vector<double>& values) {
-  if (open.hands_back < 0) return true;
-  const auto& back = run.code->calls[static_cast<std::size_t>(open.hands_back)].back();
-  for (std::size_t i = 0; i < values.size(); ++i)
-    if (!store(run, back[i].to, is_vacant(values[i]) ? 0 : values[i])) return false;
-  return true;
 }
 
 }  // namespace
@@ -340,8 +330,7 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
     s.moved_at = s.pc;
   }
   ++s.changes;
-  if (!record.back().empty()) open.hands_back = static_cast<std::int32_t>(index);
-  if (open.own_locals) open_level(run);
+  if (open.own_locals) open_level(run, record);
   (record.macro ? s.macros : s.subprograms) += 1;
   if (run.trace.depth != Trace::Depth::None)
     record_call(run, index, target, open,
@@ -371,12 +360,11 @@ bool leave(Run& run, Address to, bool goes_on) {
     std::copy_n(own, run.code->locals_per_level + 1,
                 s.locals.data() + run.local_at(s.level - 1, 0));
   }
-  const std::vector<double> values = values_back(run, open);
   if (open.own_locals) {
     --s.level;
     s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)));
+    s.copies.resize(open.copies);
   }
-  if (!hand_back(run, open, values)) return false;
   (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();

@@ -28,4 +28,13 @@ bool enter(Run& run, std::uint32_t index, const Target& target, std::int32_t mod
 /// Close the frame and go on in the caller; where it `goes_on`, with what its block waited with.
 bool leave(Run& run, Address to, bool goes_on = true);
 
+/// Evaluate which variables of the caller the parameters by reference stand for, as arguments.
+bool evaluate_references(Run& run, const CallRecord& record);
+/// Give the arrays that a call hands over by value copies of their own, on the level that is open.
+void copy_arrays(Run& run, const CallRecord& record);
+/// Find the program that the text of a call names.
+bool find_by_text(Run& run, const CallRecord& record, Target& target);
+/// Give the parameters of a program that a text names their own values: the call has none.
+bool take_own_values(Run& run, const CallRecord& record, const Target& target);
+
 }  // namespace cncsub

@@ -178,6 +178,7 @@ bool move_behind_modes(Run& run, const Block& block, const NcWords& words) {
 
 bool carry_out(Run& run, const Block& block) {
   NcWords words;
+  run.block.left_out.clear();
   if (!decode(run, block, run.state.pc, words)) return false;
   if (run.observer != nullptr) observe(run, block, words);
   if (run.block.parallel_assign != nullptr && !assign_in_parallel(run)) return false;
@@ -188,7 +189,8 @@ bool carry_out(Run& run, const Block& block) {
                                                    : move(run, block, words);
   if (!moved || !send_codes(run, words, block)) return false;
   const Motion::Outcome& outcome = run.block.outcome;
-  if ((block.flags & Block::kDrops) != 0 || (outcome.dropped | outcome.dropped_codes) != 0)
+  if ((block.flags & Block::kDrops) != 0 || !run.block.left_out.empty() ||
+      (outcome.dropped | outcome.dropped_codes) != 0)
     tell_dropped(run, block, words);
   run.block.words_done = true;
   if (outcome.missed_reference)

@@ -89,7 +89,7 @@ bool same_variables(const State& a, const State& b, std::size_t locals) {
                     a.programmed.begin() +
                         static_cast<std::ptrdiff_t>(std::min(open, a.programmed.size())),
                     b.programmed.begin()) &&
-         same(a.commons, b.commons) && a.system == b.system && a.signals == b.signals &&
+         same(a.commons, b.commons) && same(a.copies, b.copies) && a.system == b.system && a.signals == b.signals &&
          a.names == b.names;
 }
 

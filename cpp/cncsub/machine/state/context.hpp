@@ -24,8 +24,7 @@ namespace cncsub {
 /// something else besides may alarm after them.
 struct BeforeTogether {
   struct Variable {
-    enum class In : std::uint8_t { Locals, Commons, Elements } in = In::Commons;
-    std::size_t index = 0;
+    Reference at;
     double value = 0;
     std::uint8_t programmed = 0;  // of a local
   };
@@ -52,6 +51,7 @@ struct RunningBlock {
   bool failed = false;            // its condition did not hold (O words)
   bool follows_moves = false;     // it has no words to be the arguments of G66.1: the macro follows
                                   // its move, as with G66
+  std::vector<Drop> left_out;     // words of it that the run does not know how to obey
   std::vector<double> arguments;  // the locals of the level that it is about to open,
   std::vector<std::uint8_t> programmed;  // and how they were programmed
   const ParallelAssign* parallel_assign =

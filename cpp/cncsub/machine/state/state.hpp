@@ -20,6 +20,25 @@ namespace cncsub {
 enum class Stop : std::uint8_t { Running, End, Alarm, Cycles, Limit, Waiting, Interrupted };
 std::string_view to_string(Stop stop);
 
+/// A variable: the table of the state that holds its value, and the place there. A local holds one
+/// as a value. It outlives the level of what it stands for only in a modal call.
+struct Reference {
+  enum class In : std::uint8_t { Locals, Commons, Elements, Copies } in = In::Commons;
+  std::size_t index = 0;
+
+  static constexpr double kTable = 4294967296.0;  // the places of a table
+
+  double packed() const {
+    return static_cast<double>(in) * kTable + static_cast<double>(index);
+  }
+  static Reference of(double packed) {
+    const auto table = static_cast<std::uint8_t>(packed / kTable);
+    return {static_cast<In>(table), static_cast<std::size_t>(packed - table * kTable)};
+  }
+  /// Return the variable so many places after it, as of an array.
+  Reference behind(std::size_t places) const { return {in, index + places}; }
+};
+
 /// A program that was entered and not left yet: the main program, or what a call opened.
 struct OpenFrame {
   std::int32_t program = 0;
@@ -40,7 +59,7 @@ struct OpenFrame {
   std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
   bool shares_locals = false;     // the numbered locals of its level are the caller's
-  std::int32_t hands_back = -1;   // the call whose variables its return changes: in Code::calls
+  std::size_t copies = 0;         // how many elements of copied arrays belong to frames below
   bool interrupts = false;        // after it the caller's block does what it waits with
 
   bool operator==(const OpenFrame&) const = default;
@@ -136,6 +155,7 @@ struct State {
                                          // nothing where the control does not ask
   std::vector<double> commons;           // by their place, see Code::place
   std::vector<double> elements;          // of arrays: level after level, Code::elements each
+  std::vector<double> copies;            // of arrays that calls hand over by value, call after call
   Texts texts;                           // those that blocks made; numbered after those of the code
   Texts frame_values;                    // the bytes of frames that blocks made; 1 is the first
   std::map<std::int64_t, double> system;  // what was written to system variables
@@ -143,6 +163,29 @@ struct State {
   std::map<std::int64_t, std::size_t> written_over;
   std::map<std::int32_t, double> signals;     // of the machine, as they are now
   std::map<std::string, std::int64_t> names;  // SETVN: a name and its variable
+
+  std::vector<double>& table(Reference::In in) {
+    switch (in) {
+      case Reference::In::Locals:
+        return locals;
+      case Reference::In::Commons:
+        return commons;
+      case Reference::In::Elements:
+        return elements;
+      case Reference::In::Copies:
+        break;
+    }
+    return copies;
+  }
+  const std::vector<double>& table(Reference::In in) const {
+    return const_cast<State*>(this)->table(in);
+  }
+  /// Return where a variable lies; null where its level is left.
+  double* cell(const Reference& of) {
+    std::vector<double>& all = table(of.in);
+    return of.index < all.size() ? all.data() + of.index : nullptr;
+  }
+  const double* cell(const Reference& of) const { return const_cast<State*>(this)->cell(of); }
 
   // The counts of what was done so far.
   std::int64_t executed = 0;              // blocks

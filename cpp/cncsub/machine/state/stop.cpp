@@ -43,11 +43,9 @@ void take_back_together(Run& run) {
   BeforeTogether& before = run.block.before_together;
   State& s = run.state;
   for (auto of = before.variables.rbegin(); of != before.variables.rend(); ++of) {
-    using In = BeforeTogether::Variable::In;
-    (of->in == In::Locals     ? s.locals
-     : of->in == In::Elements ? s.elements
-                              : s.commons)[of->index] = of->value;
-    if (of->in == In::Locals && !s.programmed.empty()) s.programmed[of->index] = of->programmed;
+    s.table(of->at.in)[of->at.index] = of->value;
+    if (of->at.in == Reference::In::Locals && !s.programmed.empty())
+      s.programmed[of->at.index] = of->programmed;
   }
   if (before.messages) run.trace.keep_messages(*before.messages);
   if (before.system) {

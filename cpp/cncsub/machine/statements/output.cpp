@@ -79,6 +79,7 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
     for (; drop != run.code->drops.end() && drop->data == block.data; ++drop)
       tell(std::string(text.substr(drop->at, drop->width)));
   }
+  for (const Drop& drop : run.block.left_out) tell(std::string(text.substr(drop.at, drop.width)));
   for (std::size_t i = 0; i < words.codes->g_count; ++i)
     if ((run.block.outcome.dropped_codes >> i & 1) != 0) tell(code_name(words.codes->g_codes[i]));
   for (std::uint32_t left = run.block.outcome.dropped & words.mask; left != 0; left &= left - 1) {

@@ -97,6 +97,7 @@ bool jump_by_goto(Run& run, const Statement& statement) {
   if (compensating(run.motion.state()) && run.refuses(Cause::JumpInCompensation))
     return alarm(run, {Cause::JumpInCompensation, statement.at, statement.width,
                        "a jump while the radius offset is on"});
+  if (statement.search != Statement::Search::None) return jump_by_text(run, statement);
   Address to = statement.to;
   std::int64_t n = statement.number;
   if (n < 0) {

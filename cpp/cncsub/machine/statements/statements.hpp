@@ -1,6 +1,8 @@
 // Macro statements: assignments, branches, loops, jumps, names.
 #pragma once
 
+#include <optional>
+
 #include "cncsub/machine/state/context.hpp"
 
 namespace cncsub {
@@ -18,6 +20,15 @@ bool h_code(Run& run, const HCode& h, bool& holds);
 /// Execute the assignments of a block that does something else too, all with the values from
 /// before, and its message. The words have their values already, and are executed after it.
 bool assign_in_parallel(Run& run);
+/// Return the local, the common or what a parameter stands for that an assignment names; nothing
+/// where it names something else.
+std::optional<Reference> variable_of(const Run& run, const Statement& statement);
+/// The elements of an array from the one on that an assignment names.
+struct ArrayElements {
+  Reference first;
+  std::int32_t left = 0;  // how many there are
+};
+ArrayElements elements_of(const Run& run, const Statement& statement, double place);
 /// Return the number of the variable that an expression gives.
 std::int64_t number_of_variable(double value);
 /// Give the variable of an assignment its value.
@@ -33,6 +44,8 @@ bool may_jump(Run& run, const Statement& statement);
 /// Return whether the run waits here for the world outside. A jump back that is reached twice with
 /// nothing changed in between can only wait, for what the condition that was asked last reads.
 bool waits(Run& run);
+/// Execute a jump to what a text names.
+bool jump_by_text(Run& run, const Statement& statement);
 /// Go on at a block of the running program, or wait there for the world outside.
 bool jump_to(Run& run, Address to);
 /// Leave the loops that do not hold the block.

@@ -30,10 +30,49 @@ bool user_alarm(Run& run, double n, const Statement& statement) {
                                                             : control.user_alarm_number);
 }
 
+/// Refuse an assignment to a variable of a program that was left. Return false.
+bool is_gone(Run& run, const Statement& statement) {
+  return alarm(run, {Cause::CodeNotComputed, statement.variable_at, statement.variable_width,
+                     "the program whose variable this is was left"});
+}
+
 }  // namespace
 
 std::int64_t number_of_variable(double value) {
   return is_vacant(value) ? 0 : to_whole<std::int64_t>(std::clamp(rounded(value), -1e9, 2e9));
+}
+
+std::optional<Reference> variable_of(const Run& run, const Statement& statement) {
+  using In = Reference::In;
+  const State& s = run.state;
+  switch (statement.target) {
+    case Statement::Target::Local:
+      return Reference{In::Locals, run.local_at(s.level, statement.index)};
+    case Statement::Target::Common:
+      return Reference{In::Commons, static_cast<std::size_t>(statement.index)};
+    case Statement::Target::Referenced: {
+      const double of = s.locals[run.local_at(s.level, statement.index)];
+      if (!is_vacant(of)) return Reference::of(of);
+      return Reference{In::Locals, run.local_at(s.level, statement.number)};
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+ArrayElements elements_of(const Run& run, const Statement& statement, double place) {
+  using In = Reference::In;
+  const auto from = to_whole<std::size_t>(place);  // the indices are inside their extents
+  const auto first = static_cast<std::size_t>(statement.index) + from;
+  const std::int32_t left = statement.number - static_cast<std::int32_t>(from);
+  if (statement.target == Statement::Target::CommonElement) return {{In::Commons, first}, left};
+  if (statement.target == Statement::Target::Element)
+    return {{In::Elements, run.element_at(first)}, left};
+  const double* const of = run.state.locals.data() + run.local_at(run.state.level, statement.index);
+  if (is_vacant(of[0])) return {};
+  const std::size_t at = from + static_cast<std::size_t>(statement.number);
+  return {Reference::of(of[0]).behind(at),
+          to_whole<std::int32_t>(of[1]) - static_cast<std::int32_t>(at)};
 }
 
 bool store(Run& run, const Statement& statement, double value) {
@@ -59,8 +98,14 @@ bool store(Run& run, const Statement& statement, double value) {
       if (!evaluate(run, statement.variable, number)) return false;
       return store_number(run, number_of_variable(number), value, statement);
     }
+    case Statement::Target::Referenced: {
+      double* const cell = s.cell(*variable_of(run, statement));
+      if (cell != nullptr) put(*cell);
+      return cell != nullptr || is_gone(run, statement);
+    }
     case Statement::Target::Element:
-    case Statement::Target::CommonElement: {
+    case Statement::Target::CommonElement:
+    case Statement::Target::ReferencedElement: {
       double place = 0;
       return evaluate(run, statement.variable, place) &&
              store_elements(run, statement, place, value);
@@ -79,19 +124,16 @@ bool store(Run& run, const Statement& statement, double value) {
 bool store_elements(Run& run, const Statement& statement, double place, double value) {
   if (std::fabs(value) > kLargest)
     return alarm(run, {Cause::Overflow, statement.at, statement.width, "the result is too large"});
-  const auto from = to_whole<std::int32_t>(place);  // the indices are inside their extents
-  const std::int32_t left = statement.number - from;
+  const auto [first, left] = elements_of(run, statement, place);
   const std::int32_t count = statement.count == 0 ? left : statement.count;
   if (left < count)
     return alarm(run, {Cause::ArrayElement, statement.variable_at, statement.variable_width,
                        "the array ends before the last value"});
-  State& s = run.state;
-  const auto first = static_cast<std::size_t>(statement.index) + static_cast<std::size_t>(from);
-  double* const at = statement.target == Statement::Target::Element
-                         ? s.elements.data() + run.element_at(first)
-                         : s.commons.data() + first;
-  std::fill_n(at, count, value);
-  ++s.changes;
+  if (count <= 0) return true;
+  const double* const last = run.state.cell(first.behind(static_cast<std::size_t>(count) - 1));
+  if (last == nullptr) return is_gone(run, statement);
+  std::fill_n(run.state.cell(first), count, value);
+  ++run.state.changes;
   return true;
 }
 

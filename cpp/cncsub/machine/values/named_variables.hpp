@@ -11,6 +11,7 @@ namespace cncsub {
 struct NamedValues {
   const DefinedVariable* variable;
   const double* values;
+  std::vector<std::int32_t> extents;  // of an array
 };
 /// Return the variables that the program of a level defines, then those of all programs. One that
 /// was not defined yet is left out.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cncsub/machine/values/instructions.hpp"
+#include "cncsub/machine/values/reference_instructions.hpp"
 #include "cncsub/machine/values/texts.hpp"
 #include "cncsub/system/decimal.hpp"
 #include "cncsub/text/axis_names.hpp"
@@ -42,6 +43,10 @@ inline std::string written_as(E e, double value, WrittenAs how) {
 
 inline double written_as_text(E e, I at, double a) {
   return keep_text(e.run, written_as(e, a, static_cast<WrittenAs>(to_whole<int>(at.value()))));
+}
+inline double tool_of_name(E e, I at, double a) {
+  const double tool = e.run.motion.view().state.tables.tool_of(text_of(e.run, a));
+  return tool > 0 ? tool : left_out(e, at);
 }
 // Longer texts are no values: a block could make a very long one of each of its parts.
 constexpr std::size_t kLongestText = 1000;

@@ -8,6 +8,7 @@
 #include "cncsub/code/variable_faults.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/machine/values/frames.hpp"
+#include "cncsub/machine/values/texts.hpp"
 #include "cncsub/motion/query.hpp"
 
 namespace cncsub {
@@ -84,6 +85,8 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
       return work_offset(motion, index, axis_of(*place.range));
     case VariableKind::ExtraWorkOffset:
       return work_offset(motion, kFirstExtra + index / kSystems, index % kSystems);
+    case VariableKind::EdgeDatum:
+      return edge_datum(motion, index);
     case VariableKind::LengthWear:
     case VariableKind::LengthGeometry:
     case VariableKind::RadiusWear:
@@ -183,6 +186,7 @@ bool write_offset(Motion& motion, const VariablePlace& place, double value) {
       motion.set_work_offset(index / kSystems, index % kSystems, value);
       return true;
     case VariableKind::Shift:
+    case VariableKind::EdgeDatum:
     case VariableKind::ReferencePoint:
       motion.set_offset(place.kind, index, value);
       return true;
@@ -218,6 +222,9 @@ std::optional<Fault> system_write(Run& run, const VariablePlace& place, std::int
   switch (place.kind) {
     case VariableKind::Milliseconds:
       run.state.external_reads.clock_ms = value - run.motion.time() * 1000.0;
+      break;
+    case VariableKind::ToolName:
+      run.motion.name_tool(place.index, text_of(run, value));
       break;
     case VariableKind::Hours:
       run.state.system[number] = value - run.motion.time() / 3600.0;

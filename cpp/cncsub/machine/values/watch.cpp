@@ -43,6 +43,8 @@ bool is_still(VariableKind kind) {
     case VariableKind::LengthGeometry:
     case VariableKind::RadiusWear:
     case VariableKind::RadiusGeometry:
+    case VariableKind::EdgeDatum:
+    case VariableKind::ToolName:
     case VariableKind::ParameterChoice:
     case VariableKind::ParameterValue:
       return true;

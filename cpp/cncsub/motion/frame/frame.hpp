@@ -46,6 +46,9 @@ double turn_of_system(const MotionState& state, int system);
 constexpr int kTurn = 9;
 /// Return the length of a mill's tool on all axes, in machine coordinates.
 Axes length_of_tool(const MotionState& state, int tool);
+/// Return a datum of an edge of a tool by its number, see EdgeDatum: what a program wrote, or what
+/// the setup says.
+double datum_of_edge(MotionView m, std::int32_t number);
 /// Execute G10 L2, L20, L1, L10 and L11 of controls whose work systems rotate, and whose tools have
 /// lengths on all axes.
 Result set_system_here(MotionContext& m, const BlockWords& block, double p);

@@ -1,4 +1,6 @@
 // Tool words: T of mills and lathes, length offsets, the radius in force.
+#include <algorithm>
+
 #include "cncsub/motion/frame/frame.hpp"
 #include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
@@ -149,31 +151,86 @@ Result set_tool(MotionContext& m, BlockWords& block) {
 
 namespace {
 
-/// Return the radius of the tool in the spindle.
-double radius_of_edge(const MotionState& state) {
-  if (state.tool <= 0) return 0;
-  if (const double own = state.tables.tool(state.tool).radius; own != 0) return own;
-  const bool listed = static_cast<std::size_t>(state.tool) < state.tables.radius->size();
-  return listed ? state.tables.radius_of(state.tool) : 0;
+// The data of an edge: three lengths, the radius, and the wear of each. [general knowledge of the
+// SINUMERIK 840D: $TC_DP3 to $TC_DP6, $TC_DP12 to $TC_DP15]
+constexpr int kEdgeType = 1, kEdgeLength = 3, kEdgeRadius = 6, kToWear = 9;
+
+/// Return what a program has written as a datum of an edge, as D took it; nothing where it has not.
+std::optional<double> written_datum(const EdgeTables& all, EdgeDatum of) {
+  const auto found = all.data.find(of.number());
+  return found == all.data.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Return the length of the edge in force on all axes: that of the setup's table of tools, or the
-/// one by its number along the axis across the plane.
-Axes length_of_edge(const MotionState& state) {
-  if (state.d == 0 || state.tool <= 0) return {};
-  const Axes& own = state.tables.tool(state.tool).value;
-  if (own != Axes{}) return own;
+/// Return the length of an edge that is counted as this one along its axis: the first lies across
+/// the plane. [general knowledge of the SINUMERIK 840D: tools for milling]
+int axis_of_length(Plane plane, int length) {
+  const PlaneAxes axes = plane_axes(plane);
+  return length == 0 ? axes.across : length == 1 ? axes.b : axes.a;
+}
+
+/// Return the offsets of an edge that the setup gives.
+const ToolOffsets& edge_of(const OffsetTables& tables, int tool, int edge) {
+  static constexpr ToolOffsets kNone;
+  if (edge == 1) return tables.tool(tool);
+  const auto found = tables.edges->offsets.find({tool, edge});
+  return found == tables.edges->offsets.end() ? kNone : found->second;
+}
+
+/// Return the radius of an edge by the setup: that of its own, or by the number of the tool.
+double radius_by_setup(const OffsetTables& tables, int tool, int edge) {
+  if (const double own = edge_of(tables, tool, edge).radius; own != 0 || edge != 1) return own;
+  const bool listed = static_cast<std::size_t>(tool) < tables.radius->size();
+  return listed ? tables.radius_of(tool) : 0;
+}
+
+/// Return the lengths of an edge by the setup: its own, or the one by the number of the tool along
+/// the axis across the plane.
+Axes length_by_setup(const OffsetTables& tables, Plane plane, int tool, int edge) {
+  const Axes& own = edge_of(tables, tool, edge).value;
+  if (own != Axes{} || edge != 1) return own;
   Axes length{};
-  length[static_cast<std::size_t>(plane_axes(state.plane).across)] =
-      static_cast<std::size_t>(state.tool) < state.tables.length->size()
-          ? state.tables.length_of(state.tool)
-          : 0;
+  if (static_cast<std::size_t>(tool) < tables.length->size())
+    length[static_cast<std::size_t>(plane_axes(plane).across)] = tables.length_of(tool);
   return length;
 }
 
-}  // namespace
+/// Return the radius of the edge in force.
+double radius_of_edge(const MotionState& state) {
+  if (state.tool <= 0) return 0;
+  const double radius = radius_by_setup(state.tables, state.tool, state.d);
+  const EdgeTables& all = *state.tables.edges_in_force;
+  if (all.data.empty()) return radius;
+  const EdgeDatum own{kEdgeRadius, state.d, state.tool};
+  const EdgeDatum wear{kEdgeRadius + kToWear, state.d, state.tool};
+  return written_datum(all, own).value_or(radius) + written_datum(all, wear).value_or(0);
+}
 
-Result set_edge(MotionContext& m, const BlockWords& block) {
+/// Return the length of the edge in force on all axes.
+Axes length_of_edge(const MotionState& state) {
+  if (state.d == 0 || state.tool <= 0) return {};
+  Axes length = length_by_setup(state.tables, state.plane, state.tool, state.d);
+  const EdgeTables& all = *state.tables.edges_in_force;
+  if (all.data.empty()) return length;
+  for (int i = 0; i < 3; ++i) {
+    double& of = length[static_cast<std::size_t>(axis_of_length(state.plane, i))];
+    of = written_datum(all, {kEdgeLength + i, state.d, state.tool}).value_or(of) +
+         written_datum(all, {kEdgeLength + kToWear + i, state.d, state.tool}).value_or(0);
+  }
+  return length;
+}
+
+/// Return whether anything is known of an edge.
+bool is_known(const OffsetTables& tables, int tool, int edge) {
+  if (edge == 1 || tables.edges->offsets.contains({tool, edge})) return true;
+  const auto& data = tables.edges->data;
+  return std::any_of(data.begin(), data.end(), [&](const auto& of) {
+    const EdgeDatum datum = EdgeDatum::of(of.first);
+    return datum.tool == tool && datum.edge == edge;
+  });
+}
+
+/// Take the data of the edge that D names, or the tool change.
+Result take_edge(MotionContext& m, const BlockWords& block) {
   MotionState& s = m.state;
   if (block.words.has(Role::ToolChange)) s.d = 1;
   if (block.words.has('D')) {
@@ -182,10 +239,29 @@ Result set_edge(MotionContext& m, const BlockWords& block) {
       return fault_at('D', Cause::OffsetNumber, block);
     s.d = to_whole<int>(edge);
   }
-  const Axes length = length_of_edge(s);
-  if (s.d > 1 && (length != Axes{} || radius_of_edge(s) != 0))
+  s.tables.edges_in_force = s.tables.edges;
+  if (s.d == 0 || s.tool <= 0) return std::nullopt;
+  const bool has_offsets = length_by_setup(s.tables, s.plane, s.tool, 1) != Axes{} ||
+                           radius_by_setup(s.tables, s.tool, 1) != 0;
+  if (!is_known(s.tables, s.tool, s.d) && has_offsets)
     return fault_at('D', Cause::CodeNotComputed, block,
-                    "cncsub does not compute a second edge of a tool: its setup has one");
+                    "the setup does not give edge " + std::to_string(s.d) + " of tool " +
+                        std::to_string(s.tool) + ": give it under edges");
+  constexpr double kTurning = 500, kAfterTurning = 600;
+  const double type = written_datum(*s.tables.edges, {kEdgeType, s.d, s.tool}).value_or(0);
+  if (type >= kTurning && type < kAfterTurning)
+    return fault_at('D', Cause::CodeNotComputed, block,
+                    "cncsub does not compute the data of a turning tool that a program writes");
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result set_edge(MotionContext& m, const BlockWords& block) {
+  MotionState& s = m.state;
+  if (block.words.has(Role::ToolChange) || block.words.has('D'))
+    if (auto wrong = take_edge(m, block)) return wrong;
+  const Axes length = length_of_edge(s);
   if (length == s.length) return std::nullopt;
   if (moves_wait(s))
     return fault_at('D', Cause::CodeNotComputed, block,
@@ -195,6 +271,17 @@ Result set_edge(MotionContext& m, const BlockWords& block) {
   s.length = length;
   s.row_moves = nullptr;
   return std::nullopt;
+}
+
+double datum_of_edge(MotionView m, std::int32_t number) {
+  const OffsetTables& tables = m.state.tables;
+  const EdgeDatum of = EdgeDatum::of(number);
+  if (const auto written = written_datum(*tables.edges, of)) return *written;
+  if (of.datum == kEdgeRadius) return radius_by_setup(tables, of.tool, of.edge);
+  const int length = of.datum - kEdgeLength;
+  if (length < 0 || length > 2) return 0;
+  const Axes lengths = length_by_setup(tables, m.state.plane, of.tool, of.edge);
+  return lengths[static_cast<std::size_t>(axis_of_length(m.state.plane, length))];
 }
 
 Result set_length(MotionContext& m, BlockWords& block) {

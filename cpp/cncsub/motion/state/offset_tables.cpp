@@ -1,5 +1,7 @@
 #include "cncsub/motion/state/offset_tables.hpp"
 
+#include "cncsub/text/scan.hpp"
+
 namespace cncsub {
 namespace {
 
@@ -48,6 +50,27 @@ ToolOffsets& OffsetTables::change_tool(int number) {
   std::vector<ToolOffsets>& all = tools.change();
   if (place(number) >= all.size()) all.resize(place(number) + 1);
   return all[place(number)];
+}
+
+namespace {
+
+std::string in_capitals(std::string_view name) {
+  std::string capital(trimmed(name));
+  for (char& c : capital) c = upper(c);
+  return capital;
+}
+
+}  // namespace
+
+int OffsetTables::tool_of(std::string_view name) const {
+  const auto found = edges->tools.find(in_capitals(name));
+  return found == edges->tools.end() ? 0 : found->second;
+}
+
+void OffsetTables::name_tool(int number, std::string_view name) {
+  EdgeTables& all = edges.change();
+  std::erase_if(all.tools, [number](const auto& of) { return of.second == number; });
+  if (const std::string capital = in_capitals(name); !capital.empty()) all.tools[capital] = number;
 }
 
 Axes OffsetTables::point(int number) const {

@@ -4,10 +4,13 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "cncsub/control/control.hpp"
+#include "cncsub/control/edge_datum.hpp"
 #include "cncsub/trace/column.hpp"
 #include "cncsub/trace/moves.hpp"
 
@@ -49,6 +52,15 @@ struct ToolOffsets {  // of a lathe
   bool operator==(const ToolOffsets&) const = default;
 };
 
+/// The edges of tools where D names one of them, and the names of tools.
+struct EdgeTables {
+  std::map<std::pair<int, int>, ToolOffsets> offsets;  // by tool and edge, from the second edge on
+  std::map<std::int32_t, double> data;                 // by EdgeDatum::number: what programs wrote
+  std::map<std::string, int> tools;                    // by their names, in capitals
+
+  bool operator==(const EdgeTables&) const = default;
+};
+
 /// The number of the first extra work system: 0 is the external one, 1 to 6 are G54 to G59.
 constexpr int kFirstExtra = 7;
 
@@ -59,6 +71,7 @@ struct OffsetTables {
   Shared<std::vector<Axes>> extra;                           // G54.1 P1...
   Shared<Numbers> length, length_wear, radius, radius_wear;  // by number
   Shared<std::vector<ToolOffsets>> tools;                    // by number
+  Shared<EdgeTables> edges, edges_in_force;                  // as they are, and as D took them
   Shared<std::map<int, Axes>> reference;  // points, by number: machine coordinates
   Shared<std::map<int, double>> angles;   // work systems about Z, degrees, numbered as zero points
   Shared<std::map<int, Axes>> tool_axes;  // lengths of mills along other axes than Z, by number
@@ -78,6 +91,9 @@ struct OffsetTables {
   const ToolOffsets& tool(int number) const;
   ToolOffsets& change_tool(int number);
   Axes point(int number) const;
+  /// Return the number of the tool of a name; 0 where none has it.
+  int tool_of(std::string_view name) const;
+  void name_tool(int number, std::string_view name);
 
   bool operator==(const OffsetTables&) const = default;
 };

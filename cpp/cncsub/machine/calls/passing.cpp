@@ -1,0 +1,128 @@
+// What a call hands over besides values: variables and arrays of the caller; and the program that a
+// text names.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cncsub/machine/calls/calls.hpp"
+#include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/statements/statements.hpp"
+#include "cncsub/machine/values/expressions.hpp"
+#include "cncsub/machine/values/texts.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+void copy_arrays(Run& run, const CallRecord& record) {
+  State& s = run.state;
+  for (const PassedReference& of : record.references()) {
+    if (!of.copied) continue;
+    double* const local = s.locals.data() + run.local_at(s.level, of.local);
+    const Reference from = Reference::of(local[0]);
+    const auto count = to_whole<std::size_t>(local[1]);
+    local[0] = Reference{Reference::In::Copies, s.copies.size()}.packed();
+    for (std::size_t i = 0; i < count; ++i) {
+      const double* const value = s.cell(from.behind(i));
+      s.copies.push_back(value == nullptr ? 0 : *value);
+    }
+  }
+}
+
+namespace {
+
+/// Return the variable of the present level that a call names, or the array; nothing where the run
+/// stopped.
+std::optional<Reference> passed(Run& run, const Statement& of) {
+  double number = 0;
+  if (of.is_computed() && !evaluate(run, of.variable, number)) return std::nullopt;
+  if (of.is_element()) {
+    const ArrayElements all = elements_of(run, of, number);
+    if (all.left > 0) return all.first;
+    alarm(run, {Cause::ParameterMissing, of.variable_at, of.variable_width,
+                "nothing was given for this parameter"});
+    return std::nullopt;
+  }
+  if (const auto variable = variable_of(run, of)) return variable;
+  const VariablePlace place = run.code->place(number_of_variable(number));
+  if (place.is_common())
+    return Reference{Reference::In::Commons, static_cast<std::size_t>(place.index)};
+  alarm(run, {Cause::IllegalVariable, of.variable_at, of.variable_width,
+              "there is no variable of this number"});
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool evaluate_references(Run& run, const CallRecord& record) {
+  std::vector<double>& arguments = run.block.arguments;
+  for (const PassedReference& of : record.references()) {
+    const std::optional<Reference> at = passed(run, of.variable);
+    if (!at) return false;
+    const auto local = static_cast<std::size_t>(of.local);
+    arguments[local] = at->packed();
+    if (of.extents.empty()) continue;
+    double elements = 1;
+    for (std::size_t i = 0; i < of.extents.size(); ++i) {
+      // That of an array that is a parameter itself is known now.
+      const double extent =
+          of.extents[i] > 0
+              ? of.extents[i]
+              : run.state.locals[run.local_at(
+                    run.state.level, of.variable.index + 2 + static_cast<std::int32_t>(i))];
+      arguments[local + 2 + i] = extent;
+      elements *= extent;
+    }
+    arguments[local + 1] = elements;
+  }
+  return true;
+}
+
+namespace {
+
+/// Return a program's name without its path and without what the control puts around it.
+std::string_view bare(const Spelling& spelling, std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\:");
+  std::string_view name = trimmed(path.substr(slash == std::string_view::npos ? 0 : slash + 1));
+  const std::string_view head = spelling.head.before;  // %_N_
+  const auto same = [](std::string_view a, std::string_view b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return upper(x) == upper(y); });
+  };
+  if (head.size() > 1 && same(name.substr(0, head.size() - 1), head.substr(1)))
+    name.remove_prefix(head.size() - 1);
+  for (const std::string_view ending : {spelling.main_ending, spelling.called_ending}) {
+    if (ending.empty() || name.size() <= ending.size() + 1) continue;
+    const std::string_view last = name.substr(name.size() - ending.size() - 1);
+    if ((last[0] == '.' || last[0] == '_') && same(last.substr(1), ending))
+      name.remove_suffix(last.size());
+  }
+  return name;
+}
+
+}  // namespace
+
+bool find_by_text(Run& run, const CallRecord& record, Target& target) {
+  double value = 0;
+  const Operand& text = record.name_text();
+  if (!value_of(run, text, value)) return false;
+  const std::string name(bare(*run.code->spelling, text_of(run, value)));
+  target.program = run.code->find(name);
+  return target.program != kNoProgram ||
+         alarm(run, {Cause::NamedProgramNotFound, text.at, text.width,
+                     "<" + name + "> is not in the memory"});
+}
+
+bool take_own_values(Run& run, const CallRecord& record, const Target& target) {
+  const Program& program = run.code->programs[static_cast<std::size_t>(target.program)];
+  for (std::uint32_t i = 0; i < program.parameters; ++i) {
+    const FormalParameter& of = run.code->formal_parameters[program.first_parameter + i];
+    if (of.reference >= 0)
+      return alarm(run, {Cause::ParameterMissing, record.at, record.width,
+                         "the call gives no variable for a parameter by reference"});
+    run.block.arguments[static_cast<std::size_t>(of.variable)] = of.otherwise;
+  }
+  return true;
+}
+
+}  // namespace cncsub
