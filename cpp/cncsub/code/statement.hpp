@@ -23,7 +23,7 @@ struct Statement {
     Common,
     Variable,
     Indirect,
-    Element,       // of an array: `variable` gives its place from `index` on, of `number` elements;
+    Element,  // of an array: `variable` gives its place from `index` on, of `number` elements;
     CommonElement,  // `count` elements from it on take the value, 0: all
     // The same of what a parameter stands for: `index` is the local that holds it, see Reference,
     // and the one after it how many elements it has.
@@ -48,7 +48,9 @@ struct Statement {
   enum class Search : std::uint8_t { None, Forward, Back, Both, BothOrOn } search = Search::None;
 
   /// Return whether the target is an element of an array, whose place `variable` gives.
-  bool is_element() const { return target >= Target::Element && target <= Target::ReferencedElement; }
+  bool is_element() const {
+    return target >= Target::Element && target <= Target::ReferencedElement;
+  }
   /// Return whether `variable` is an expression that says which variable is meant.
   bool is_computed() const { return target == Target::Indirect || is_element(); }
 

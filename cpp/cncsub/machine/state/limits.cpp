@@ -72,10 +72,10 @@ std::uint64_t memory(const Run& run) {
   const auto elements = static_cast<std::size_t>(run.code->elements) * sizeof(double);
   return run.trace.bytes() + held_bytes(run.motion.state()) + run.watch.in_block +
          (s.frames.size() - 1) * (sizeof(OpenFrame) + sizeof(Frame)) +
-         static_cast<std::size_t>(s.level) * (locals + elements) + s.texts.bytes() + s.copies.size() * sizeof(double) +
-         s.modals.size() * (sizeof(ModalCall) + locals) + s.waiting.size() * sizeof(WaitingBlock) +
-         s.loops.size() * sizeof(OpenLoop) + (s.system.size() + s.names.size()) * kNodeBytes +
-         s.commons.size() * sizeof(double);
+         static_cast<std::size_t>(s.level) * (locals + elements) + s.texts.bytes() +
+         s.copies.size() * sizeof(double) + s.modals.size() * (sizeof(ModalCall) + locals) +
+         s.waiting.size() * sizeof(WaitingBlock) + s.loops.size() * sizeof(OpenLoop) +
+         (s.system.size() + s.names.size()) * kNodeBytes + s.commons.size() * sizeof(double);
 }
 
 }  // namespace cncsub
