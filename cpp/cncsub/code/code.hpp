@@ -112,7 +112,8 @@ struct Code {
   std::int32_t locals_per_level = 33;  // as a level's image counts them
   std::int32_t commons = 0;
   std::int32_t elements = 0;  // of the arrays of one level
-  std::unordered_map<std::string, std::int32_t> hidden_locals;  // the first of each, by what they are for
+  std::unordered_map<std::string, std::int32_t>
+      hidden_locals;                       // the first of each, by what they are for
   std::vector<std::vector<double>> lists;  // numbers of which an expression chooses one
   std::vector<SourceFile> files;
   LargeVector<Program> programs;

@@ -33,7 +33,6 @@ struct SequenceEntry {
   Address address;
 };
 
-
 /// A variable that a program defines by a name, or that all programs share, as it is shown.
 struct DefinedVariable {
   enum class Type : std::uint8_t { Real, Int, Bool, Char, Text, Axis, Frame } type = Type::Real;
@@ -41,7 +40,8 @@ struct DefinedVariable {
   std::int32_t index = 0;             // of the variable, or of the first element
   std::vector<std::int32_t> extents;  // of an array; of one that is a parameter they are 0
   std::string name;
-  std::int32_t reference = -1;  // of a parameter by reference: the local that says what it stands for
+  std::int32_t reference =
+      -1;  // of a parameter by reference: the local that says what it stands for
 
   std::int32_t size() const {
     std::int32_t elements = 1;
@@ -52,10 +52,10 @@ struct DefinedVariable {
 
 /// A parameter that the head of a program declares.
 struct FormalParameter {
-  std::int32_t variable = 0;    // the local that takes the value of a call
-  double otherwise = 0;         // its value where a call leaves it out
-  bool by_reference = false;    // it stands for the caller's variable
-  std::int32_t reference = -1;  // the local that says for which, or for which array
+  std::int32_t variable = 0;          // the local that takes the value of a call
+  double otherwise = 0;               // its value where a call leaves it out
+  bool by_reference = false;          // it stands for the caller's variable
+  std::int32_t reference = -1;        // the local that says for which, or for which array
   std::vector<std::int32_t> extents;  // of an array; 0: any
   DefinedVariable::Type type = DefinedVariable::Type::Real;
 

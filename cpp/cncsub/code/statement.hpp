@@ -49,7 +49,9 @@ struct Statement {
   enum class Search : std::uint8_t { None, Forward, Back, Both, BothOrOn } search = Search::None;
 
   /// Return whether the target is an element of an array, whose place `variable` gives.
-  bool is_element() const { return target >= Target::Element && target <= Target::ReferencedElement; }
+  bool is_element() const {
+    return target >= Target::Element && target <= Target::ReferencedElement;
+  }
   /// Return whether `variable` is an expression that says which variable is meant.
   bool is_computed() const { return target == Target::Indirect || is_element(); }
 

@@ -10,7 +10,8 @@ namespace cncsub {
 struct EdgeDatum {
   std::int32_t datum = 0, edge = 1, tool = 0;
 
-  static constexpr std::int32_t kData = 36, kEdges = 20, kTools = 40'000;  // more than any control has
+  static constexpr std::int32_t kData = 36, kEdges = 20,
+                                kTools = 40'000;  // more than any control has
   static constexpr std::int32_t kNumbers = kData * kEdges * kTools;
 
   std::int32_t number() const { return (datum * kTools + tool) * kEdges + edge; }

@@ -151,8 +151,8 @@ for word, alarms in (("GOTOF", True), ("GOTOB", False), ("GOTO", False)):
     case(
         f"{word} searches in its direction", **KNOWN,
         program=f'N5 DEF STRING[10] NAME="AA"\nN10 AA: R1=R1+1\nN20 IF R1>1 GOTOF EE\nN30 {word} NAME\nN40 EE: M30',
-        **(dict(runs="N5 N10 N20", alarm="jump-target-not-found", number="14080", at="MAIN N30", word="NAME") if alarms
-           else dict(runs="N5 N10 N20 N30 N10 N20 N40")),
+        **({"runs": "N5 N10 N20", "alarm": "jump-target-not-found", "number": "14080", "at": "MAIN N30", "word": "NAME"} if alarms
+           else {"runs": "N5 N10 N20 N30 N10 N20 N40"}),
     )
 case(
     "GOTOC goes on where no block has the text", **KNOWN,

@@ -158,11 +158,6 @@ case(
     "a target may be a text", control=ONE, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
     program='N10 GOTOF "DONE"\nN20 G0\nN30 DONE: M30', runs="N10 N30",
 )
-case(
-    "a target in a variable is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program='N10 DEF STRING[20] WHERE="DONE"\nN20 GOTOF WHERE\nN30 DONE: M30',
-    runs="N10", alarm="code-not-computed", at="MAIN N20", word="WHERE",
-)
 
 # ---- a condition that is not computed ----
 

@@ -61,7 +61,7 @@ case(
     "$AA_IW has an index", **KNOWN,
     program="N10 R1=$AA_IW\nN20 M30", runs="", alarm="bracket-not-opened", number="12080", at="MAIN N10",
 )
-for name in ("$MN_SCALING_SYSTEM_IS_METRIC", "$MC_GMMC_INFO_UNIT_IS_STATUS", "$AC_TIME", "$P_CHBFR[0,X,TR]", "$TC_DP3[1,1]", "$AA_IB[X]"):
+for name in ("$MN_SCALING_SYSTEM_IS_METRIC", "$MC_GMMC_INFO_UNIT_IS_STATUS", "$AC_TIME", "$P_CHBFR[0,X,TR]", "$AA_IB[X]"):
     case(
         f"a run does not know {name}", **POLICY,
         program=f"N10 R1={name}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",

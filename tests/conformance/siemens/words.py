@@ -119,7 +119,6 @@ case(
     program='N10 T="MILL_10" M6\nN20 T="A;B" D1 ; second\nN30 M30', runs="N10 N20 N30", dropped=['T="MILL_10"', 'T="A;B"'], m=[6, 30],
 )
 case("an address twice", **KNOWN, program="N10 G0 X1 X2\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X2")
-case("G takes no =", **KNOWN, program="N10 G=R1\nN20 M30", runs="", alarm="statement-format", at="MAIN N10")
 case("E is no address", **KNOWN, program="N10 E5\nN20 M30", runs="", alarm="address-not-usable", at="MAIN N10", word="E5")
 case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
@@ -175,7 +174,7 @@ case(
     program="N10 G91 G0 X1\n" + "N20 X=0.0001*4\n" * 8 + "N30 M30", final_work="X1",
 )
 
-for text in ("M[1]=5", "S[R1]=500", "G[8]=2", "CYCLE977(1)", "LEADON(Y,X,1)", "REPOSA", "CTABDEF(Y,X,1,0)"):
+for text in ("CYCLE977(1)", "LEADON(Y,X,1)", "REPOSA", "CTABDEF(Y,X,1,0)"):
     case(
         f"{text} is of the control, and not computed", control="siemens-one", source="policy, nobody says", evidence="inferred",
         program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",

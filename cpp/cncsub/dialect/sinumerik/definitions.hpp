@@ -41,7 +41,9 @@ struct Definition {
   std::int32_t reference = -1;
 
   bool is_array() const { return dimensions > 0; }
-  std::vector<std::int32_t> shape() const { return {extents.begin(), extents.begin() + dimensions}; }
+  std::vector<std::int32_t> shape() const {
+    return {extents.begin(), extents.begin() + dimensions};
+  }
   std::int32_t size() const {
     std::int32_t elements = 1;
     for (std::size_t i = 0; i < dimensions; ++i) elements *= extents[i];

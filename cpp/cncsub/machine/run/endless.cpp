@@ -89,8 +89,8 @@ bool same_variables(const State& a, const State& b, std::size_t locals) {
                     a.programmed.begin() +
                         static_cast<std::ptrdiff_t>(std::min(open, a.programmed.size())),
                     b.programmed.begin()) &&
-         same(a.commons, b.commons) && same(a.copies, b.copies) && a.system == b.system && a.signals == b.signals &&
-         a.names == b.names;
+         same(a.commons, b.commons) && same(a.copies, b.copies) && a.system == b.system &&
+         a.signals == b.signals && a.names == b.names;
 }
 
 bool same_place(const State& a, const State& b) {

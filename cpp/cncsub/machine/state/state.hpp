@@ -28,9 +28,7 @@ struct Reference {
 
   static constexpr double kTable = 4294967296.0;  // the places of a table
 
-  double packed() const {
-    return static_cast<double>(in) * kTable + static_cast<double>(index);
-  }
+  double packed() const { return static_cast<double>(in) * kTable + static_cast<double>(index); }
   static Reference of(double packed) {
     const auto table = static_cast<std::uint8_t>(packed / kTable);
     return {static_cast<In>(table), static_cast<std::size_t>(packed - table * kTable)};

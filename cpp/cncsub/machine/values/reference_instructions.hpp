@@ -23,7 +23,8 @@ inline Fallible referenced(E e, I at) {
 inline Fallible referenced_element(E e, I at, double a) {
   const double of = e.places.local(to_whole<std::uint32_t>(at.value()));
   const double* const cell =
-      is_vacant(of) ? nullptr : e.run.state.cell(Reference::of(of).behind(to_whole<std::size_t>(a)));
+      is_vacant(of) ? nullptr
+                    : e.run.state.cell(Reference::of(of).behind(to_whole<std::size_t>(a)));
   return cell == nullptr ? gone(e, at) : number(*cell);
 }
 inline Fallible index_below(E e, I at, double a, double b) {
