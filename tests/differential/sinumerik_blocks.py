@@ -68,8 +68,11 @@ class BlockWriter(MoveWriter):
         """Return what is assigned to, and its type."""
         r = self.random
         kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "STRING", "array"))
-        if self.known.numbers.get(kind):
-            return l.Variable(r.choice(self.known.numbers[kind])), kind
+        names = self.known.numbers.get(kind, [])
+        if self.plain:  # what the next call of MCALL finds in a parameter is open
+            names = [name for name in names if not name.startswith("GIVEN")]
+        if names:
+            return l.Variable(r.choice(names)), kind
         if kind == "array" and self.known.arrays:
             element = self.element()
             return element, self.known.arrays[element.name][0]

@@ -25,6 +25,7 @@ from sinumerik_arithmetic import (
 from sinumerik_paths import LARGEST, Paths
 
 MAX_BLOCKS = 3000
+SMALLEST = 1e-9  # a result below it is a rounding error, or nothing
 
 
 @dataclass
@@ -326,6 +327,8 @@ class Evaluator(Paths):
 
     def other(self, value: float) -> float:
         """Return the result of a division or a function with other last digits, if these are asked."""
+        if abs(value) < SMALLEST and self.hair < 0:
+            return -value  # its sign depends on the last digits
         if self.digits:
             value = float(f"{value:.{self.digits}g}")
         return value * (1 + self.hair)

@@ -27,6 +27,8 @@ struct Words {
   std::bitset<kCodeGroups> groups;     // of the codes so far
   // X1=0: which axes G74 and G75 move.
   std::vector<std::pair<char, WordValue>> machine_axes;
+  std::vector<Line> indexed;  // where the index of each AX[...]=... stands
+  char indexed_form = '=';    // their form: '=' for none, 'A' for AC, 'I' for IC
   bool any = false;
   bool ends = false;
 
@@ -75,8 +77,10 @@ bool numbered(OpenBlock& open, Block& block, Words& words, std::string_view name
 /// Read the value of an axis that no column of the moves holds, E=5, whose = is passed: it is
 /// reported.
 bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
-/// Read AX[X]=5, whose name stands here.
+/// Read AX[X]=5, or AX[AXIS]=5, whose name stands here.
 bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
+/// Give each axis the values of AX[AXIS]=5 whose index it is when the block runs.
+bool put_indexed(OpenBlock& open, Block& block, Words& words);
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at);
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
@@ -90,6 +94,8 @@ bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::strin
                std::uint32_t at);
 /// Read the text of T="MILL_10". Its number is the machine's affair: the tool is reported.
 bool tool_by_name(OpenBlock& open, Words& words, std::uint32_t at);
+/// Read a text that a message or an alarm shows.
+bool text_field(OpenBlock& open, Block& block, PrintField& field);
 /// Add an M code to the words, or what it does in the program.
 bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value);
 
