@@ -10,6 +10,7 @@ Value = float | int | bool | str
 Matrix = tuple[tuple[float, float, float], ...]
 
 ALIKE = 1e-12  # REAL values that differ by this share are equal
+LARGEST_INT = 2**31 - 1
 IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -59,7 +60,10 @@ def converted(value: Value, to: str) -> Value:
         return int(value)
     if value < 0 and value - math.floor(value) == 0.5:
         raise UnclearError  # whether -0.5 goes up or down
-    return math.floor(value + 0.5)
+    whole = math.floor(value + 0.5)
+    if abs(whole) > LARGEST_INT:
+        raise AlarmError("value-out-of-range")
+    return whole
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
