@@ -19,6 +19,7 @@ from random import Random
 
 import cncsub
 import sinumerik_language as l
+import sinumerik_text
 from sinumerik_arithmetic import UnclearError
 from sinumerik_evaluator import Evaluator
 from sinumerik_values import FEATURES, R_NUMBERS
@@ -26,6 +27,8 @@ from sinumerik_writer import Writer
 
 CONTROL = "siemens-one"
 OFFSET = (11.125, -40.25, 7.5)  # of G54
+ZEROS = {"G54": OFFSET, "G55": (-3.5, 20.75, 1.0), "G505": (100.0, 0.5, -9.25)}
+SKIPPED = frozenset({0, 3})  # the levels of the blocks that are skipped
 TOLERANCE = 2e-6
 HAIR = 1e-11
 DIGITS = 12
@@ -55,11 +58,11 @@ def programs_of(seed: int, place: int, features: frozenset[str]) -> dict[str, l.
         features -= {random.choice(("frames", "save"))}
     programs = Writer(random, features, careful=random.random() < 0.6).write()
     for of in programs.values():
-        _number(of, random)
+        _number(of, random, "skipped blocks" in features)
     return programs
 
 
-def _number(of: l.Program, random: Random) -> None:
+def _number(of: l.Program, random: Random, skips: bool) -> None:
     """Give the blocks numbers, or some of them; now and then a jump goes to a number."""
     style = random.choice(("all", "none", "some"))
     for place, block in enumerate(of.blocks):
@@ -67,6 +70,8 @@ def _number(of: l.Program, random: Random) -> None:
             block.number = 10 * (place + 1)
     numbers = {block.label: block.number for block in of.blocks if block.label and block.number}
     for block in of.blocks:
+        if skips and isinstance(block.action, l.Assign | l.Passed) and random.random() < 0.06:
+            block.level = random.choice((0, 0, 1, 3, 9))
         if isinstance(block.action, l.Jump) and random.random() < 0.3:
             block.action = l.Jump(
                 tuple(
@@ -83,18 +88,23 @@ def text(programs: dict[str, l.Program], random: Random) -> str:
         of = programs[name]
         lines.append(f"%_N_{name}_{'MPF' if name == 'MAIN' else 'SPF'}")
         if of.formals is not None:
-            lines.append(l.head_text(of))
-        lines += [l.definition_text(each) for each in of.definitions]
+            lines.append(sinumerik_text.head_text(of))
+        lines += sinumerik_text.definitions_text(of, random)
         if name == "MAIN":
+            declared = [
+                each for each in programs.values() if each.formals and random.random() < 0.3
+            ]
+            lines += [sinumerik_text.extern_text(each) for each in declared]
             lines.append("G54 G71 F1000")
         lines += [_varied(block, random) for block in of.blocks]
     return "\n".join(lines) + "\n"
 
 
 def _varied(block: l.Block, random: Random) -> str:
+    level = "" if block.level is None else f"/{block.level or random.choice(('', '0'))} "
     number = f"N{block.number} " if block.number is not None else ""
     label = f"{block.label}: " if block.label else ""
-    line = number + label + l.text_of(block.action)
+    line = level + number + label + sinumerik_text.text_of(block.action)
     if random.random() < 0.08 and '"' not in line:  # a text keeps its letters
         line = line.lower()
     if random.random() < 0.05:
@@ -106,7 +116,13 @@ def evaluated(programs: dict[str, l.Program]) -> Outcome:
     """Return what the evaluator says. Raises `UnclearError`, also where the last digits decide."""
     said = []
     for hair, digits in ((0.0, 0), (HAIR, 0), (-HAIR, 0), (0.0, DIGITS)):
-        evaluator = Evaluator(programs, OFFSET, hair=hair, digits=digits)
+        evaluator = Evaluator(
+            zeros={**ZEROS, "G500": (0.0, 0.0, 0.0)},
+            programs=programs,
+            skipped=SKIPPED,
+            hair=hair,
+            digits=digits,
+        )
         cause = evaluator.run("MAIN")
         values = [evaluator.r.get(n, 0.0) for n in R_NUMBERS]
         said.append(Outcome(_moving(evaluator.moves), values, cause))
@@ -117,9 +133,12 @@ def evaluated(programs: dict[str, l.Program]) -> Outcome:
 
 def computed(program: str) -> Outcome:
     """Return what cncsub says."""
-    offsets = {"G54": dict(zip("XYZ", OFFSET, strict=True))}
+    offsets = {code: dict(zip("XYZ", zero, strict=True)) for code, zero in ZEROS.items()}
     setup = cncsub.Setup(increment=1e-9, work_offsets=offsets)
-    run = cncsub.loads(program, control=CONTROL).run(max_blocks=20_000, setup=setup)
+    skip = tuple(level + 1 for level in SKIPPED)
+    run = cncsub.loads(program, control=CONTROL).run(
+        max_blocks=20_000, setup=setup, block_skip=skip
+    )
     moves = [(m.kind, m.mx, m.my, m.mz) for m in run.moves]
     values = [float(run.variables.get(n, 0.0) or 0.0) for n in R_NUMBERS]
     return Outcome(_moving(moves), values, run.alarm.cause if run.alarm else "")

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 Value = float | int | bool | str
 Matrix = tuple[tuple[float, float, float], ...]
 
 ALIKE = 1e-12  # REAL values that differ by this share are equal
+LARGEST_INT = 2**31 - 1
 IDENTITY: Matrix = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
@@ -29,6 +30,24 @@ class Cell:
     value: Value
 
 
+@dataclass
+class Scope:
+    """The variables of one program that runs."""
+
+    cells: dict[str, Cell] = field(default_factory=dict)
+    arrays: dict[str, tuple[tuple[int, ...], list[Cell]]] = field(default_factory=dict)
+
+
+def constant(text: str) -> float | int:
+    """Return the value of a number as it is written."""
+    if text.startswith("'"):
+        return int(text[2:-1], 16 if text[1] == "H" else 2)
+    mantissa, power, exponent = text.partition("EX")
+    if power:
+        return float(mantissa) * 10.0 ** int(exponent)
+    return float(text) if "." in text else int(text)
+
+
 def converted(value: Value, to: str) -> Value:
     """Return a value as a variable of this type keeps it."""
     if to == "STRING":
@@ -37,7 +56,14 @@ def converted(value: Value, to: str) -> Value:
         return float(value)
     if to == "BOOL":
         return bool(value)
-    return math.floor(value + 0.5) if isinstance(value, float) else int(value)
+    if not isinstance(value, float):
+        return int(value)
+    if value < 0 and value - math.floor(value) == 0.5:
+        raise UnclearError  # whether -0.5 goes up or down
+    whole = math.floor(value + 0.5)
+    if abs(whole) > LARGEST_INT:
+        raise AlarmError("value-out-of-range")
+    return whole
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
@@ -103,6 +129,17 @@ def _part(text: str, first: int, count: int) -> str:
     return text[first : first + count]
 
 
+def _logarithm(value: Value) -> float:
+    if value <= 0:
+        raise UnclearError
+    return math.log(value)
+
+
+def _any_of(text: str, letters: str) -> int:
+    """Return the first place in a text that has one of the letters, or -1."""
+    return min((place for place, letter in enumerate(text) if letter in letters), default=-1)
+
+
 FUNCTIONS: dict[str, Callable[..., Value]] = {
     "SIN": _degrees(math.sin),
     "COS": _degrees(math.cos),
@@ -111,6 +148,8 @@ FUNCTIONS: dict[str, Callable[..., Value]] = {
     "ACOS": _arc(math.acos),
     "ATAN2": _direction,
     "SQRT": _root,
+    "LN": _logarithm,
+    "EXP": math.exp,
     "POT": lambda value: float(value) ** 2,
     "ABS": abs,
     "TRUNC": math.trunc,
@@ -124,5 +163,8 @@ FUNCTIONS: dict[str, Callable[..., Value]] = {
     "RINDEX": str.rfind,
     "SUBSTR": _part,
     "TOUPPER": str.upper,
+    "TOLOWER": str.lower,
+    "MINDEX": _any_of,
+    "ISNUMBER": lambda text: text.lstrip("-").replace(".", "", 1).isdigit(),
     "NUMBER": float,
 }

@@ -6,32 +6,23 @@ Every program ends: each loop has a counter of its own, and a jump back is guard
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import sinumerik_language as l
-from sinumerik_values import ValueWriter, integer, real
+from sinumerik_moves import MoveWriter
+from sinumerik_values import integer
 
 
 @dataclass
-class BlockWriter(ValueWriter):
+class BlockWriter(MoveWriter):
     """Writes the blocks of a program."""
 
     programs: dict[str, l.Program] = field(default_factory=dict)
-    here: l.Program = field(default_factory=lambda: l.Program("MAIN"))
-    open: list[int] = field(default_factory=list)
     callable: list[str] = field(default_factory=list)
-    names: int = 0
-
-    def name(self, stem: str) -> str:
-        self.names += 1
-        return f"{stem}_{self.names}"
+    modal: list[str] = field(default_factory=list)  # what MCALL may call
+    plain: bool = False  # write no calls
 
     # ---- blocks ----
-
-    def put(self, action: l.Action, label: str = "") -> int:
-        place = len(self.here.blocks)
-        inside = tuple(self.open)
-        self.here.blocks.append(l.Block(action, label=label, inside=inside))
-        return place
 
     def line(self) -> None:
         kind = self.random.random()
@@ -39,30 +30,49 @@ class BlockWriter(ValueWriter):
             self.move()
         elif kind < 0.72:
             self.assignment()
-        elif kind < 0.84 and self.has("calls"):
+        elif kind < 0.82 and self.has("calls") and not self.plain:
             self.call()
-        elif kind < 0.92 and self.has("frames"):
+        elif kind < 0.90 and self.has("frames"):
             self.frame()
+        elif kind < 0.96:
+            self.special()
         else:
             self.move()
 
-    def move(self) -> None:
-        r = self.random
-        words = []
-        for axis in "XYZ":
-            if self.chance(0.5):
-                manner = r.choice(("", "", "", "IC", "AC")) if self.has("increments") else ""
-                words.append(l.Word(axis, self.length(), manner))
-        words = words or [l.Word("X", self.length())]
-        code = r.choice(("", "G0", "G1", "G90", "G91", "G90 G0"))
-        self.put(l.Move(code, tuple(words)))
+    def special(self) -> None:
+        ways = [self.pass_]
+        if self.has("polar"):
+            ways.append(self.polar)
+        if self.has("arcs"):
+            ways.append(self.arc)
+        if self.has("zero points"):
+            ways += [self.zero_point, self.machine_move]
+        if self.has("planes"):
+            ways.append(self.plane)
+        if self.modal and not self.plain and self.has("modal calls"):
+            ways += [self.modal_call] * 3
+        self.random.choice(ways)()
+
+    def modal_call(self) -> None:
+        """Write blocks that move while MCALL is in force."""
+        of = self.programs[self.random.choice(self.modal)]
+        self.put(l.Modal(of.name, self.arguments(of)))
+        for _ in range(self.random.randint(1, 3)):
+            if self.chance(0.3):
+                self.assignment()
+            self.move()
+        self.put(l.Modal())
+        self.everywhere()
 
     def target(self) -> tuple[l.Target, str]:
         """Return what is assigned to, and its type."""
         r = self.random
         kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "STRING", "array"))
-        if self.known.numbers.get(kind):
-            return l.Variable(r.choice(self.known.numbers[kind])), kind
+        names = self.known.numbers.get(kind, [])
+        if self.plain:  # what the next call of MCALL finds in a parameter is open
+            names = [name for name in names if not name.startswith("GIVEN")]
+        if names:
+            return l.Variable(r.choice(names)), kind
         if kind == "array" and self.known.arrays:
             element = self.element()
             return element, self.known.arrays[element.name][0]
@@ -89,8 +99,9 @@ class BlockWriter(ValueWriter):
         values = self.arguments(of)
         if values is None and of.formals is not None:
             return
-        self.put(l.Call(of.name, values, times))
-        if of.save and self.has("frames"):
+        manners = ("P=", "P", "P=+", "CALL") if values is None else ("P=", "PCALL")
+        self.put(l.Call(of.name, values, times, self.random.choice(manners)))
+        if of.save:
             self.everywhere()
 
     def arguments(self, of: l.Program) -> tuple[l.Expression | None, ...] | None:
@@ -122,40 +133,6 @@ class BlockWriter(ValueWriter):
                     found.append(l.Element(name, tuple(integer(n - 1) for n in size)))
         return found
 
-    def frame(self) -> None:
-        """Write a frame, and a move of all axes: where an axis that is not named stands is open."""
-        r = self.random
-        op = r.choice(("TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR"))
-        chosen = [axis for axis in "XYZ" if self.chance(0.5)]
-        words: list[tuple[str, l.Expression | None]] = []
-        if op.endswith("TRANS"):
-            words = [(axis, self.length()) for axis in chosen]
-        elif op.endswith("ROT"):
-            angles = (30, 45, 90, 12.5, 180, 200)
-            if self.chance(0.4):
-                words = [("RPL", self.angle(r.choice(angles)))]
-            else:
-                words = [(axis, self.angle(r.choice(angles))) for axis in chosen]
-        elif op.endswith("SCALE"):
-            factor = real(r.choice((0.5, 2.0, 1.5, 0.25)))
-            words = [(axis, factor) for axis in "XYZ"]  # one factor: it commutes with rotations
-        else:
-            words = [(axis, None) for axis in chosen]
-        if not words and (op.startswith("A") or self.chance(0.5)):
-            return
-        if op.endswith("SCALE") and not op.startswith("A") and self.chance(0.2):
-            words = []
-        self.put(l.Frame(op, tuple(words)))
-        self.everywhere()
-
-    def everywhere(self) -> None:
-        moves = tuple(l.Word(axis, self.length()) for axis in "XYZ")
-        self.put(l.Move(self.random.choice(("G90 G0", "G90 G1")), moves))
-
-    def angle(self, degrees: float) -> l.Expression:
-        number = l.Number(f"{degrees:g}")
-        return l.Unary("NEGATIVE", number) if self.chance(0.3) else number
-
     # ---- structures ----
 
     def body(self, budget: int) -> None:
@@ -166,7 +143,7 @@ class BlockWriter(ValueWriter):
                 self.structure()
 
     def structure(self) -> None:
-        kinds = ["if", "if"]
+        kinds = ["if", "if"] + ["return"] * (self.has("RET to a block") and not self.plain)
         kinds += [k for k in ("while", "for", "loop", "repeat", "case", "again") if self.has(k)]
         if self.has("jumps"):
             kinds += ["forward", "back", "missing"]
@@ -265,7 +242,9 @@ class BlockWriter(ValueWriter):
             "MOD", l.Function("TRUNC", (l.Function("ABS", (self.value(1),)),)), integer(6)
         )
         default = ("GOTOF", out) if self.chance(0.6) else None
-        branches = tuple((n, "GOTOF", to) for n, to in zip(constants, labels, strict=True))
+        branches = tuple(
+            (n, r.choice(("GOTOF", "GOTO")), to) for n, to in zip(constants, labels, strict=True)
+        )
         self.put(l.Case(value, branches, default))
         for label in labels:
             self.landing(label)
@@ -310,9 +289,34 @@ class BlockWriter(ValueWriter):
         self.landing(first)
         for _ in range(r.randint(0, 2)):
             self.line()
-        kind = r.choice(("to here", "to a label", "one block"))
-        if kind == "to a label":
-            self.landing(last)
+        kind = r.choice(("to here", "to a label", "one block", "ENDLABEL", "CALL BLOCK"))
+        to = last if kind in ("to a label", "CALL BLOCK") else None
+        if to or kind == "ENDLABEL":
+            self.landing(to or "ENDLABEL")
             self.line()
-        to = last if kind == "to a label" else None
-        self.put(l.Again(first, to, r.randint(1, 3), kind == "one block"))
+        if kind == "CALL BLOCK":
+            self.put(l.Again(first, to, 1, block=True))
+            return
+        self.put(l.Again(first, to, r.randint(1, 3), kind == "one block", kind == "ENDLABEL"))
+
+    def write_return(self) -> None:
+        """Write a call of a program of its own that returns to a label after the call."""
+        label, names = self.name("BACK"), [self.name("RSUB") for _ in range(1 + self.chance(0.4))]
+        self.programs[names[0]] = first = l.Program(names[0])
+        for name, inner in pairwise(names):
+            self.programs[name].blocks.append(l.Block(l.Call(inner, None)))
+            self.programs[inner] = l.Program(inner)
+        last = self.programs[names[-1]]
+        last.blocks.append(l.Block(l.Assign(((self.parameter(), self.number()),))))
+        if self.chance(0.3):
+            ways = ((l.Binary(">", self.parameter(), self.number()), "GOTOF", "DONE"),)
+            last.blocks.append(l.Block(l.Jump(ways)))
+        last.blocks.append(l.Block(l.Back(label, self.chance(0.4), len(names))))
+        last.blocks.append(l.Block(l.Assign(((self.parameter(), self.number()),)), label="DONE"))
+        for each in {id(of): of for of in (first, last)}.values():
+            each.blocks.append(l.Block(l.Return("M17")))
+        self.put(l.Call(names[0], None))
+        for _ in range(self.random.randint(1, 2)):
+            self.assignment()
+        self.landing(label)
+        self.assignment()

@@ -13,45 +13,29 @@ from dataclasses import dataclass, field
 import sinumerik_language as l
 from sinumerik_arithmetic import (
     FUNCTIONS,
-    IDENTITY,
     AlarmError,
     Cell,
-    Matrix,
+    Scope,
     UnclearError,
     Value,
     alike,
+    constant,
     converted,
-    diagonal,
-    product,
-    turned,
 )
+from sinumerik_paths import LARGEST, Paths
 
-AXES = "XYZ"
-LARGEST = 1e6
 MAX_BLOCKS = 3000
+SMALLEST = 1e-9  # a result below it is a rounding error, or nothing
 
 
 @dataclass
-class Scope:
-    """The variables of one program that runs."""
+class Evaluator(Paths):
+    """Runs programs."""
 
-    cells: dict[str, Cell] = field(default_factory=dict)
-    arrays: dict[str, tuple[tuple[int, ...], list[Cell]]] = field(default_factory=dict)
-
-
-@dataclass
-class Evaluator:
-    """Runs programs. `offset` is the work offset that is in force."""
-
-    programs: dict[str, l.Program]
-    offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    programs: dict[str, l.Program] = field(default_factory=dict)
+    skipped: frozenset[int] = frozenset()  # the levels of blocks that are skipped
     r: dict[int, float] = field(default_factory=dict)
-    moves: list[tuple[str, float, float, float]] = field(default_factory=list)
-    local: list[float] = field(default_factory=lambda: [0.0, 0.0, 0.0])
-    turn: Matrix = IDENTITY
-    shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    rapid: bool = False
-    absolute: bool = True
+    modal: tuple[l.Program, dict[str, Cell]] | None = None  # of MCALL
     hair: float = 0.0
     digits: int = 0
     blocks: int = 0
@@ -100,12 +84,22 @@ class Evaluator:
     def block(self, program: l.Program, at: int, scope: Scope) -> int | None:
         """Run a block; return the next one, or None at the end of the program."""
         block = program.blocks[at]
+        if block.level in self.skipped:
+            return at + 1
         match block.action:
             case l.Assign(targets):
                 for target, value in [(t, self.value(v, scope)) for t, v in targets]:
                     self.assign(target, value, scope)
-            case l.Move():
-                self.move(block.action, scope)
+            case l.Move() | l.MachineMove() | l.Polar() | l.Arc():
+                self.path(block.action, scope)
+                if self.modal:
+                    self.called(*self.modal)
+            case l.Pole():
+                self.set_pole(block.action, scope)
+            case l.Code(code):
+                self.code(code)
+            case l.Frame():
+                self.frame(block.action, scope)
             case l.Open() | l.Else() | l.Close():
                 return self.structure(program, at, scope)
             case l.Jump(ways):
@@ -120,11 +114,13 @@ class Evaluator:
                 if default:
                     return self.target(program, at, *default)
             case l.Call():
-                self.call(block.action, scope)
+                return self.call(program, at, block.action, scope)
+            case l.Modal(name, values):
+                self.modal = self.handed_over(name, values, scope) if name else None
             case l.Again():
                 self.again(program, at, block.action, scope)
-            case l.Frame():
-                self.frame(block.action, scope)
+            case l.Back():
+                raise _BackError(block.action)
             case l.Return(word):
                 if word == "M30":
                     raise _EndError
@@ -184,14 +180,14 @@ class Evaluator:
             return at + 1
         raise AlarmError("jump-target-not-found")
 
-    def call(self, of: l.Call, scope: Scope) -> None:
-        """Call a program. Its values are handed over at the first pass only: a later one finds the
-        parameters as the one before left them.
-        """
-        callee = self.programs[of.name]
+    def handed_over(
+        self, name: str, given: tuple[l.Expression | None, ...] | None, scope: Scope
+    ) -> tuple[l.Program, dict[str, Cell]]:
+        """Return a program and its parameters with the values of a call."""
+        callee = self.programs[name]
         cells: dict[str, Cell] = {}
-        given = [*(of.values or ()), *[None] * len(callee.formals or ())]
-        for formal, value in zip(callee.formals or (), given, strict=False):
+        values = [*(given or ()), *[None] * len(callee.formals or ())]
+        for formal, value in zip(callee.formals or (), values, strict=False):
             if formal.by_reference and isinstance(value, l.Variable):
                 cells[formal.name] = scope.cells[value.name]
                 continue
@@ -201,11 +197,35 @@ class Evaluator:
             value = formal.initial if value is None else value
             number = 0 if value is None else self.value(value, scope)
             cells[formal.name] = Cell(formal.type, converted(number, formal.type))
-        for _ in range(of.times):
-            before = self.rapid, self.absolute, self.turn, self.shift
+        return callee, cells
+
+    def called(self, callee: l.Program, cells: dict[str, Cell]) -> None:
+        """Run a program once. MCALL does not count in it where MCALL calls it."""
+        before, modal = self.state, self.modal
+        if modal and modal[0] is callee:
+            self.modal = None
+        try:
             self.program(callee, dict(cells))
+        finally:
+            self.modal = modal
             if callee.save:
-                self.rapid, self.absolute, self.turn, self.shift = before
+                self.state = before
+
+    def call(self, program: l.Program, at: int, of: l.Call, scope: Scope) -> int:
+        """Call a program; return the block where the caller goes on.
+
+        The values are handed over at the first pass only: a later one finds the parameters as the
+        one before left them.
+        """
+        callee, cells = self.handed_over(of.name, of.values, scope)
+        for _ in range(of.times):
+            try:
+                self.called(callee, cells)
+            except _BackError as back:
+                if back.levels > 1:
+                    raise _BackError(back.of, back.levels - 1) from None
+                return self.target(program, at, "GOTO", back.of.target) + back.of.after
+        return at + 1
 
     def again(self, program: l.Program, at: int, of: l.Again, scope: Scope) -> None:
         """Repeat a part: from its label to the other one, to this block, or one block alone."""
@@ -213,8 +233,9 @@ class Evaluator:
         if not places:
             raise AlarmError("jump-target-not-found")
         first = places[0]
-        ends = [n for n in range(first, at) if program.blocks[n].label == of.last]
-        last = first if of.only else ends[0] if of.last else at - 1
+        end = "ENDLABEL" if of.ended else of.last
+        ends = [n for n in range(first, at) if program.blocks[n].label == end]
+        last = first if of.only else ends[0] if end else at - 1
         for _ in range(of.times):
             place = first
             while first <= place <= last:
@@ -227,59 +248,6 @@ class Evaluator:
                 place = to
             if place != last + 1:
                 raise UnclearError  # a jump left the part
-
-    # ---- moves ----
-
-    def move(self, of: l.Move, scope: Scope) -> None:
-        codes = of.code.split()
-        self.absolute = "G90" in codes or (self.absolute and "G91" not in codes)
-        self.rapid = "G0" in codes or (self.rapid and "G1" not in codes)
-        to = list(self.local)
-        for word in of.words:
-            value = float(self.value(word.value, scope))
-            axis = AXES.index(word.axis)
-            add = word.manner == "IC" or (word.manner == "" and not self.absolute)
-            to[axis] = self.local[axis] + value if add else value
-            if abs(to[axis]) > LARGEST:
-                raise UnclearError
-        self.local = to
-        if of.words:
-            place = self.machine()
-            if max(map(abs, place)) > LARGEST:
-                raise UnclearError
-            self.moves.append(("rapid" if self.rapid else "feed", *place))
-
-    def machine(self) -> tuple[float, float, float]:
-        """Return the position in machine coordinates."""
-        return tuple(  # type: ignore[return-value]
-            sum(self.turn[i][j] * self.local[j] for j in range(3)) + self.shift[i] + self.offset[i]
-            for i in range(3)
-        )
-
-    def frame(self, of: l.Frame, scope: Scope) -> None:
-        """Change the programmable frame: words beginning with A are added to it, others replace."""
-        given = {a: self.value(v, scope) if v is not None else 0 for a, v in of.words}
-        if not of.op.startswith("A"):
-            self.turn, self.shift = IDENTITY, (0.0, 0.0, 0.0)
-        by: Matrix = IDENTITY
-        match of.op.removeprefix("A"):
-            case "TRANS":
-                move = [float(given.get(axis, 0)) for axis in AXES]
-                self.shift = tuple(  # type: ignore[assignment]
-                    self.shift[i] + sum(self.turn[i][j] * move[j] for j in range(3))
-                    for i in range(3)
-                )
-            case "ROT":
-                # Angles of one block turn about Z, then about the new Y, then about the new X.
-                turns = {**given, "Z": given["RPL"]} if "RPL" in given else given
-                for axis in "ZYX":
-                    by = product(by, turned(axis, float(turns.get(axis, 0))))
-            case "SCALE":
-                factors = [float(given.get(axis, 1)) for axis in AXES]
-                by = diagonal(factors)
-            case "MIRROR":
-                by = diagonal([-1.0 if axis in given else 1.0 for axis in AXES])
-        self.turn = product(self.turn, by)
 
     # ---- values ----
 
@@ -313,7 +281,7 @@ class Evaluator:
     def value(self, of: l.Expression, scope: Scope) -> Value:
         match of:
             case l.Number(text):
-                return float(text) if "." in text else int(text)
+                return constant(text)
             case l.Text(inside):
                 return inside
             case l.Truth(value):
@@ -359,6 +327,8 @@ class Evaluator:
 
     def other(self, value: float) -> float:
         """Return the result of a division or a function with other last digits, if these are asked."""
+        if abs(value) < SMALLEST and self.hair < 0:
+            return -value  # its sign depends on the last digits
         if self.digits:
             value = float(f"{value:.{self.digits}g}")
         return value * (1 + self.hair)
@@ -384,3 +354,11 @@ class Evaluator:
 
 class _EndError(Exception):
     """M30 ended the run."""
+
+
+class _BackError(Exception):
+    """RET with values returns over some levels."""
+
+    def __init__(self, of: l.Back, levels: int | None = None) -> None:
+        self.of = of
+        self.levels = of.levels if levels is None else levels

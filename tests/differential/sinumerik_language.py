@@ -29,7 +29,7 @@ LENGTH = 200  # of a STRING; no text of a program becomes longer
 
 @dataclass(frozen=True)
 class Number:
-    """A number as it is written: with a point it is REAL, without one INT."""
+    """A number as it is written: with a point or EX it is REAL, else INT, also as 'H1F' and 'B101'."""
 
     text: str
 
@@ -194,6 +194,7 @@ class Call:
     name: str
     values: tuple[Expression | None, ...] | None  # None: without brackets
     times: int = 1
+    manner: str = "P="  # how it is written: P=2, P2, P=1+1, CALL "NAME", PCALL NAME
 
 
 @dataclass(frozen=True)
@@ -204,6 +205,65 @@ class Again:
     last: str | None
     times: int
     only: bool = False  # REPEATB
+    ended: bool = False  # ENDLABEL ends the part
+    block: bool = False  # CALL BLOCK: the part runs once more
+
+
+@dataclass(frozen=True)
+class Modal:
+    """MCALL: the program is called after each block that moves. Without a name it ends."""
+
+    name: str = ""
+    values: tuple[Expression | None, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Code:
+    """G17 to G19, and the zero points: a block with this code alone."""
+
+    code: str
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A block that changes no value and no path."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class MachineMove:
+    """G53, G153 or SUPA: the frames do not count in this block."""
+
+    word: str
+    words: tuple[Word, ...]
+
+
+@dataclass(frozen=True)
+class Pole:
+    code: str  # G110 G111 G112
+    words: tuple[tuple[str, Expression], ...]  # two axes, or RP and AP
+
+
+@dataclass(frozen=True)
+class Polar:
+    """A move in polar coordinates; `along` is the word of the axis across the plane."""
+
+    code: str
+    radius: Expression | None
+    angle: Expression | None
+    manners: tuple[str, str] = ("", "")
+    along: Word | None = None
+
+
+@dataclass(frozen=True)
+class Arc:
+    """An arc to a point by its radius (`way` "CR") or its centre ("", or "AC": absolute)."""
+
+    clockwise: bool
+    to: tuple[Word, ...]
+    way: str
+    words: tuple[tuple[str, Expression], ...]
 
 
 @dataclass(frozen=True)
@@ -217,7 +277,18 @@ class Return:
     word: str  # M17, RET, M30
 
 
-Action = Assign | Move | Open | Else | Close | Jump | Case | Call | Again | Frame | Return
+@dataclass(frozen=True)
+class Back:
+    """RET with values: to a block of the caller, or to the one after it, over so many levels."""
+
+    target: str
+    after: bool = False
+    levels: int = 1
+
+
+Moving = Move | MachineMove | Polar | Arc
+Flow = Open | Else | Close | Jump | Case | Call | Again | Modal | Return | Back
+Action = Assign | Frame | Code | Pole | Passed | Moving | Flow
 
 
 @dataclass
@@ -227,6 +298,7 @@ class Block:
     label: str = ""
     mate: int = -1  # of a structure: the block where it goes on (ELSE, the end, the beginning)
     inside: tuple[int, ...] = ()  # the structures around it
+    level: int | None = None  # of skipping: / is /0
 
 
 @dataclass(frozen=True)
@@ -256,71 +328,3 @@ class Program:
     definitions: list[Definition] = field(default_factory=list)
     blocks: list[Block] = field(default_factory=list)
     save: bool = False  # the G codes and the frame are again those of the caller after its return
-
-
-def text_of(action: Action) -> str:
-    match action:
-        case Assign(targets):
-            return " ".join(f"{written(to)}={written(value)}" for to, value in targets)
-        case Move(code, words):
-            return " ".join([code, *map(_word, words)]).strip()
-        case Open(kind, value, counter, last):
-            if kind == "FOR":
-                assert value is not None
-                assert counter is not None
-                assert last is not None
-                return f"FOR {counter.name}={written(value)} TO {written(last)}"
-            return f"{kind} {written(value)}" if value is not None else kind
-        case Else():
-            return "ELSE"
-        case Close(kind, until):
-            return f"UNTIL {written(until)}" if until is not None else f"END{kind}"
-        case Jump(ways):
-            return " ".join(
-                (f"IF {written(condition)} " if condition is not None else "") + f"{word} {to}"
-                for condition, word, to in ways
-            )
-        case Case(value, branches, default):
-            ways = " ".join(f"{constant} {word} {to}" for constant, word, to in branches)
-            rest = f" DEFAULT {default[0]} {default[1]}" if default else ""
-            return f"CASE({written(value)}) OF {ways}{rest}"
-        case Call(name, values, times):
-            inner = [written(v) if v is not None else "" for v in values or ()]
-            brackets = f"({','.join(inner)})" if values is not None else ""
-            return f"{name}{brackets}" + (f" P={times}" if times > 1 else "")
-        case Again(first, last, times, only):
-            return " ".join([f"REPEAT{'B' * only}", first, *([last] if last else []), f"P={times}"])
-        case Frame(op, words):
-            return " ".join(
-                [op, *(f"{a}={written(v)}" if v is not None else f"{a}0" for a, v in words)]
-            )
-        case Return(word):
-            return word
-
-
-def _word(word: Word) -> str:
-    if isinstance(word.value, Number) and not word.manner:
-        return f"{word.axis}{word.value.text}"
-    inner = written(word.value)
-    return f"{word.axis}={word.manner}({inner})" if word.manner else f"{word.axis}={inner}"
-
-
-def definition_text(of: Definition) -> str:
-    size = f"[{','.join(map(str, of.size))}]" if of.size else ""
-    if of.fill:
-        values = ",".join("" if v is None else written(v) for v in of.fill)
-        return f"DEF {of.type} {of.name}{size}=SET({values})"
-    if of.all is not None:
-        return f"DEF {of.type} {of.name}{size}=REP({written(of.all)})"
-    initial = f"={written(of.initial)}" if of.initial is not None else ""
-    length = f"[{LENGTH}]" if of.type == "STRING" else ""
-    return f"DEF {of.type}{length} {of.name}{size}{initial}"
-
-
-def head_text(program: Program) -> str:
-    formals = []
-    for of in program.formals or ():
-        initial = f"={written(of.initial)}" if of.initial is not None else ""
-        formals.append(f"{'VAR ' * of.by_reference}{of.type} {of.name}{initial}")
-    brackets = f"({', '.join(formals)})" if formals else ""
-    return f"PROC {program.name}{brackets}" + " SAVE" * program.save

@@ -11,9 +11,23 @@ import sinumerik_language as l
 FEATURES = (
     "while", "for", "loop", "repeat", "case", "jumps", "several jumps", "again", "calls", "var",
     "defaults", "arrays", "bits", "new functions", "increments", "frames", "booleans", "computed R",
-    "AND in comparisons", "texts", "save", "frames in SAVE", "var elements",
+    "AND in comparisons", "texts", "save", "frames in SAVE", "var elements", "modal calls",
+    "RET to a block", "polar", "arcs", "zero points", "planes", "skipped blocks", "constants",
 )  # fmt: skip
-OLD_FUNCTIONS = ("SIN", "COS", "TAN", "SQRT", "ABS", "POT", "TRUNC", "ROUND", "ATAN2", "ASIN")
+OLD_FUNCTIONS = (
+    "SIN",
+    "COS",
+    "TAN",
+    "SQRT",
+    "ABS",
+    "POT",
+    "TRUNC",
+    "ROUND",
+    "ATAN2",
+    "ASIN",
+    "LN",
+    "EXP",
+)
 NEW_FUNCTIONS = ("ROUNDUP", "MINVAL", "MAXVAL", "BOUND")
 R_NUMBERS = range(1, 8)  # the parameters that the programs use
 
@@ -54,6 +68,8 @@ class ValueWriter:
 
     def number(self) -> l.Expression:
         r = self.random
+        if self.has("constants") and self.chance(0.05):
+            return l.Number(r.choice(("'H1F'", "'B1011'", "1.5EX1", "2.5EX-1", "'HA'", ".5", "7.")))
         return r.choice(
             (integer(r.randint(0, 9)), integer(r.randint(0, 40)), real(r.uniform(0, 9)))
         )
@@ -120,6 +136,8 @@ class ValueWriter:
         one, other = (integer(r.randrange(64)) for _ in range(2))
         whole = self.known.fixed or []
         left: l.Expression = l.Variable(r.choice(whole)) if whole and self.chance(0.5) else one
+        if self.chance(0.15):
+            left = l.Unary("B_NOT", left)
         inner = l.Binary(r.choice(("B_AND", "B_OR", "B_XOR")), left, other)
         return l.Binary("B_OR", inner, integer(r.randrange(8))) if self.chance(0.3) else inner
 
@@ -129,6 +147,10 @@ class ValueWriter:
         name, value = r.choice(names), self.value(deep + 1)
         if name == "SQRT" and (self.careful or self.chance(0.95)):
             value = l.Function("ABS", (value,))
+        if name == "LN":
+            value = l.Binary("+", l.Function("ABS", (value,)), integer(1))
+        if name == "EXP":
+            value = l.Binary("MOD", l.Function("ABS", (value,)), integer(9))
         if name == "ASIN":
             value = l.Function("SIN", (value,))
         if name in ("ATAN2", "MINVAL", "MAXVAL"):
@@ -148,7 +170,7 @@ class ValueWriter:
             whole = integer(r.randint(0, 999))
             return l.Binary("<<", self.letters(deep + 1), whole)
         if deep < 2 and kind < 0.5:
-            return l.Function("TOUPPER", (self.letters(deep + 1),))
+            return l.Function(r.choice(("TOUPPER", "TOLOWER")), (self.letters(deep + 1),))
         if deep < 2 and kind < 0.6:
             count = integer(r.randint(1, 3))
             return l.Function("SUBSTR", (self.letters(deep + 1), integer(r.randint(0, 2)), count))
@@ -159,7 +181,11 @@ class ValueWriter:
     def about_letters(self) -> l.Expression:
         """Return a number that tells of a text."""
         r = self.random
-        name = r.choice(("STRLEN", "INDEX", "RINDEX", "NUMBER"))
+        name = r.choice(("STRLEN", "INDEX", "RINDEX", "NUMBER", "ISNUMBER", "MINDEX"))
+        if name == "ISNUMBER":
+            return l.Function(name, (l.Text(r.choice(("12.5", "-3", "A1", "", "x"))),))
+        if name == "MINDEX":
+            return l.Function(name, (self.letters(), l.Text(r.choice(("ab", "7P", "z")))))
         if name == "NUMBER":
             return l.Function(name, (l.Text(r.choice(("12.5", "-3", "0.25"))),))
         if name == "STRLEN":

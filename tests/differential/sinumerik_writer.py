@@ -50,7 +50,9 @@ class Writer(BlockWriter):
         made = []
         for _ in range(r.randint(1, 4)):
             kind = r.choice(["INT", "REAL", "REAL"] + ["BOOL"] * self.has("booleans"))
-            by_reference = self.has("var") and kind != "BOOL" and self.chance(0.3)
+            by_reference = (
+                self.has("var") and not self.plain and kind != "BOOL" and self.chance(0.3)
+            )
             initial = None
             if self.has("defaults") and not by_reference and self.chance(0.5):
                 initial = l.Truth(True) if kind == "BOOL" else self.number()
@@ -65,12 +67,16 @@ class Writer(BlockWriter):
         deep = ""
         if self.chance(0.75):
             self.here.formals = self.formals()
-            self.here.save = self.has("save") and self.chance(0.3)
-            if self.chance(0.2):
+            self.here.save = self.has("save") and not self.plain and self.chance(0.3)
+            if self.chance(0.2) and not self.plain:
                 deep = self.name("DEPTH")
                 self.here.formals = (l.Formal("INT", deep), *self.here.formals)
         self.define()
-        self.body(self.random.randint(1, 5))
+        if self.plain:
+            for _ in range(self.random.randint(1, 3)):
+                self.line()
+        else:
+            self.body(self.random.randint(1, 5))
         if deep:
             self.recursion(deep)
         self.put(l.Return(self.random.choice(("M17", "RET"))))
@@ -90,7 +96,14 @@ class Writer(BlockWriter):
         self.here.blocks[opener].mate = self.put(l.Close("IF"))
 
     def write(self) -> dict[str, l.Program]:
-        names = [f"SUB_{letter}" for letter in "ABC"[: self.random.randint(0, 3)]]
+        r = self.random
+        count = r.randint(0, 3)
+        names = [r.choice((f"SUB_{a}", f"L{n}")) for a, n in zip("ABC"[:count], (7, 12, 903))]
+        if self.has("modal calls") and self.chance(0.4):
+            self.plain = True
+            self.subprogram("MODAL_A", [])
+            self.plain = False
+            self.modal = ["MODAL_A"]
         for place in reversed(range(len(names))):
             self.subprogram(names[place], names[place + 1 :])
         self.here, self.known = l.Program("MAIN"), Known()

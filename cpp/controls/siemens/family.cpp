@@ -42,6 +42,8 @@ void frames_and_tools(Control& c) {
 
 void paths(Control& c) {
   c.motion.arc_angle_words = {"Q", "5AX p.98: AR", Secondary};
+  c.motion.helix = {Helix::AllAxes,
+                    "840Dbf p.673: synchronized axes are interpolated with the path", Secondary};
   c.motion.added_turns = {"P", "5AX p.98: TURN", Secondary};
   c.motion.drops_centre_across = {true, "NCI, arc.mpf with its table", Secondary};
   c.motion.poles = {true, "840Df p.118: G110 to G112, RP, AP", Secondary};

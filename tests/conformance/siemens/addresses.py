@@ -41,6 +41,36 @@ case(
 case(
     "AX names an axis in brackets", **GRAMMAR, setup=ZERO, program="N10 G0 AX[X]=5 AX[Y]=IC(2)\nN20 M30", moves="R X5 Y2",
 )
+INDEXED = "DEF AXIS LENG=X, DEEP=Z, NONE\nDEF REAL AWAY=3\n"
+case(
+    "AX takes a variable of type AXIS, several in a block, and axes of computed names", **GRAMMAR, setup=ZERO,
+    program=INDEXED + 'N10 G0 AX[LENG]=5 AX[DEEP]=AWAY+1\nN20 AX[LENG]=IC(2) AX[DEEP]=IC(-1)\nN30 AX[AXNAME("Y")]=AC(4)\nN40 M30',
+    moves="R X5 Y0 Z4\nR X7 Y0 Z3\nR X7 Y4 Z3",
+)
+case(
+    "AX follows its variable", **GRAMMAR, setup=ZERO,
+    program=INDEXED + "N10 G0 AX[LENG]=5\nN20 LENG=Y\nN30 AX[LENG]=6\nN40 G91 AX[LENG]=1\nN50 M30", moves="R X5 Y0\nR X5 Y6\nR X5 Y7",
+)
+case(
+    "AX names an axis in a frame too", **GRAMMAR, setup=ZERO,
+    program=INDEXED + "N10 TRANS AX[LENG]=100\nN20 G0 X1\nN30 M30", final_machine="X201.125 Y20.25 Z-40.5",
+)
+for words, word in (
+    ("AX[LENG]=5 X2", "LENG]=5"), ("AX[LENG]=IC(5) AX[DEEP]=2", "AX[DEEP]=2"), ("AX[LENG]=DC(5)", "]="), ("AX[NONE]=5", ""),
+):
+    case(
+        f"{words} is not computed", **POLICY, setup=ZERO,
+        program=INDEXED + f"N10 G0 {words}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
+    )
+for words, alarm, number, word in (
+    ("AX[LENG=5", "bracket-not-closed", "12080", "="), ("AX[LENG]5", "missing-equals", "12080", "]"), ("AX[X=5", "bracket-not-closed", "12080", "="),
+    ("AX[AWAY]=5", "type-mismatch", "12150", "AWAY"), ("AX[LENG]=DEEP", "type-mismatch", "12150", "DEEP"),
+    ("AX[LENG]=IC(5", "bracket-not-closed", "12080", "]=IC(5"),
+):
+    case(
+        f"{words} is no word", **KNOWN, setup=ZERO,
+        program=INDEXED + f"N10 G0 {words}\nN20 M30", runs="", alarm=alarm, number=number, at="MAIN N10", word=word,
+    )
 case("AX of a name that is no axis here", **POLICY, program="N10 G0 AX[Q1]=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10")
 
 # ---- numbered addresses ----
@@ -92,6 +122,11 @@ case(
 case(
     "an angle of 0 makes no arc", **KNOWN, setup=ZERO,
     program="N10 G0 X10 Y0\nN20 G3 I-10 J0 AR=0 F100\nN30 M30", runs="N10", alarm="value-out-of-range", at="MAIN N20", word="AR=0",
+)
+case(
+    "an arc takes rotary axes along", pins="helix", control=ONE, source="840Dbf p.673, synchronized axes", evidence="maker's manual", setup=ZERO,
+    program="N10 G0 X10 Y0 Z0\nN20 G3 X0 Y10 I-10 J0 A30 F100\nN30 G2 X10 Y0 I0 J-10 C=IC(20) Z-1 TURN=1\nN40 M30",
+    final_work="X10 Y0 Z-1 A30 C20",
 )
 case(
     "TURN adds full turns", pins="added_turns", **GRAMMAR, setup=ZERO,

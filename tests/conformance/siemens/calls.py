@@ -207,7 +207,17 @@ case(
     "with a text of its own and a number that is computed", number="65012", **SETAL,
     program='N10 R1=12\nN20 SETAL(65000+R1, "door open")\nN30 M30', runs="N10 N20", alarm="user-alarm", at="MAIN N20",
 )
-for number in (64999, 66000):
+case(
+    "its text may be computed", number="65012", **SETAL,
+    program='N10 R1=12\nN20 SETAL(65000+R1, "door "<<R1)\nN30 M30', runs="N10 N20", alarm="user-alarm", at="MAIN N20",
+)
+for number in (60000, 62100, 69999):
+    case(
+        f"SETAL({number}) is an alarm of cycles", number=str(number), control=ONE,
+        source="Autodesk's post writes SETAL(62990), a public cycle SETAL(62100)", evidence="secondary",
+        program=f"N10 SETAL({number})\nN20 M30", runs="N10", alarm="user-alarm", at="MAIN N10",
+    )
+for number in (59999, 70000):
     case(
         f"SETAL({number}) is no alarm of the user", **SETAL,
         program=f"N10 SETAL({number})\nN20 M30", runs="", alarm="illegal-user-alarm", at="MAIN N10", word="SETAL",

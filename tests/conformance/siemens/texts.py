@@ -105,6 +105,18 @@ case(
     program='N10 DEF STRING[3] TAG="ABC"\nN20 TAG[3]="X"\nN30 M30', runs="N10", alarm="array-element", number="12400", at="MAIN N20",
 )
 case(
+    "the place may be computed: an idiom of posts that fills blanks of a date", control=ONE, source="NCI, tests of texts: characters by INDEX", evidence="secondary",
+    program='N10 DEF STRING[13] DT\nN20 DT=SPRINT("20%2d%2d%2dT%2d%2d",24,5,29,13,31)\nN30 WHILE(INDEX(DT," ")>0)\n'
+    'N40 DT[INDEX(DT," ")]="0"\nN50 ENDWHILE\nN60 MSG(DT)\nN70 R1=1\nN80 DT[R1*2]=0\nN90 MSG(DT)\nN95 M30',
+    messages=["20240529T1331", "20"],
+)
+for _place in ("R1", "-R1-1"):
+    case(
+        f"a computed place of {_place} is outside of the text", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+        program=f'N10 DEF STRING[3] TAG="ABC"\nN20 R1=3\nN30 TAG[{_place}]="X"\nN40 M30', runs="N10 N20",
+        alarm="array-element", number="12400", at="MAIN N30",
+    )
+case(
     "a text is TRUE where it has a character", **TYPES,
     program='N10 DEF BOOL FLAG="A", OTHER=""\nN20 R1=FLAG R2=OTHER\nN30 M30', vars={1: 1, 2: 0},
 )

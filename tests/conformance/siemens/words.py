@@ -174,7 +174,7 @@ case(
     program="N10 G91 G0 X1\n" + "N20 X=0.0001*4\n" * 8 + "N30 M30", final_work="X1",
 )
 
-for text in ("CYCLE977(1)", "LEADON(Y,X,1)", "REPOSA", "CTABDEF(Y,X,1,0)"):
+for text in ("CYCLE977(1)", "LEADON(Y,X,1)", "REPOSA", "CTABDEF(Y,X,1,0)", "CONTPRON(TAB,\"L\",R1)", "CORROF(X,\"DRF\")", "POLFMASK(X)", "EXECUTE(R1)"):
     case(
         f"{text} is of the control, and not computed", control="siemens-one", source="policy, nobody says", evidence="inferred",
         program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",

@@ -1,6 +1,7 @@
 // Addresses and their values: X=IC(5), CR=10, X1=5, AX[X]=5, TRANS, FA[X]=500.
 #include <array>
 #include <optional>
+#include <utility>
 
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
@@ -131,21 +132,84 @@ bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at) 
   return reported(open, words, at);
 }
 
-/// Read AX[X]=5, whose name stands here.
+namespace {
+
+/// Read AXIS]=5 of AX[AXIS]=5 for one axis. `opens`: it is the first one of its block.
+bool indexed(OpenBlock& open, Block& block, Words& words, int axis, bool opens) {
+  if (!open.expression.indexing_axis(opens)) return open.refuse(block);
+  const std::uint32_t at = open.line.offset();
+  if (!open.line.take(']')) return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
+  if (!open.line.take('=')) return open.refuse(block, Cause::MissingEquals, "AX without =", at);
+  const std::string name = capitals(open.line.name());
+  const Form* const of = open.definitions.find(name) != nullptr ? nullptr : form_named(name);
+  if (of != nullptr && of->rotary != 32)
+    return open.not_computed(block, "a form of rotary axes at AX", at);
+  if (of != nullptr) open.line.pass(name.size());
+  if (of != nullptr && !open.line.take('('))
+    return open.refuse(block, Cause::BracketNotOpened, "( is missing", at);
+  if (!open.expression.value_of_axis(axis, opens)) return open.refuse(block);
+  if (of != nullptr && !open.line.take(')'))
+    return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
+  WordForms& forms = words.list.forms;
+  const std::uint32_t address = 1u << (kAxisNames[static_cast<std::size_t>(axis) - 1] - 'A');
+  if (of != nullptr) (of->incremental ? forms.incremental : forms.absolute) |= address;
+  return true;
+}
+
+/// Return which form the AX that stands here has: '=' for none, 'A' for AC, 'I' for IC.
+char form_of(const WordForms& forms) {
+  const std::uint32_t address = 1u << (kAxisNames[0] - 'A');
+  return (forms.incremental & address) != 0 ? 'I' : (forms.absolute & address) != 0 ? 'A' : '=';
+}
+
+}  // namespace
+
 bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
   open.line.pass(2);
   if (!open.line.take('[')) return open.refuse(block, Cause::BracketNotOpened, "[ is missing", at);
   const std::string axis = capitals(open.line.name());
+  const bool letter = axis.size() == 1 && kAxisNames.find(axis) != std::string_view::npos;
+  if (!letter) {
+    words.any = true;
+    words.indexed.push_back(open.line);
+    WordForms forms;
+    std::swap(forms, words.list.forms);
+    const bool fine = indexed(open, block, words, 1, true);
+    std::swap(forms, words.list.forms);
+    if (words.indexed.size() > 1 && form_of(forms) != words.indexed_form)
+      return open.not_computed(block, "AX with IC beside AX without it", at);
+    words.indexed_form = form_of(forms);
+    return fine;
+  }
   open.line.pass(axis.size());
-  const bool known = axis.size() == 1 && kAxisNames.find(axis) != std::string_view::npos;
-  if (!open.line.take(']') || !open.line.take('=') || !known)
-    return open.not_computed(block, "an axis that is no name of one: X, Y, Z, A, B, C, U, V, W",
-                             at);
+  if (!open.line.take(']'))
+    return open.refuse(block, Cause::BracketNotClosed, "] is missing", open.line.offset());
+  if (!open.line.take('=')) return open.refuse(block, Cause::MissingEquals, "AX without =", at);
   Value value;
   if (!form(open, block, at, axis[0] - 'A', words.list.forms, value)) return false;
   value.at = at;
   value.width = open.line.width_from(at);
   return put(open, block, words, axis[0] - 'A', value);
+}
+
+bool put_indexed(OpenBlock& open, Block& block, Words& words) {
+  const Line end = open.line;
+  for (int axis = 1; axis <= static_cast<int>(kAxisNames.size()); ++axis) {
+    const int place = kAxisNames[static_cast<std::size_t>(axis) - 1] - 'A';
+    std::uint32_t at = 0;
+    bool opens = true;
+    for (const Line& from : words.indexed) {
+      open.line = from;
+      if (opens) at = open.line.offset();
+      if (!indexed(open, block, words, axis, opens)) return false;
+      opens = false;
+    }
+    if ((words.list.mask >> place & 1) != 0)
+      return open.not_computed(block, "AX beside an axis by its letter", at);
+    if (!put(open, block, words, place, open.expression.indexed_value(at))) return false;
+  }
+  open.line = end;
+  return true;
 }
 
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).

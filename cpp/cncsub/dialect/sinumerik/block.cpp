@@ -228,12 +228,9 @@ bool message(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
   if (!open.line.take('(')) return open.refuse(block, Cause::BracketNotOpened, "( is missing", at);
   PrintField field;
   if (open.line.peek() != ')') {
-    Value text, when;
-    if (!open.expression.text(text)) return open.refuse(block);
+    Value when;
+    if (!text_field(open, block, field)) return false;
     if (open.line.take(',') && !open.expression.value(when)) return open.refuse(block);
-    field.is_variable = field.is_text = text.computed;
-    field.expression = text.expression;
-    if (!text.computed) field.text = open.to.code().texts.at(to_whole<std::size_t>(text.number));
   }
   if (!open.line.take(')')) return open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
   words.print.emplace();
@@ -254,6 +251,7 @@ void name_machine_axes(Words& words) {
 }
 
 bool write(OpenBlock& open, Block& block, Words& words) {
+  if (!words.indexed.empty() && !put_indexed(open, block, words)) return false;
   name_machine_axes(words);
   if (!move_beside_path(open, block, words)) return true;
   if (words.modal) return write_modal_call(open, block, words);
@@ -298,6 +296,15 @@ void write_beside(OpenBlock& open, Block& block, const Words& words) {
 }
 
 }  // namespace
+
+bool text_field(OpenBlock& open, Block& block, PrintField& field) {
+  Value text;
+  if (!open.expression.text(text)) return open.refuse(block);
+  field.is_variable = field.is_text = text.computed;
+  field.expression = text.expression;
+  if (!text.computed) field.text = open.to.code().texts.at(to_whole<std::size_t>(text.number));
+  return true;
+}
 
 bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
   if (words.list.m_count == kMostM)

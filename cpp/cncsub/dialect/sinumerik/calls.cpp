@@ -10,7 +10,7 @@ namespace cncsub::sinumerik {
 namespace {
 
 // The numbers of alarms that a user's program may raise. [general knowledge]
-constexpr std::int32_t kFirstUserAlarm = 65000, kLastUserAlarm = 65999;
+constexpr std::int32_t kFirstUserAlarm = 60000, kLastUserAlarm = 69999;
 
 Operand operand_of(const Value& value) {
   Operand operand;
@@ -193,13 +193,13 @@ bool user_alarm(OpenBlock& open, Block& block, std::uint32_t at) {
   alarm.number = open.to.expressions().expression_of(number);
   alarm.first_number = kFirstUserAlarm;
   alarm.last_number = kLastUserAlarm;
-  std::string text;
-  if (open.line.take(',') && !text_here(open, block, text)) return false;
-  alarm.fields.push_back({.text = std::move(text)});
+  PrintField text;
+  if (open.line.take(',') && !text_field(open, block, text)) return false;
+  alarm.fields.push_back(std::move(text));
   for (const RaisedAlarm& of : open.to.control().raised_alarms) {  // by the control's own programs
     if (number.computed || number.number != of.number) continue;
     alarm.first_number = alarm.last_number = of.number;
-    if (alarm.fields[0].text.empty()) alarm.fields[0].text = of.text;
+    if (alarm.fields[0].text.empty() && !alarm.fields[0].is_text) alarm.fields[0].text = of.text;
   }
   if (!open.line.take(')'))
     return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());

@@ -179,6 +179,32 @@ bool ExpressionReader::value(Value& value) {
   return finish(value, at);
 }
 
+bool ExpressionReader::indexing_axis(bool opens) {
+  const std::uint32_t at = open_.line.offset();
+  if (opens) open_.to.expressions().begin();
+  const Read read = read_value(open_, 0);
+  return read && (read == Type::Axis ||
+                  open_.wrong(Cause::TypeMismatch, "AX has the name of an axis in brackets", at));
+}
+
+bool ExpressionReader::value_of_axis(int axis, bool opens) {
+  const std::uint32_t at = open_.line.offset();
+  const Read read = read_value(open_, 0);
+  if (!read) return false;
+  if (read == Type::String || read == Type::Axis)
+    return open_.wrong(Cause::TypeMismatch, "the value of an axis is a number", at);
+  open_.emit(Ins::OnlyOfAxis, axis);
+  if (!opens) open_.emit(Ins::FirstSet);
+  open_.constant.reset();
+  return true;
+}
+
+Value ExpressionReader::indexed_value(std::uint32_t at) {
+  Value value;
+  finish(value, at);
+  return value;
+}
+
 bool ExpressionReader::text(Value& value) {
   const std::uint32_t at = open_.line.offset();
   open_.to.expressions().begin();

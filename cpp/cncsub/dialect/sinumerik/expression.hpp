@@ -62,6 +62,13 @@ class ExpressionReader {
   bool value(Value& value);
   /// Read an expression of any type, which is set.
   bool value_of_any(Value& value, Type& type);
+  /// Read the axis of AX[...], whose bracket is passed; `opens`: an expression begins with it.
+  bool indexing_axis(bool opens);
+  /// Read a value that counts where that axis is this one. Without `opens` it is added to what the
+  /// expression has so far.
+  bool value_of_axis(int axis, bool opens);
+  /// End such an expression, which began at `at`.
+  Value indexed_value(std::uint32_t at);
   /// Read a text, or what << makes one of.
   bool text(Value& value);
   /// Read the expression after =, as a value that the variable takes.

@@ -36,6 +36,8 @@ struct Words {
   std::vector<std::pair<char, WordValue>> machine_axes;
   std::vector<std::pair<char, WordValue>> positions;  // POS[X]=10: axes that go beside the path
   std::vector<AxisFeed> axis_feeds;
+  std::vector<Line> indexed;  // where the index of each AX[...]=... stands
+  char indexed_form = '=';    // their form: '=' for none, 'A' for AC, 'I' for IC
   bool any = false;
   bool ends = false;
 
@@ -84,8 +86,10 @@ bool numbered(OpenBlock& open, Block& block, Words& words, std::string_view name
 /// Read the value of an axis that no column of the moves holds, E=5, whose = is passed: it is
 /// reported.
 bool axis_beyond(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
-/// Read AX[X]=5, whose name stands here.
+/// Read AX[X]=5, or AX[AXIS]=5, whose name stands here.
 bool axis_by_index(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
+/// Give each axis the values of AX[AXIS]=5 whose index it is when the block runs.
+bool put_indexed(OpenBlock& open, Block& block, Words& words);
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at);
 /// Read POS[X]=10, whose name stands here.
@@ -110,6 +114,8 @@ bool value_of_code(OpenBlock& open, Block& block, std::uint32_t at, Value& value
 bool tool_by_name(OpenBlock& open, Block& block, Words& words, const Value& name, std::uint32_t at);
 /// Read $TC_DP3[5,1]=120 where it stands here; return false where another variable does.
 bool system_assignment(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
+/// Read a text that a message or an alarm shows.
+bool text_field(OpenBlock& open, Block& block, PrintField& field);
 /// Add an M code to the words, or what it does in the program.
 bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value);
 

@@ -187,6 +187,21 @@ bool ExpressionReader::assignments(const Definition& to, std::vector<Statement>&
   return true;
 }
 
+namespace {
+
+/// Write a place in a text, or the one after it. A computed one is read where it stands, at `from`.
+void push_place(OpenExpression& open, const Line& from, const Value& index, int length, int after) {
+  if (!index.computed) return open.emit(Ins::Constant, index.number + after);
+  const Line end = open.line;
+  open.line = from;
+  read_value(open, 0);
+  open.emit(Ins::Index, length);
+  if (after != 0) open.emit(Ins::AddConstant, after);
+  open.line = end;
+}
+
+}  // namespace
+
 /// Read TEXT[2]="A": the text with another character at that place.
 bool ExpressionReader::character_side(const Definition& to, Statement& statement) {
   Line& line = open_.line;
@@ -195,17 +210,17 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
     return open_.not_computed("a character of an element of an array of texts", at);
   const Instruction variable = reading(to);
   line.pass(1);
+  const Line from = line;
   Value index;
   if (!value(index)) return false;
   const std::uint32_t width = line.width_from(at);
   if (!line.take(']')) return open_.wrong(Cause::BracketNotClosed, "] is missing", at);
   if (!line.take('=')) return open_.wrong(Cause::MissingEquals, "a value is missing", at);
-  if (index.computed || index.number < 0 || index.number >= to.length)
-    return index.computed ? open_.not_computed("a character at a computed place", at)
-                          : open_.wrong(Cause::ArrayElement, "the index is outside the text", at);
+  if (!index.computed && (index.number < 0 || index.number >= to.length))
+    return open_.wrong(Cause::ArrayElement, "the index is outside the text", at);
   open_.to.expressions().begin();
   open_.to.expressions().emit(variable);
-  open_.emit(Ins::Constant, index.number);
+  push_place(open_, from, index, to.length, 0);
   open_.emit(Ins::TextUpTo);
   const Read read = read_value(open_, 0);
   Definition of;
@@ -213,7 +228,7 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
   if (!read || !convert(open_, *read, of, at)) return false;
   open_.constant.reset();
   open_.to.expressions().emit(variable);
-  open_.emit(Ins::Constant, index.number + 1);
+  push_place(open_, from, index, to.length, 1);
   open_.emit(Ins::TextFrom);
   // The character 0 ends the text: what stands behind it is gone. [828Dj p.74]
   open_.emit(Ins::JoinTexts, static_cast<int>(WrittenAs::Character) * 16);

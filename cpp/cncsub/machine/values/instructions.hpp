@@ -387,6 +387,11 @@ inline Fallible bits_not(E e, I at, double a) {
   if (!as_bits(a, bits)) return fails(e, at, Cause::Overflow, "the value must fit in 32 bits");
   return static_cast<double>(~bits);
 }
+inline Fallible only_of_axis(E e, I at, double a, double b) {
+  if (a >= 1) return a == at.value() ? b : kVacant;
+  return fails(e, at, Cause::CodeNotComputed, "cncsub does not compute AX of NO_AXIS");
+}
+inline double first_set(E, I, double a, double b) { return is_vacant(a) ? b : a; }
 inline double smaller_of(E, I, double a, double b) { return a < b ? a : b; }
 inline double larger_of(E, I, double a, double b) { return a > b ? a : b; }
 

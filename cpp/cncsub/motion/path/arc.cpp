@@ -236,7 +236,9 @@ bool lacks_centre(MotionView m, const BlockWords& block) {
 /// Add the full turns that P asks of an arc.
 Result more_turns(MotionView m, const BlockWords& block, Piece& piece) {
   if (auto wrong = add_turns(m, block, piece)) return wrong;
-  if (m.facts.control->motion.helix.value != Helix::AllAxes || !block.words.has('P'))
+  const MotionRules& rules = m.facts.control->motion;
+  if (rules.helix.value != Helix::AllAxes || !rules.added_turns.value.empty() ||
+      !block.words.has('P'))
     return std::nullopt;
   const double turns = std::round(block.words['P']);
   if (std::fabs(turns - block.words['P']) > 1e-3 || turns < 1 || turns > kMostMoves)
