@@ -138,6 +138,90 @@ def test_each_code_of_a_block_is_explained() -> None:
     assert [fact["code"] for fact in found] == ["G91", "G28"]
 
 
+# ---- words of the languages ----
+
+
+@pytest.mark.parametrize(
+    ("asked", "control", "treatment", "says"),
+    [
+        ("GOTOF", "siemens-one", "computed", "further on"),
+        ("gotof", "siemens-828d", "computed", "further on"),
+        ("TRANS", "siemens-one", "computed", "shift"),
+        ("CR=", "siemens-one", "computed", "radius of an arc"),
+        ("AC()", "siemens-one", "computed", "coordinate"),
+        ("$AA_IW[X]", "siemens-one", "computed", "system variable"),
+        ("CYCLE81", "siemens-one", "computed", "REAL RTP"),
+        ("CYCLE800", "siemens-one", "not-computed", "swivel data"),
+        ("TRAORI", "siemens-one", "not-computed", "kinematics"),
+        ("BRISK", "siemens-one", "passed-over", "no path"),
+        ("LIMS", "siemens-one", "passed-over", "no path"),
+        ("RNDM", "siemens-one", "passed-over", "off"),
+        ("R", "siemens-one", "computed", "parameter"),
+        ("P", "siemens-one", "computed", "how often"),
+        ("O", "siemens-one", "refused", "no address"),
+        ("R", CONTROL, "computed", "radius of an arc"),
+        ("WHILE", CONTROL, "computed", "repeats"),
+        ("DPRNT", "gsk-988ta", "not-known", "device"),
+        ("endsub", "linuxcnc", "computed", "subprogram"),
+        ("#<_x>", "linuxcnc", "computed", "parameter"),
+    ],
+)
+def test_a_word_of_a_language_is_explained(
+    asked: str, control: str, treatment: str, says: str
+) -> None:
+    told = on(asked, control)
+    assert told["treatment"] == treatment
+    assert says in told["does"]
+    assert all(source["source"] for source in told["sources"])
+
+
+@pytest.mark.parametrize(
+    ("word", "control"),
+    [("TRANS", CONTROL), ("GOTOF", CONTROL), ("sub", "siemens-one"), ("POW", "gsk-988ta")],
+)
+def test_a_control_has_no_word_of_another_language(word: str, control: str) -> None:
+    assert _core.code_facts(cncsub.controls[control], word) is None
+
+
+def test_the_return_of_a_sinumerik_has_no_words_of_another_control() -> None:
+    told = on("M17", "siemens-one")
+    assert told["words"] == []
+    assert on("G505", "siemens-one")["words"] == []
+    assert "CR" in [word["letters"] for word in on("G2", "siemens-one")["words"]]
+
+
+READER = CONTROL_FILES.parent / "dialect" / "sinumerik"
+
+# Texts of the reader that are no words of the language.
+_NO_WORDS = frozenset(
+    re.split(
+        " ",
+        "CYCLE_ MPF SPF DEF_ _N_ _MPF _SPF _DEF _X NCK CHAN SYNR SYNW SYNRW PHU APR APW APRP APWP"
+        " APRB APWB INIPO INIRE LLI ULI ACTBLOCNO PREPRO ICYCOF ICYCON AS ISOCALL N10 TEXT MILL_10"
+        " ABC BCDFEGSX MSTDHEQ NN NNN TC TT ABCDFIJKSTUVWXYZ ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+    )
+)
+
+
+def test_every_word_that_the_reader_of_the_sinumerik_knows_is_explained() -> None:
+    control = cncsub.controls["siemens-one"]
+    words = {
+        word
+        for file in READER.glob("*.cpp")
+        for word in re.findall(r'"(\$?[A-Z][A-Z_0-9]+)"', file.read_text("utf-8"))
+    }
+    assert len(words) > 300
+    unknown = {w for w in words - _NO_WORDS if _core.code_facts(control, w) is None}
+    assert not {w for w in unknown if _core.code_facts(control, f"${w}") is None}
+
+
+def test_a_word_of_the_language_is_found_by_its_meaning() -> None:
+    assert "STRLEN" in [
+        entry.name
+        for entry in nearest("how many characters has a text", [cncsub.controls["siemens-one"]])
+    ]
+
+
 # ---- the words and causes of the engine's rows hold ----
 
 

@@ -235,6 +235,23 @@ def test_a_control_has_as_many_work_coordinate_systems_as_its_rule_says() -> Non
     assert run.moves.mx.tolist() == [2]
 
 
+@pytest.mark.parametrize("name", ["G54.1 P1", "G58", "G59", "G54.1 P100"])
+def test_a_sinumerik_has_no_work_coordinate_systems_of_other_controls(name: str) -> None:
+    library = cncsub.loads("G0 X1\nM30\n", control="siemens-one")
+    with pytest.raises(ValueError, match=f"siemens-one has no {name}"):
+        library.run(setup=cncsub.Setup(work_offsets={name: {"X": 1}}))
+
+
+@pytest.mark.parametrize(
+    ("name", "control"),
+    [("G505", CONTROL), ("G500", CONTROL), ("G505", "gsk-988ta")],
+)
+def test_other_controls_have_none_of_a_sinumerik(name: str, control: str) -> None:
+    library = cncsub.loads("O1\nG0 X1.\nM30\n", control=control)
+    with pytest.raises(ValueError, match=f"{control} has no {name}"):
+        library.run(setup=cncsub.Setup(work_offsets={name: {"X": 1}}))
+
+
 # ---- streams ----
 
 

@@ -56,7 +56,10 @@ _OWN_LANGUAGE = {
         "names": "names of files",
         "macros": "O-words",
     },
-    "siemens-one": {"names": "names of programs"},
+    **{
+        name: {"names": "names of programs", "macros": "PROC, MCALL"}
+        for name in ("siemens-828d", "siemens-840d-sl", "siemens-one")
+    },
 }
 _P = {
     "number": "number",
@@ -144,7 +147,7 @@ def worth(control: cncsub.Control) -> list[int]:
 
 
 def _page(control: cncsub.Control) -> str:
-    parts = [_head(control), _rules(control), _codes(control)]
+    parts = [_head(control), _rules(control), _codes(control), _words(control)]
     parts += [_parameters(control), _options(control), _alarms(control), _sources(control)]
     return "\n".join(filter(None, parts))
 
@@ -312,6 +315,31 @@ def _codes(control: cncsub.Control) -> str:
             else "For every other G code no source says whether the control has it.\n\n"
         )
     return text
+
+
+_WORDS = {
+    "computed": "Computed, or obeyed as the control obeys them",
+    "passed-over": "Told as dropped, for no path depends on them",
+    "not-computed": "Not computed: a run stops there with `code-not-computed`",
+    "not-known": "No source says whether the control has them",
+    "refused": "Letters that are no address of the language",
+}
+
+
+def _words(control: cncsub.Control) -> str:
+    """The words of the language that are no codes, by what becomes of them."""
+    text = (
+        "## Words of its language\n\nBesides G and M codes and axes."
+        f" `cncsub explain WORD -c {control.name}` says what each does, and where that is known"
+        " from.\n\n"
+    )
+    fates: dict[str, list[str]] = {fate: [] for fate in _WORDS}
+    for name, treatment, _ in _core.keywords(control):
+        fates[treatment].append(name)
+    for fate, told in _WORDS.items():
+        if fates[fate]:
+            text += f"{told}: {', '.join(map(code, fates[fate]))}.\n\n"
+    return text if any(fates.values()) else ""
 
 
 def _machines(control: cncsub.Control) -> Iterator[tuple[str, str]]:

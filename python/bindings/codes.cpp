@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,6 +13,7 @@
 #include "cncsub/control/code_facts.hpp"
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/asked.hpp"
+#include "cncsub/dialect/word_facts.hpp"
 
 namespace py = pybind11;
 using namespace py::literals;
@@ -62,22 +64,41 @@ py::dict row_of(const CodeFacts& facts) {
                   "causes"_a = causes, "sources"_a = sources, "programs"_a = programs);
 }
 
-/// Return what is known of a code such as G54.1 or M98, or of an address such as T; None where the
-/// text is neither.
+/// Return the code of a name such as G54.1 or M98, or of a word that is a G code of the control:
+/// TRANS.
+std::optional<CodeName> code_named(const Control& control, const std::string& name) {
+  if (const auto code = CodeName::read(name)) return code;
+  const int tenfold = code_of_word(name);
+  if (tenfold < 0 || !control.reading.g_codes.value.has(tenfold)) return std::nullopt;
+  return CodeName{'G', tenfold};
+}
+
+/// Return what is known of a code, of a word of the control's language such as GOTOF, or of an
+/// address such as T; None where the text is none of these.
 py::object facts_of(const Control& control, const std::string& name, const std::string& machine) {
-  if (const auto code = CodeName::read(name)) {
+  if (const auto code = code_named(control, name)) {
     CodeFacts facts = code_facts(control, machine_of(control, machine), *code);
     keep_taken(control, *code, facts.words);
     return row_of(facts);
   }
-  const auto facts = name.size() == 1 ? address_facts(control, name[0]) : std::nullopt;
+  auto facts = word_facts(control, name);
+  if (!facts && name.size() == 1) facts = address_facts(control, name[0]);
   return facts ? py::object(row_of(*facts)) : py::none();
+}
+
+/// Return the words of a control's language, each with its treatment and what it does.
+std::vector<std::tuple<std::string, std::string, std::string>> keywords(const Control& control) {
+  std::vector<std::tuple<std::string, std::string, std::string>> rows;
+  for (const Keyword& word : keywords_of(control))
+    rows.emplace_back(word.name, word.treatment, word.does);
+  return rows;
 }
 
 }  // namespace
 
 void add_codes(py::module_& m) {
   m.def("code_facts", &facts_of, py::arg("control"), py::arg("name"), py::arg("machine") = "");
+  m.def("keywords", &keywords, py::arg("control"));
   m.def("g_codes", &codes_of, py::arg("control"), py::arg("machine") = "");
 }
 

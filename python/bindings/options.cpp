@@ -234,9 +234,13 @@ void check_systems(const Control& control, const Options& options) {
   const Setup& setup = options.setup;
   const auto check = [&](const char* option, const std::string& field, const std::string& name) {
     if (has_system(control, name)) return;
-    const bool counted = name.find('P') != std::string::npos && most > 0;
-    refuse(option, field + ": " + control.name + " has no " + name +
-                       (counted ? "; the last is G54.1 P" + std::to_string(most) : ""));
+    const int codes = control.motion.extra_system_codes.value;
+    const std::string last = codes > 0
+                                 ? "; its extra systems are codes after G" + std::to_string(codes)
+                             : name.find('P') != std::string::npos && most > 0
+                                 ? "; the last is G54.1 P" + std::to_string(most)
+                                 : "";
+    refuse(option, field + ": " + control.name + " has no " + name + last);
   };
   if (options.inputs.workpiece && options.inputs.workpiece->system != "machine")
     check("inputs", "coordinates", options.inputs.workpiece->system);

@@ -21,7 +21,14 @@ def sources() -> list[tuple[str, str, str, str, str]]:
     """Return the key, title, address, controls and evidence of every source."""
 
 def code_facts(control: Control, name: str, machine: str = "") -> dict[str, Any] | None:
-    """Return what is known of a code such as G54.1 or M98, or of an address such as T."""
+    """Return what is known of a code such as G54.1 or M98, of a word of the control's language
+    such as GOTOF, or of an address such as T.
+    """
+
+def keywords(control: Control) -> list[tuple[str, str, str]]:
+    """Return each word of a control's language that is no G or M code, what becomes of it in a run
+    (`computed`, `passed-over`, `not-computed`, `not-known`, `refused`), and what it does.
+    """
 
 def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
     """Return each G code of a control on a kind of machine, and the engine's name for what it does

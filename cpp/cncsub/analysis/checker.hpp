@@ -145,11 +145,9 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
   look(block);
   if (block.op == Op::IfThen)
     each_variant(code, code.variants[code.statements[block.aux].then], look);
-  if (block.op == Op::Switch) {
-    const Statement* const choice = &code.statements[block.aux];
-    for (const Statement* of = choice + 1; of <= choice + choice->number; ++of)
-      each_variant(code, code.variants[of->then], look);
-  }
+  if (block.op == Op::Switch)
+    for (const Statement& of : alternatives_of(code.statements[block.aux]))
+      each_variant(code, code.variants[of.then], look);
   if (block.op == Op::Select) {
     const Select& variant = code.selects[block.aux];
     each_variant(code, code.variants[variant.first], look);

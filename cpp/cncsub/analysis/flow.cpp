@@ -244,9 +244,9 @@ void FlowReader::variant(const Block& block) {
 /// Read the blocks that a CASE or several IF GOTO may be.
 void FlowReader::alternatives(const Statement& choice) {
   bool always = false;
-  for (const Statement* of = &choice + 1; of <= &choice + choice.number; ++of) {
-    always = always || of->index == Statement::kAlways;
-    variant(code_.variants[of->then]);
+  for (const Statement& of : alternatives_of(choice)) {
+    always = always || of.index == Statement::kAlways;
+    variant(code_.variants[of.then]);
   }
   if (!always) next();
 }

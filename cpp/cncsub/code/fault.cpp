@@ -58,12 +58,24 @@ WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace
   return token(first, last);
 }
 
-/// Return the word, or of a macro statement the token, that holds a place of the block's `text`.
+/// Return whether a place lies inside the value of a word, and is not all of it: the 2/0 of
+/// X[1+2/0], the R9 of X=1+R9.
+bool is_part_of_value(WordPlace place, const WrittenWord& word, std::string_view text) {
+  const std::string_view written = text.substr(word.at, word.width);
+  const std::size_t before = written.find_first_of("=[(");
+  if (before == std::string_view::npos || place.at <= word.at + before) return false;
+  const std::size_t first = word.at + before + (written[before] == '=' ? 1 : 0);
+  return place.at > first || place.at + place.width < word.at + word.width;
+}
+
+/// Return the word, or of a statement or a value the token, that holds a place of the block's
+/// `text`.
 WordPlace widened(const Spelling& spelling, WordPlace place, const WrittenWord& word,
                   std::string_view text) {
   if (word.address.empty() || word.address == "#") return whole_token(spelling, text, place);
   const char head = word.address[0];
   if (!is_letter(head) && head != ',' && head != '<' && head != '#') return place;
+  if (is_part_of_value(place, word, text)) return whole_token(spelling, text, place);
   return {word.at, std::max(word.width, place.at + place.width - word.at)};
 }
 

@@ -272,9 +272,9 @@ void ReferenceReader::parallel_assign(const ParallelAssign& all, bool conditiona
 
 void ReferenceReader::alternatives(const Statement& choice) {
   if (choice.index == Statement::kHasValue) used_.reads(choice.expression);
-  for (const Statement* of = &choice + 1; of <= &choice + choice.number; ++of) {
-    if (of->index != Statement::kAlways) used_.reads(of->expression);
-    read(code_.variants[of->then], true);
+  for (const Statement& of : alternatives_of(choice)) {
+    if (of.index != Statement::kAlways) used_.reads(of.expression);
+    read(code_.variants[of.then], true);
   }
 }
 

@@ -35,12 +35,15 @@ struct Spelling {
   std::string_view slash_function = "ATAN";  // its second argument stands after a slash
   bool long_numbers = false;  // no rule says how many digits a number in an expression may have
   bool numbered = true;       // variables are assigned by their number: #5221=5
+  std::string_view variable = "#";  // what stands before the number of a variable
 
   /// An address of several characters, and the place in the mask of a block that holds its value.
   struct LongAddress {
     std::string_view name;
     int place;
   };
+
+  Around program_name{"<", ">"};  // what stands around the name of a program that a call names
 
   // The spelling of words.
   std::span<const LongAddress> long_addresses{};

@@ -1,7 +1,9 @@
 // Macro statements: assignments, jumps, branches, loops, and what is printed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +60,11 @@ struct Statement {
   static constexpr std::int32_t kAlways = 1;    // `index` of an alternative without a condition
   static constexpr std::int32_t kHasValue = 1;  // `index` of a Switch whose alternatives are values
 };
+
+/// Return the alternatives of a Switch, which follow it in Code::statements.
+inline std::span<const Statement> alternatives_of(const Statement& choice) {
+  return {&choice + 1, static_cast<std::size_t>(choice.number)};
+}
 
 /// G65 Hm Pn Qn Rn.
 struct HCode : Statement {

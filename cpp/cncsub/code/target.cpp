@@ -216,13 +216,19 @@ std::optional<Fault> CallWords::left_out(std::int32_t own) {
   return std::nullopt;
 }
 
+/// Return the name of a program as a call of the language writes it.
+std::string named_program(const Code& code, const std::string& name) {
+  const auto& [before, behind] = code.spelling->program_name;
+  return std::string(before) + name + std::string(behind);
+}
+
 Fault not_found(const Code& code, const CallRecord& call, const Target& target) {
   const bool named = !call.name().empty();
   const Cause cause = target.external ? Cause::ExternalProgramNotFound
                       : named         ? Cause::NamedProgramNotFound
                                       : Cause::ProgramNotFound;
   const std::string what =
-      (named ? "<" + call.name() + ">" : "O" + std::to_string(target.program_number)) +
+      (named ? named_program(code, call.name()) : "O" + std::to_string(target.program_number)) +
       (!target.external       ? " is not in the memory"
        : code.external_device ? " is not on the external device"
                               : " is not in the memory, and there is no external device");

@@ -8,11 +8,17 @@ namespace cncsub {
 
 namespace {
 
+/// Return a variable as the language writes it: #5 or R5.
+std::string name_of(const Code& code, std::int64_t number) {
+  return std::string(code.spelling->variable) + std::to_string(number);
+}
+
 Fault missing(const Code& code, std::int64_t number) {
   if (number >= 0 && code.control->macros.unlisted_variables.value == UnlistedVariable::NotKnown)
     return {.cause = Cause::VariableNotKnown,
-            .detail = "no source says what #" + std::to_string(number) + " is on this control"};
-  return {.cause = Cause::IllegalVariable, .detail = no_variable(*code.control, number)};
+            .detail = "no source says what " + name_of(code, number) + " is on this control"};
+  return {.cause = Cause::IllegalVariable,
+          .detail = no_variable(*code.control, code.spelling->variable, number)};
 }
 
 }  // namespace
@@ -21,7 +27,7 @@ std::optional<Fault> unreadable(const Code& code, const VariablePlace& place, st
   if (place.range == nullptr) return missing(code, number);
   if (place.range->access == Access::WriteOnly)
     return Fault{.cause = Cause::VariableReadProtected,
-                 .detail = "#" + std::to_string(number) + " cannot be read"};
+                 .detail = name_of(code, number) + " cannot be read"};
   return std::nullopt;
 }
 
@@ -34,10 +40,10 @@ std::optional<Fault> unwritable(const Code& code, const VariablePlace& place, st
       break;
     case Access::ReadOnly:
       return Fault{.cause = Cause::VariableWriteProtected,
-                   .detail = "#" + std::to_string(number) + " cannot be written"};
+                   .detail = name_of(code, number) + " cannot be written"};
     case Access::WriteOnly:  // a statement: the block that writes it has done it already
       return Fault{.cause = Cause::VariableWriteProtected,
-                   .detail = "#" + std::to_string(number) + " can be set only by a program"};
+                   .detail = name_of(code, number) + " can be set only by a program"};
   }
   return std::nullopt;
 }

@@ -9,18 +9,13 @@
 namespace cncsub {
 namespace {
 
-/// What one row of a .def file says of a code.
-struct Row {
-  std::string_view does, words, causes;
-};
-
-constexpr Row kMeanings[] = {
+constexpr FactRow kMeanings[] = {
 #define MEANING(name, does, words, causes) {does, words, causes},
 #include "cncsub/control/meanings.def"
 #undef MEANING
 };
 
-constexpr Row kRoles[] = {
+constexpr FactRow kRoles[] = {
 #define ROLE(name, slug, example, words, causes) {example, words, causes},
 #include "cncsub/control/roles.def"
 #undef ROLE
@@ -231,7 +226,7 @@ std::string example_with(std::string_view example, CodeName code) {
 
 /// Take over a role: what it does, its words, its alarms, and who says that the code has it.
 void add_role(const Control& control, CodeName code, Role role, CodeFacts& facts) {
-  const Row& row = kRoles[static_cast<std::size_t>(role)];
+  const FactRow& row = kRoles[static_cast<std::size_t>(role)];
   facts.does = example_with(row.does, code);
   facts.words = read_words(control, row.words);
   add_causes(control, row.causes, facts.causes);
@@ -243,9 +238,10 @@ void add_role(const Control& control, CodeName code, Role role, CodeFacts& facts
 
 void add_meaning(const Control& control, MachineType machine, int tenfold, CodeFacts& facts) {
   const GCode found = GCodes(control, machine).find(tenfold);
-  const Row& row = kMeanings[static_cast<std::size_t>(found.meaning)];
+  const FactRow& row = kMeanings[static_cast<std::size_t>(found.meaning)];
   facts.does = row.does;
-  facts.words = read_words(control, row.words);
+  const bool names_system = found.meaning == Meaning::WorkExtra && found.variant != 0;
+  facts.words = read_words(control, names_system ? "" : row.words);  // no P: G505
   add_causes(control, row.causes, facts.causes);
   if (found.code >= 0) add_group_causes(control, found, facts.causes);
   facts.treatment = treatment_of(found.meaning);
@@ -264,7 +260,7 @@ void add_call(const Control& control, CodeFacts& facts) {
   const CodeProgram& called = facts.programs.front();
   for (std::size_t i = 0; i < std::size(kCodeCallNames); ++i) {
     if (kCodeCallNames[i] != called.kind) continue;
-    const Row& row = kRoles[static_cast<std::size_t>(kRolesOfCalls[i])];
+    const FactRow& row = kRoles[static_cast<std::size_t>(kRolesOfCalls[i])];
     const auto like = control.calls.roles.value.code_of(kRolesOfCalls[i]);
     facts.does = "calls O" + std::to_string(called.program) + (like ? " as " + like->text() : "");
     facts.words = read_words(control, i == 0 ? "" : row.words);
@@ -275,6 +271,14 @@ void add_call(const Control& control, CodeFacts& facts) {
 }
 
 }  // namespace
+
+CodeFacts facts_of_row(const Control& control, const FactRow& row) {
+  CodeFacts facts;
+  facts.does = row.does;
+  facts.words = read_words(control, row.words);
+  add_causes(control, row.causes, facts.causes);
+  return facts;
+}
 
 std::string_view treatment_of(Meaning meaning) {
   switch (meaning) {

@@ -44,6 +44,14 @@ struct CodeFacts {
   std::vector<CodeProgram> programs;
 };
 
+/// What one row of a .def file says of a code or a word.
+struct FactRow {
+  std::string_view does, words, causes;
+};
+
+/// Return what a row says of a code or a word of a control.
+CodeFacts facts_of_row(const Control& control, const FactRow& row);
+
 /// Return the treatment of a G code of this meaning.
 std::string_view treatment_of(Meaning meaning);
 

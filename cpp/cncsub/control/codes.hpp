@@ -13,8 +13,34 @@
 
 namespace cncsub {
 
-/// Return ten times a code such as 54 or 54.1; nothing where the text is none.
+/// A G code that a language writes as a word.
+struct WordCode {
+  int code;  // ten times its number
+  std::string_view word;
+};
+inline constexpr WordCode kWordCodes[] = {
+#define WORD_CODE(code, word) {code, word},
+#include "cncsub/control/word_codes.def"
+#undef WORD_CODE
+};
+
+/// Return ten times the code that is written as this word, in capitals; -1 where none is.
+constexpr int code_of_word(std::string_view word) {
+  for (const WordCode& of : kWordCodes)
+    if (of.word == word) return of.code;
+  return -1;
+}
+
+/// Return the word of a code that is written as one; empty where none is.
+constexpr std::string_view word_of_code(int tenfold) {
+  for (const WordCode& of : kWordCodes)
+    if (of.code == tenfold) return of.word;
+  return {};
+}
+
+/// Return ten times a code such as 54, 54.1 or TRANS; nothing where the text is none.
 constexpr std::optional<int> read_code(std::string_view text) {
+  if (const int code = code_of_word(text); code >= 0) return code;
   int tenfold = 0;
   std::size_t digits = 0;
   std::size_t at = 0;
@@ -32,7 +58,7 @@ constexpr std::optional<int> read_code(std::string_view text) {
   return digits == 0 ? std::nullopt : std::optional(tenfold);
 }
 
-/// Return 54.1 for 541.
+/// Return 54.1 for 541, and the word of a code that is written as one.
 std::string code_text(int tenfold);
 
 /// A set of codes. A literal such as "0 1 54.1" is checked when it is compiled.

@@ -153,28 +153,10 @@ constexpr int kNeutral[] = {54,   401,  502,  504,  505,  506,  512,  611, 631,
                             632,  691,  804,  805,  961,  962,  963,  964, 1130,
                             1141, 1142, 1143, 1201, 1500, 1600, 2500, 2510};
 
-/// A code that a language writes as a word.
-struct WordCode {
-  int code;
-  std::string_view word;
-};
-constexpr WordCode kWordCodes[] = {
-#define WORD_CODE(code, word) {code, word},
-#include "cncsub/control/word_codes.def"
-#undef WORD_CODE
-};
-
 }  // namespace
 
-int code_of_word(std::string_view word) {
-  for (const WordCode& of : kWordCodes)
-    if (of.word == word) return of.code;
-  return -1;
-}
-
 std::string code_name(int code) {
-  for (const WordCode& of : kWordCodes)
-    if (of.code == code) return std::string(of.word);
+  if (const std::string_view word = word_of_code(code); !word.empty()) return std::string(word);
   std::string name = code < 100 ? "G0" : "G";
   name += std::to_string(code / 10);
   if (code % 10 != 0) name += "." + std::to_string(code % 10);

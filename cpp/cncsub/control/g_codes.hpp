@@ -37,8 +37,6 @@ inline bool is_multiple_cycle(Meaning meaning) {
 
 /// Return "G54.1" for 541, and the word of a code that is written as one.
 std::string code_name(int code);
-/// Return ten times the code that is written as this word, in capitals; -1 where none is.
-int code_of_word(std::string_view word);
 
 /// Return the kind of machine of a name such as "lathe-a"; the control's own where it is none.
 MachineType machine_of(const Control& control, const std::string& name);

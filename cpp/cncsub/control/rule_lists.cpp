@@ -203,6 +203,7 @@ Wrong change_list(std::string_view rule, std::string& list, std::string_view tex
 }
 
 std::string code_text(int tenfold) {
+  if (const std::string_view word = word_of_code(tenfold); !word.empty()) return std::string(word);
   std::string text = std::to_string(tenfold / 10);
   if (tenfold % 10 != 0) text += "." + std::to_string(tenfold % 10);
   return text;

@@ -214,8 +214,8 @@ std::vector<VariableRange> variable_ranges(const Control& control) {
   return ranges;
 }
 
-std::string no_variable(const Control& control, std::int64_t number) {
-  return "there is no #" + std::to_string(number) + option_with(control, number);
+std::string no_variable(const Control& control, std::string_view sign, std::int64_t number) {
+  return "there is no " + std::string(sign) + std::to_string(number) + option_with(control, number);
 }
 
 std::string option_with(const Control& control, std::int64_t number) {

@@ -38,7 +38,7 @@ bool is_alias(const VariableRange& range);
 std::vector<VariableRange> variable_ranges(const Control& control);
 
 /// Return `there is no #900000`, and the option that would bring it.
-std::string no_variable(const Control& control, std::int64_t number);
+std::string no_variable(const Control& control, std::string_view sign, std::int64_t number);
 /// Return which option brings a variable, as the end of a sentence; empty where none does.
 std::string option_with(const Control& control, std::int64_t number);
 

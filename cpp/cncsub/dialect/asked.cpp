@@ -7,6 +7,7 @@
 
 #include "cncsub/control/rule_lists.hpp"
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -41,8 +42,34 @@ std::optional<std::string> never_asked(const Control& control, const std::string
          ": nothing in the language of its programs depends on it";
 }
 
+namespace {
+
+/// Write the letters of a word as the language does: CR of SINUMERIK is the R of others.
+void spell(const Spelling& spelling, CodeWord& word) {
+  if (spelling.long_addresses.empty()) return;
+  std::string written;
+  for (const std::string_view letters : split_entries(word.letters)) {
+    const bool comma = letters.size() == 2 && letters[0] == ',';
+    const bool alone = comma || (letters.size() == 1 && is_letter(letters[0]));
+    const int place = comma ? comma_place(letters[1]) : letters[0] - 'A';
+    written += written.empty() ? "" : " ";
+    written += alone ? spelling.address_of(place) : std::string(letters);
+  }
+  word.letters = written;
+}
+
+/// Return whether the language asks none of the rules that say more of a word: it has no such word.
+bool is_of_others(const std::vector<std::string_view>& asked, const CodeWord& word) {
+  return !word.rules.empty() && std::none_of(word.rules.begin(), word.rules.end(),
+                                             [&](const auto& rule) { return has(asked, rule); });
+}
+
+}  // namespace
+
 void keep_taken(const Control& control, CodeName code, std::vector<CodeWord>& words) {
   const Dialect* const dialect = find_dialect(control.dialect);
+  const auto asked = names_asked(control);
+  std::erase_if(words, [&](const CodeWord& word) { return is_of_others(asked, word); });
   const WordUses uses(dialect == nullptr ? std::span<const WordUse>() : dialect->word_uses);
   const std::uint32_t taken =
       code.letter == 'G' ? uses.of_g(code.tenfold) : uses.of_m(code.tenfold / 10);
@@ -57,6 +84,8 @@ void keep_taken(const Control& control, CodeName code, std::vector<CodeWord>& wo
     word.letters = kept;
   }
   std::erase_if(words, [](const CodeWord& word) { return word.letters.empty(); });
+  if (dialect != nullptr)
+    for (CodeWord& word : words) spell(*dialect->spelling, word);
 }
 
 }  // namespace cncsub

@@ -6,7 +6,9 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/text/words.hpp"
@@ -36,6 +38,16 @@ struct PieceReader {
   std::function<bool(Joined&, std::uint32_t lines)> join;
 };
 
+/// A word of a language that is no G or M code: a statement, a function, an address. `words` and
+/// `causes` are written as in meanings.def, the treatment as in CodeFacts.
+struct Keyword {
+  std::string name;
+  std::string_view treatment;
+  std::string does;
+  std::string_view words{}, causes{}, source{};
+  std::string_view rule{};  // the rule that says that the control has it
+};
+
 struct Dialect {
   std::string_view name;
   /// The reader of the files of one library, one after the other.
@@ -51,6 +63,8 @@ struct Dialect {
   std::string_view rules;
   /// The words that it refuses if no code uses them. Empty: it takes any word.
   std::span<const WordUse> word_uses;
+  /// Return its words as a control has them, each once.
+  std::vector<Keyword> (*keywords)(const Control& control);
 };
 
 /// Return the dialect of this name; null if there is none.
@@ -61,6 +75,7 @@ const Dialect* find_dialect(std::string_view name);
   extern const Spelling folder##_spelling;                   \
   extern const std::string_view folder##_rules;              \
   extern const std::span<const WordUse> folder##_word_uses;  \
+  std::vector<Keyword> folder##_keywords(const Control&);    \
   FileReader folder##_reader(Builder& to);                   \
   extern PieceReader (*const folder##_pieces)(Builder & to); \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);

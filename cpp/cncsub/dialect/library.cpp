@@ -17,9 +17,9 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder)                                                                   \
-  {#folder,        folder##_reader,   folder##_word, folder##_pieces, &folder##_spelling, \
-   folder##_rules, folder##_word_uses},
+#define DIALECT(folder)                                                                       \
+  {#folder,        folder##_reader,    folder##_word,    folder##_pieces, &folder##_spelling, \
+   folder##_rules, folder##_word_uses, folder##_keywords},
 #include "dialect/list.def"
 #undef DIALECT
   };

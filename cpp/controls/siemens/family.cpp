@@ -19,7 +19,7 @@ void reading(Control& c) {
       "540 541 542 543 544 545 546 547 548 549 550 551 552 553 554 555 556 557 558 559 560 561 562 "
       "563 564 565 566 567 568 569 570 571 572 573 574 575 576 577 578 579 580 581 582 583 584 585 "
       "586 587 588 589 590 591 592 593 594 595 596 597 598 599 601 602 603 621 641 642 643 644 645 "
-      "900.1 900.2 900.3 900.4 900.5 900.6 900.7 900.8 901.1 901.2 901.3 901.4 901.5 901.6 "
+      "TRANS ATRANS ROT AROT SCALE ASCALE MIRROR AMIRROR SUPA CIP CT DIAMON DIAMOF POS "
       "700 710 810 811 812 813 814 815 816 817 818 819 820 821 822 823 824 825 826 827 828 829 931 "
       "942 952 961 962 971 972 973",
       "NCI, ggroups.json: the G groups of the manual", Secondary};
@@ -66,17 +66,17 @@ void motion(Control& c) {
       "973=spindle-speed-per-revolution "
       "110=pole-from-tool 111=pole 112=pole-from-pole 153=machine-all 450=corner-arc "
       "451=corner-meet 500=extra-system-100 "
-      "900.1=frame-shift 900.2=frame-shift-added 900.3=frame-rotation 900.4=frame-rotation-added "
-      "900.5=frame-scale 900.6=frame-scale-added 900.7=frame-mirror 900.8=frame-mirror-added "
-      "901.1=machine-all 901.2=three-points-by-mode 901.3=tangent-arc 901.6=position-axes "
-      "901.4=diameter 901.5=diameter-off "
+      "TRANS=frame-shift ATRANS=frame-shift-added ROT=frame-rotation AROT=frame-rotation-added "
+      "SCALE=frame-scale ASCALE=frame-scale-added MIRROR=frame-mirror AMIRROR=frame-mirror-added "
+      "SUPA=machine-all CIP=three-points-by-mode CT=tangent-arc POS=position-axes "
+      "DIAMON=diameter DIAMOF=diameter-off "
       "140=neutral 141=neutral 142=neutral 143=neutral 340=neutral 341=neutral 460=neutral "
       "601=neutral 602=neutral 603=neutral 700=inch 710=metric "
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
   c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
-  c.motion.g_meanings.tell("901.3=tangent-arc", "SONE p.201: CT", Manual);
-  c.motion.g_meanings.tell("901.6=position-axes", "MD840, MD 32060: positioning axes", Secondary);
+  c.motion.g_meanings.tell("CT=tangent-arc", "SONE p.201: CT", Manual);
+  c.motion.g_meanings.tell("POS=position-axes", "MD840, MD 32060: positioning axes", Secondary);
   c.motion.g_meanings.tell("96=surface-speed-per-revolution", "SONE p.99: G96", Manual);
   c.motion.g_meanings.tell("97=spindle-speed-per-revolution", "SONE p.99: G97", Manual);
   c.motion.g_meanings.tell("961=surface-speed-per-minute", "SONE p.99: G961", Manual);

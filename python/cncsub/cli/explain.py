@@ -39,7 +39,8 @@ def explain(
     name: Annotated[
         list[str],
         typer.Argument(
-            help="A code, an alarm number, a cause, a rule, a parameter; or a question.",
+            help="A code, a word of a program, an alarm number, a cause, a rule, a parameter;"
+            " or a question.",
             show_default=False,
         ),
     ],
@@ -101,8 +102,10 @@ def _check_rule(asked: str) -> CheckRule | None:
 def _codes_of(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
     """Return what is known of a code, or of each code of a block."""
     words = asked.split()
+    if len(words) == 1:
+        return code_explanations(asked, among)
     codes = [word for word in words if code_named(word) is not None]
-    if not words or not all(map(_WORD.fullmatch, words)):
+    if not all(map(_WORD.fullmatch, words)):
         return []
     return [fact for code in codes for fact in code_explanations(code, among)]
 

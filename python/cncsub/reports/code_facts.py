@@ -13,6 +13,7 @@ from cncsub.loading import loads
 
 _CODE = re.compile(r"([GM])(\d{1,4}(?:\.\d)?)", re.IGNORECASE)
 _ADDRESS = re.compile(r"[A-Z]", re.IGNORECASE)
+_KEYWORD = re.compile(r"(\$?[A-Z_]\w*)\s*(?:=.*|\(.*\)|\[.*\])", re.IGNORECASE)
 _NAMED = re.compile(r"\b([GM])(\d+(?:\.\d)?)(?: to [GM]?(\d+)\b)?")
 _ARGUMENTS = "ABCDEFHIJKMQRSTUVWXYZ"
 _MACRO_CALL = "macro-call"
@@ -33,14 +34,26 @@ def code_named(asked: str) -> str | None:
     return text.upper() if _ADDRESS.fullmatch(text) else None
 
 
+def word_named(asked: str) -> str:
+    """Return a word of a language without what may stand after it.
+
+    >>> word_named("CR="), word_named("AC(10)"), word_named("$AA_IW[X]"), word_named("gotof")
+    ('CR', 'AC', '$AA_IW', 'GOTOF')
+    """
+    found = _KEYWORD.fullmatch(asked.strip())
+    return found[1].upper() if found else asked.strip().upper()
+
+
 def code_explanations(asked: str, among: list[Control]) -> list[Facts]:
-    """Return what a code does, an entry for each thing that it does, with the controls."""
-    code = code_named(asked)
-    if code is None:
+    """Return what a code, or a word of a control's language, does: an entry for each thing that it
+    does, with the controls.
+    """
+    code = code_named(asked) or word_named(asked)
+    if not code:
         return []
     entries: dict[tuple[Any, ...], Facts] = {}
     for control in among:
-        for machine in _machines(control) if code[0] == "G" else [""]:
+        for machine in _machines(control) if _CODE.fullmatch(code) and code[0] == "G" else [""]:
             facts = _core.code_facts(control, code, machine)
             if facts is None:
                 continue

@@ -178,9 +178,9 @@ def _marked(rule: Rule, entries: list[str]) -> str:
 
 def _compact(entries: list[str]) -> str:
     """Return a list in few words: `0-4 7.1`, and codes grouped by their meaning."""
-    if all(re.fullmatch(r"[0-9.]+", entry) for entry in entries):
+    if all(re.fullmatch(r"[0-9.]+|[A-Z]+", entry) for entry in entries):
         return _runs(entries)
-    if not all(re.fullmatch(r"[0-9.]+=[^=]+", entry) for entry in entries):
+    if not all(re.fullmatch(r"([0-9.]+|[A-Z]+)=[^=]+", entry) for entry in entries):
         return " ".join(entries)
     by_meaning: dict[str, list[str]] = {}
     for entry in entries:

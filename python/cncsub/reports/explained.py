@@ -147,7 +147,8 @@ def _print_on(console: Console, on: Facts) -> None:
     if on["sources"]:
         console.print(Text("  where it is known from", style="cyan"))
     for source in on["sources"]:
-        _line(console, f"rule {source['rule']}", 4)
+        if source["rule"]:
+            _line(console, f"rule {source['rule']}", 4)
         _source(console, source)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from cncsub._core import Alarm, Control, Frame, Parameter
+from cncsub._core import Alarm, Control, Frame, Parameter, keywords
 from cncsub.analysis.conditions import conditions_on
 from cncsub.controls import causes, cure_of, did_you_mean, sources_of
 from cncsub.loading import loads
@@ -345,7 +345,8 @@ def _alarm_entry(entry: Any) -> dict[str, Any]:
 def unknown_alarm(asked: str, among: list[Control], rules: Iterable[str]) -> str:
     numbers = [n for c in among for a in c.alarms.values() for n in _numbers(a) if n]
     of_controls = [name for c in among for name in (*(r.name for r in c.rules), *c.parameters)]
-    known = dict.fromkeys([*causes, *rules, *numbers, *of_controls])
+    words = [word for c in among for word, _, _ in keywords(c)]
+    known = dict.fromkeys([*causes, *rules, *numbers, *of_controls, *words])
     where = f" on {among[0].name}" if len(among) == 1 else ""
     what = "code, alarm, cause, rule or parameter"
     return f"no {what} is called {asked!r}{where}{did_you_mean(asked, known)}"

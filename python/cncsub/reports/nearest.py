@@ -116,6 +116,7 @@ def _entries(among: list[Control]) -> Iterator[Entry]:
         yield Entry(f"{check.number} {check.name}", "rule of check", check.meaning, (check.hint,))
     yield from _once(_rules(among))
     yield from _once(_codes(among))
+    yield from _once(_keywords(among))
     if len(among) == 1:
         for parameter in among[0].parameters.values():
             yield Entry(parameter.name, "parameter", parameter.meaning)
@@ -135,6 +136,14 @@ def _rules(among: list[Control]) -> Iterator[Entry]:
                 yield Entry(rule.name, "rule", rule.meaning, tuple(rule.examples))
             else:  # the examples of a set are many, and of its entries
                 yield Entry(rule.name, "rule", rule.meaning)
+
+
+def _keywords(among: list[Control]) -> Iterator[Entry]:
+    """Yield the words of the languages that are computed."""
+    for control in among:
+        for name, treatment, does in _core.keywords(control):
+            if treatment == "computed":
+                yield Entry(name, "word", does)
 
 
 def _codes(among: list[Control]) -> Iterator[Entry]:

@@ -133,7 +133,7 @@ case(
     program="N10 G0 X10 Y0\nN20 G3 X0 Y10 I-10 J0 TURN=2 F100\nN30 M30", time=84.883,
 )
 case(
-    "CIP is an arc through a point between", pins="g_meanings:901.2=three-points-by-mode", **GRAMMAR, setup=ZERO,
+    "CIP is an arc through a point between", pins="g_meanings:CIP=three-points-by-mode", **GRAMMAR, setup=ZERO,
     program="N10 G0 X0 Y0\nN20 CIP X10 Y0 I1=5 J1=5 F100\nN30 X20 Y0 I1=IC(5) J1=IC(-5)\nN40 G91 X-10 Y0 I1=-5 J1=5\nN50 M30",
     moves="R X0 Y0\nCW X10 Y0 C X5 Y0\nCCW X20 Y0 C X15 Y0\nCCW X10 Y0 C X15 Y0",
 )
@@ -199,7 +199,7 @@ case(
     program="N10 G1 X20 RND=2 F100\nN20 M30", runs="N10", alarm="corner-no-move", at="MAIN N20", word="M30",
 )
 case(
-    "DIAMON makes X a diameter", pins="g_meanings:901.4=diameter g_meanings:901.5=diameter-off", **GRAMMAR, setup=ZERO,
+    "DIAMON makes X a diameter", pins="g_meanings:DIAMON=diameter g_meanings:DIAMOF=diameter-off", **GRAMMAR, setup=ZERO,
     program="N10 DIAMON\nN20 G0 X10\nN30 DIAMOF X10\nN40 M30", moves_x=[5, 10],
 )
 

@@ -91,7 +91,7 @@ case(
     program="N20 BACK: R9=R9+1\nN30 DEF REAL GRID[2]=SET(5)\nN40 R1=GRID[0] R2=GRID[1]\nN50 GRID[0]=7 GRID[1]=8\nN60 IF R9<2 GOTOB BACK\nN70 M30",
     vars={1: 5, 2: 0},
 )
-for write, word in (("GRID[3]=1", "3"), ("GRID[-1]=1", "-"), ("R1=GRID[3]", "R1=GRID[3]"), ("R1=GRID[R2-1]", "R1=GRID[R2-1]")):
+for write, word in (("GRID[3]=1", "3"), ("GRID[-1]=1", "-"), ("R1=GRID[3]", "3"), ("R1=GRID[R2-1]", "R2")):
     case(
         f"{write} is outside of three elements", **ALARM,
         program=f"N10 DEF REAL GRID[3]\nN20 {write}\nN30 M30",

@@ -12,7 +12,7 @@ PLAIN = {"start": {"X": 0, "Y": 0, "Z": 0}}
 # ---- TRANS and ATRANS ----
 
 case(
-    "TRANS shifts what is programmed, and ATRANS adds to the shift", pins="g_meanings:900.1=frame-shift", **TABLE, setup=ZERO,
+    "TRANS shifts what is programmed, and ATRANS adds to the shift", pins="g_meanings:TRANS=frame-shift", **TABLE, setup=ZERO,
     program="N10 G0 X1 Y1\nN20 TRANS X100 Y2\nN30 X1 Y1\nN40 ATRANS X50 Y2\nN50 X1 Y1\nN60 M30",
     moves="R X1 Y1\nR X1 Y1\nR X1 Y1", final_machine="X251.125 Y25.25 Z-40.5",
 )
@@ -26,7 +26,7 @@ for word in ("TRANS", "ROT", "SCALE", "MIRROR"):
         program=f"N10 TRANS X100 Y20\nN20 AROT Z90\nN30 {word}\nN40 G0 X4 Y5\nN50 M30", moves="R X4 Y5", final_machine="X104.125 Y25.25 Z-40.5",
     )
 case(
-    "ROT takes the shift away too", pins="g_meanings:900.3=frame-rotation", **KNOWN, setup=ZERO,
+    "ROT takes the shift away too", pins="g_meanings:ROT=frame-rotation", **KNOWN, setup=ZERO,
     program="N10 TRANS X10\nN20 ROT Z90\nN30 G0 X1 Y2\nN40 M30", final_machine="X98.125 Y21.25 Z-40.5",
 )
 case(
@@ -56,7 +56,7 @@ case(
 # ---- ROT, SCALE, MIRROR ----
 
 case(
-    "AROT turns about the shifted zero point", pins="g_meanings:900.4=frame-rotation-added", **KNOWN, setup=ZERO,
+    "AROT turns about the shifted zero point", pins="g_meanings:AROT=frame-rotation-added", **KNOWN, setup=ZERO,
     program="N10 TRANS X10 Y5\nN20 AROT Z90\nN30 G0 X3 Y1\nN40 X=IC(2)\nN50 M30",
     final_machine="X109.125 Y30.25 Z-40.5",
 )
@@ -65,7 +65,7 @@ case(
     program="N10 G18\nN20 ROT RPL=90\nN30 G0 Z10 X2\nN40 M30", final_machine="X10 Y0 Z-2",
 )
 case(
-    "ATRANS after AROT shifts in the turned coordinates", pins="g_meanings:900.2=frame-shift-added", **KNOWN, setup=ZERO,
+    "ATRANS after AROT shifts in the turned coordinates", pins="g_meanings:ATRANS=frame-shift-added", **KNOWN, setup=ZERO,
     program="N10 ROT Z90\nN20 ATRANS X10\nN30 G0 X1 Y2\nN40 M30", final_machine="X98.125 Y31.25 Z-40.5",
 )
 case(
@@ -86,24 +86,24 @@ case(
     moves="R X0 Y0\nCW X0 Y10 C X0 Y5\nCCW X0 Y0 C X0 Y5", final_machine="X110.125 Y20.25 Z-40.5",
 )
 case(
-    "SCALE makes lengths and radii longer", pins="g_meanings:900.6=frame-scale-added", **KNOWN, setup=ZERO,
+    "SCALE makes lengths and radii longer", pins="g_meanings:ASCALE=frame-scale-added", **KNOWN, setup=ZERO,
     program="N10 TRANS X10\nN20 ASCALE X2 Y2\nN30 G0 X1 Y0\nN40 G2 X11 Y0 CR=5 F100\nN50 G2 X1 Y0 I-5 J0\nN60 M30",
     moves="R X2 Y0\nCW X22 Y0 C X12 Y0\nCW X2 Y0 C X12 Y0", final_machine="X112.125 Y20.25 Z-40.5",
 )
 case(
-    "an arc is not computed where the axes of its plane have scales of their own", pins="g_meanings:900.5=frame-scale", **KNOWN, setup=PLAIN,
+    "an arc is not computed where the axes of its plane have scales of their own", pins="g_meanings:SCALE=frame-scale", **KNOWN, setup=PLAIN,
     program="N10 SCALE X2\nN20 G1 X3 Y1 F100\nN30 G2 X10 Y0 CR=50\nN40 M30", moves="F X6 Y1", alarm="code-not-computed", at="MAIN N30", word="G2",
 )
 case(
     "a factor of 0 is refused", **KNOWN, program="N10 SCALE X0\nN20 M30", runs="", alarm="scale-zero", at="MAIN N10", word="X0",
 )
 case(
-    "MIRROR changes the direction of arcs", pins="g_meanings:900.7=frame-mirror", **KNOWN, setup=ZERO,
+    "MIRROR changes the direction of arcs", pins="g_meanings:MIRROR=frame-mirror", **KNOWN, setup=ZERO,
     program="N10 MIRROR X0\nN20 G0 X0 Y0\nN30 G2 X10 Y0 I5 J0 F100\nN40 M30",
     moves="R X0 Y0\nCCW X-10 Y0 C X-5 Y0", final_machine="X90.125 Y20.25 Z-40.5",
 )
 case(
-    "AMIRROR mirrors at the shifted zero point", pins="g_meanings:900.8=frame-mirror-added", **KNOWN, setup=ZERO,
+    "AMIRROR mirrors at the shifted zero point", pins="g_meanings:AMIRROR=frame-mirror-added", **KNOWN, setup=ZERO,
     program="N10 TRANS X10\nN20 AMIRROR X0 Y0\nN30 G0 X1 Y2\nN40 M30", final_machine="X109.125 Y18.25 Z-40.5",
 )
 
@@ -145,7 +145,7 @@ case(
     "G53 leaves out the zero point and the frame of its block, and no basic frame", pins="machine_move", **KNOWN, setup=SYSTEMS,
     program="N10 TRANS X10\nN20 G53 G0 X1\nN30 M30", final_machine="X1001 Y7 Z0",
 )
-for word, pin in (("G153", "153=machine-all"), ("SUPA", "901.1=machine-all")):
+for word, pin in (("G153", "153=machine-all"), ("SUPA", "SUPA=machine-all")):
     case(
         f"{word} leaves out the basic frame too, and the length of the tool stays on", pins=f"g_meanings:{pin}", **KNOWN, setup=SYSTEMS,
         program=f"N10 TRANS X10\nN20 T1 M6\nN30 G0 {word} X1 Z2\nN40 X1\nN50 M30", final_machine="X1111.125 Y7 Z52.25",

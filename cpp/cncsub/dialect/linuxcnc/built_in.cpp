@@ -85,6 +85,14 @@ constexpr std::string_view kOfMachine[] = {"_abs_u",
 
 }  // namespace
 
+std::vector<std::string_view> names_of_built_ins() {
+  std::vector<std::string_view> names;
+  for (const BuiltIn& of : kBuiltIns) names.push_back(of.name);
+  return names;
+}
+
+std::span<const std::string_view> names_of_machine() { return kOfMachine; }
+
 bool tells_of_machine(std::string_view name) {
   return std::find(std::begin(kOfMachine), std::end(kOfMachine), name) != std::end(kOfMachine);
 }

@@ -58,6 +58,10 @@ bool ExpressionReader::wrong(Cause cause, std::string text, std::size_t place) {
   return false;
 }
 
+void ExpressionReader::emit_at(std::uint32_t at, Ins op, double value) {
+  to_.expressions().emit({op, 0, at, value});
+}
+
 void ExpressionReader::emit(Ins op, double value, std::uint32_t index) {
   push(to_, line_, op, value, index);
 }
@@ -159,10 +163,10 @@ class OperatorReader {
   int level_of(const OperatorRow& of, bool /*value*/, const Left& /*left*/) const {
     return of.level;
   }
-  std::uint32_t offset() const { return 0; }  // an instruction tells where its last value ends
+  std::uint32_t offset() const { return to_.line_.offset(); }
   void pass(const OperatorRow& of) { to_.line_.take(of.spelling); }
-  bool apply(const OperatorRow& of, std::uint32_t /*at*/, bool /*left*/, bool /*right*/) {
-    to_.emit(of.op);
+  bool apply(const OperatorRow& of, std::uint32_t at, bool /*left*/, bool /*right*/) {
+    to_.emit_at(at, of.op);
     to_.constant_.reset();
     return true;
   }
@@ -190,6 +194,7 @@ bool ExpressionReader::read_bracket(int depth) {
 
 bool ExpressionReader::read_function(int depth) {
   const std::size_t place = line_.place();
+  const std::uint32_t at = line_.offset();
   if (line_.take("atan")) return read_arctangent(depth);
   if (line_.take("exists")) return read_exists(depth);
   for (const Function& function : kFunctions) {
@@ -201,7 +206,7 @@ bool ExpressionReader::read_function(int depth) {
     if (power) emit(Ins::Constant, 2.71828182845904523536);
     if (!read_bracket(depth)) return false;
     constant_.reset();
-    emit(function.op);
+    emit_at(at, function.op);
     return true;
   }
   const char c = line_.take();

@@ -66,6 +66,8 @@ class ExpressionReader {
   bool wrong(Cause cause, std::string text, std::size_t place);
   bool finish(Value& value, std::uint32_t at);
   void emit(Ins op, double value = 0, std::uint32_t index = 0);
+  /// Write an instruction whose operator or operand stands at `at`.
+  void emit_at(std::uint32_t at, Ins op, double value = 0);
   /// Return the number of the variable that the last value names; nothing if there is no such
   /// variable: `fault` says why.
   std::optional<std::int64_t> variable_number(std::size_t place);

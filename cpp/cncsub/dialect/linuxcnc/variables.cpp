@@ -58,7 +58,7 @@ std::optional<std::int64_t> ExpressionReader::variable_number(std::size_t place)
   const auto number = to_whole<std::int64_t>(*whole);
   if (to_.code().can_name(number, kLastVariable)) return number;
   wrong(Cause::IllegalVariable, "Parameter number out of range", place);
-  if (fault) fault->detail = no_variable(to_.control(), number);
+  if (fault) fault->detail = no_variable(to_.control(), "#", number);
   return std::nullopt;
 }
 
@@ -68,8 +68,9 @@ bool ExpressionReader::read_variable(int depth) {
   const std::uint32_t first = to_.expressions().next();
   if (!read_value(depth)) return false;
   if (!constant_) {
-    emit(Ins::VariableNumber, static_cast<double>(kLastVariable));
-    emit(Ins::Indirect);
+    const std::uint32_t at = line_.offset(place - 1);  // of the #
+    emit_at(at, Ins::VariableNumber, static_cast<double>(kLastVariable));
+    emit_at(at, Ins::Indirect);
     return true;
   }
   const auto number = variable_number(place);

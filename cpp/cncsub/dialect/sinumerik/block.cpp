@@ -15,8 +15,8 @@ namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
-constexpr std::size_t kLongestLabel = 32, kShortestLabel = 2;  // [NCI labels: manual 4.1.5.2]
+constexpr int kMostM = 5;                  // of a block [NCI groups; general knowledge]
+constexpr std::size_t kLongestLabel = 32;  // [NCI labels: manual 4.1.5.2]
 constexpr std::string_view kAddresses = "ABCDFIJKSTUVWXYZ";
 constexpr std::string_view kDropped = "H";  // reported, and without effect here
 
@@ -80,9 +80,8 @@ void write_beside(OpenBlock& open, Block& block, const Words& words);
 
 bool item(OpenBlock& open, Block& block, Words& words) {
   const std::uint32_t at = open.line.offset();
-  const std::string_view name = open.line.name();
-  if (name.size() > 1 && !is_digit(name[1])) return named(open, block, words);
-  if (!name.empty() && is_letter(name[0])) return address(open, block, words);
+  if (open.line.begins_word()) return named(open, block, words);
+  if (is_letter(open.line.peek())) return address(open, block, words);
   const bool system = open.line.peek() == '$';
   if (system && system_assignment(open, block, words, at)) return block.op != Op::Fault;
   const std::string_view character = first_character(open.line.rest());
@@ -327,8 +326,7 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   skip_level(block);
   if (!number(block)) return true;
   take_label(label);
-  const std::string_view first = open_.line.name();
-  const bool is_word = first.size() > 1 && !is_digit(first[1]);  // DEF and IF; not X10
+  const bool is_word = open_.line.begins_word();  // DEF and IF; not X10
   if (is_word && declarations_.read(block)) return true;
   bool read_it = true;
   if (is_word && statement(open_, block, link, read_it)) {
@@ -370,8 +368,9 @@ bool BlockReader::number(Block& block) {
 
 /// Read the label that begins the block: two letters or _, perhaps more, and a colon. [NCI labels]
 void BlockReader::take_label(std::string& label) {
+  if (!open_.line.begins_word()) return;
   const std::string_view name = open_.line.name();
-  if (name.size() < kShortestLabel || name.size() > kLongestLabel || is_digit(name[1])) return;
+  if (name.size() > kLongestLabel) return;
   if (open_.line.ahead(name.size()) != ':') return;
   label = capitals(name);
   marked_at_ = open_.line.offset();

@@ -194,6 +194,11 @@ bool DeclarationReader::name(Block& block, Declared& declared, std::size_t short
       (name.size() > 1 && is_digit(name[1])))
     return refuse(block, Cause::IllegalVariableName,
                   "a name has 2 to 31 characters, the first two are letters or _", declared.at);
+  // A cycle may name its parameters as it likes.
+  if (shortest > 1 && is_keyword(declared.name))
+    return refuse(block, Cause::IllegalVariableName,
+                  declared.name + " is a word of the language, and no name of a variable",
+                  declared.at);
   if (!definitions_.defines(declared.name, declared.definition.global)) return true;
   return refuse(block, Cause::VariableGivenTwice, declared.name + " is defined already",
                 declared.at);

@@ -81,8 +81,8 @@ class OperatorReader {
     const bool axes = *left == Type::Axis || *right == Type::Axis;
     if (texts || (axes && *left != *right)) return compare_texts(of, *left, *right, at);
     if (axes && !compares(of)) return refuse("an axis is no number", at);
-    open_.emit(of.op);
-    if (of.other != Ins::End) open_.emit(of.other);
+    open_.emit_at(at, of.op);
+    if (of.other != Ins::End) open_.emit_at(at, of.other);
     return type_of(of, *left, *right);
   }
 
@@ -93,8 +93,8 @@ class OperatorReader {
   }
   Read join(Type left, Type right, std::uint32_t at) {
     if (left == Type::Frame || right == Type::Frame) return refuse("a frame is no text", at);
-    open_.emit(Ins::JoinTexts,
-               static_cast<int>(written_as(left)) * 16 + static_cast<int>(written_as(right)));
+    open_.emit_at(at, Ins::JoinTexts,
+                  static_cast<int>(written_as(left)) * 16 + static_cast<int>(written_as(right)));
     return Type::String;
   }
   Read chain(const OperatorRow& of, Type left, Type right, std::uint32_t at) {
@@ -110,11 +110,11 @@ class OperatorReader {
       open_.not_computed("which of two texts comes first", at);
       return std::nullopt;
     }
-    if (left == Type::Char) open_.emit(Ins::OnlyCharacter);
+    if (left == Type::Char) open_.emit_at(at, Ins::OnlyCharacter);
     if (right == Type::Char) convert_to_text(open_, Type::Char);
     const auto fits = [](Type type) { return type == Type::String || type == Type::Char; };
     if (!fits(left) || !fits(right)) return refuse("a text is compared with a text", at);
-    open_.emit(exact(of.op));
+    open_.emit_at(at, exact(of.op));
     return Type::Bool;
   }
 

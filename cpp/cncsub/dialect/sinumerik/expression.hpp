@@ -33,7 +33,13 @@ struct OpenExpression {
 
   bool wrong(Cause cause, std::string detail, std::uint32_t at);
   bool not_computed(std::string_view what, std::uint32_t at);
-  void emit(Ins op, double value = 0) { to.expressions().emit({op, 0, line.offset(), value}); }
+  /// Write an instruction whose operator or operand stands at `at`: a value that it cannot make is
+  /// a fault there.
+  void emit_at(std::uint32_t at, Ins op, double value = 0) {
+    to.expressions().emit({op, 0, at, value});
+  }
+  /// Write an instruction that no place is to blame for but the whole expression.
+  void emit(Ins op, double value = 0) { emit_at(0, op, value); }
   /// Write a number, or the number of a text.
   void push_constant(double value) {
     constant = value;

@@ -57,7 +57,7 @@ bool read_argument(OpenExpression& open, char type, int depth) {
   if (!read) return false;
   open.constant.reset();
   const bool number = is_number(*read);
-  if (type == 'C' && *read == Type::String) return open.emit(Ins::OnlyCharacter), true;
+  if (type == 'C' && *read == Type::String) return open.emit_at(at, Ins::OnlyCharacter), true;
   if (type == 'T' && *read == Type::Char) return convert_to_text(open, *read), true;
   const bool fits = type == 'T'   ? *read == Type::String
                     : type == 'A' ? *read == Type::Axis
@@ -83,9 +83,9 @@ Read read_values(OpenExpression& open, const Function& of, std::uint32_t at, int
     if (!read_argument(open, of.values[i], depth)) return std::nullopt;
   }
   if (!take_close(open)) return std::nullopt;
-  if (of.op == Ins::Raise) open.emit(Ins::Constant, 2);  // POT: the square
-  open.emit(of.op, of.op == Ins::TextOf ? static_cast<int>(WrittenAs::Axis) : 0);
-  if (of.values.size() == 3) open.emit(Ins::Larger);  // BOUND: no less than the first
+  if (of.op == Ins::Raise) open.emit_at(at, Ins::Constant, 2);  // POT: the square
+  open.emit_at(at, of.op, of.op == Ins::TextOf ? static_cast<int>(WrittenAs::Axis) : 0);
+  if (of.values.size() == 3) open.emit_at(at, Ins::Larger);  // BOUND: no less than the first
   return of.type;
 }
 
@@ -112,10 +112,10 @@ Read read_axis_name(OpenExpression& open, int depth) {
 Read read_part(OpenExpression& open, std::uint32_t at, int depth) {
   if (!read_argument(open, 'T', depth) || !take_comma(open, at) || !read_argument(open, 'N', depth))
     return std::nullopt;
-  open.emit(Ins::TextFrom);
+  open.emit_at(at, Ins::TextFrom);
   if (open.line.take(',')) {
     if (!read_argument(open, 'N', depth)) return std::nullopt;
-    open.emit(Ins::TextUpTo);
+    open.emit_at(at, Ins::TextUpTo);
   }
   return take_close(open) ? Read(Type::String) : std::nullopt;
 }
@@ -149,13 +149,14 @@ bool is_kind_for(char kind, Type type) {
 /// Read the next value of SPRINT and write it as its format says.
 bool read_formatted(OpenExpression& open, TextFormat format, std::uint32_t at, int depth) {
   if (!take_comma(open, at)) return false;
+  const std::uint32_t value_at = open.line.offset();
   const Read read = read_value(open, depth + 1);
   if (!read) return false;
   open.constant.reset();
   if (!is_kind_for(format.kind, *read))
     return open.wrong(Cause::TypeMismatch, "the format is not one of this value", at);
   if (format.kind == 'S') convert_to_text(open, *read);
-  open.emit(Ins::FormatText, format.packed());
+  open.emit_at(value_at, Ins::FormatText, format.packed());
   return true;
 }
 
@@ -182,7 +183,7 @@ Read read_format(OpenExpression& open, std::uint32_t at, int depth) {
       if (!of) return fails(open.not_computed("this format of SPRINT", at));
       if (!read_formatted(open, *of, at, depth)) return std::nullopt;
     }
-    open.emit(Ins::JoinTexts, kTexts);
+    open.emit_at(at, Ins::JoinTexts, kTexts);
     open.constant.reset();
     from = next;
   }

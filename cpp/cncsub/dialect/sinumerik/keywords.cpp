@@ -1,5 +1,6 @@
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 
+#include <array>
 #include <cstdint>
 
 #include "cncsub/code/block.hpp"
@@ -124,10 +125,21 @@ constexpr Need kNeeds[] = {{"TRAORI", "it needs the kinematics of the machine"},
 
 }  // namespace
 
+const std::span<const std::string_view> kNeutralWords = kNeutral;
+const std::span<const std::string_view> kReportedWords = kReported;
+const std::span<const std::string_view> kReportedCallWords = kReportedCalls;
+const std::span<const std::string_view> kOffAtZeroWords = kOffAtZero;
+const std::span<const std::string_view> kNotComputedWords = kNotComputed;
+
 int group_of(int code) {
-  for (const Codes& of : kCodes)
-    if (code >= of.first && code <= of.last) return of.group;
-  return 0;
+  static constexpr auto kGroups = [] {
+    std::array<std::int8_t, 1000> groups{};
+    for (const Codes& of : kCodes)
+      for (int each = of.first; each <= of.last; ++each)
+        groups[static_cast<std::size_t>(each)] = of.group;
+    return groups;
+  }();
+  return code >= 0 && code < 1000 ? kGroups[static_cast<std::size_t>(code)] : 0;
 }
 
 int group_of(std::string_view word) {

@@ -30,6 +30,13 @@ int place_of(std::string_view address);
 /// The long addresses, as messages and tools know them.
 extern const std::span<const Spelling::LongAddress> kLongAddresses;
 
+/// The words that the reader passes over: those on which no path depends, those with a value, the
+/// calls, and those that only say that something is off.
+extern const std::span<const std::string_view> kNeutralWords, kReportedWords, kReportedCallWords,
+    kOffAtZeroWords;
+/// The words that are not read here.
+extern const std::span<const std::string_view> kNotComputedWords;
+
 /// Return whether a word with a value, FA[X]=500 or LIMS=3000, only says how fast or how exactly
 /// the machine goes, or turns a spindle: it is reported.
 bool is_reported(std::string_view word);
@@ -45,6 +52,8 @@ bool is_off_at_zero(std::string_view word);
 bool is_neutral(std::string_view word);
 /// Return whether a word of the language is not read here.
 bool is_not_computed(std::string_view word);
+/// Return whether a word, in capitals, has a meaning in the language: it names no variable.
+bool is_keyword(std::string_view word);
 /// Return a word that is not computed, with what it would need where that is known.
 std::string what_it_needs(std::string_view word);
 

@@ -18,6 +18,7 @@ std::string capitals(std::string_view name) {
 }
 
 std::size_t before_comment(std::string_view text) {
+  if (text.find(';') == std::string_view::npos) return text.size();
   bool quoted = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '"') quoted = !quoted;

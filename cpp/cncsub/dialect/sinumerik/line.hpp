@@ -58,6 +58,12 @@ class Line {
   }
   bool take(char c) { return peek() == c && (pass(1), true); }
   void pass(std::size_t characters) { end_ = next_ += characters; }
+  /// Return whether a name of two letters or more stands here: DEF, CR, and not X10.
+  bool begins_word() {
+    const char first = peek(), second = ahead(1);
+    return (is_letter(first) || first == '_') && (is_letter(second) || second == '_') &&
+           next_ + 1 < text_.size();
+  }
   /// Return the name that stands here, which is not taken.
   std::string_view name() { return peek() == '\0' ? std::string_view() : name_in(rest()); }
   std::string_view take_digits();

@@ -25,7 +25,7 @@ Read read_signed(OpenExpression& open, char sign, std::string_view name, int dep
   if (sign == '+') return of;
   if (open.constant && sign == '-') open.constant = -*open.constant;
   if (sign != '-') open.constant.reset();
-  open.emit(sign == '-' ? Ins::Negate : name == "NOT" ? Ins::Not : Ins::BitNot);
+  open.emit_at(at, sign == '-' ? Ins::Negate : name == "NOT" ? Ins::Not : Ins::BitNot);
   return sign == '-' ? of : name == "NOT" ? Type::Bool : Type::Int;
 }
 
@@ -64,7 +64,7 @@ Read read_parameter(OpenExpression& open, int depth) {
   if (open.line.ahead(0) == '[') {
     if (!read_bracket(open, '[', ']', depth + 1)) return std::nullopt;
     open.constant.reset();
-    open.emit(Ins::Indirect);
+    open.emit_at(at, Ins::Indirect);
     if (open.assigned_any || !open.assigned.empty()) return fails(late(open, at));
     return Type::Real;
   }
@@ -79,9 +79,10 @@ Read read_parameter(OpenExpression& open, int depth) {
 
 /// Read the character of a text that stands at an index.
 Read read_character(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
   if (!read_bracket(open, '[', ']', depth + 1)) return std::nullopt;
   open.constant.reset();
-  open.emit(Ins::CharacterAt);
+  open.emit_at(at, Ins::CharacterAt);
   return Type::Char;
 }
 
@@ -92,9 +93,9 @@ Read read_variable(OpenExpression& open, const Definition& of, std::string_view 
   if (of.is_array()) {
     if (!read_indices(open, of, depth + 1)) return std::nullopt;
     if (of.reference >= 0)
-      open.emit(Ins::ReferencedElement, of.reference);
+      open.emit_at(at, Ins::ReferencedElement, of.reference);
     else
-      open.emit(of.global ? Ins::CommonElement : Ins::Element, of.local);
+      open.emit_at(at, of.global ? Ins::CommonElement : Ins::Element, of.local);
   } else {
     open.to.expressions().emit(reading(of));
   }
@@ -163,9 +164,31 @@ Read read_bracket(OpenExpression& open, char before, char after, int depth) {
   return fails(open.wrong(Cause::BracketNotClosed, std::string(1, after) + " is missing", at));
 }
 
+namespace {
+
+/// Read a number of so few digits that a quotient of two whole numbers is its nearest double. Take
+/// nothing where more stands here.
+Read take_short_number(Line& line, double& number) {
+  constexpr std::ptrdiff_t kMost = 15;
+  const std::string_view here = line.rest();
+  if (here.empty() || !(is_digit(here[0]) || here[0] == '.')) return std::nullopt;
+  const char* at = here.data();
+  const Mantissa read = scan_mantissa(at);
+  const std::ptrdiff_t digits = read.whole + read.decimals;
+  const auto width = static_cast<std::size_t>(at - here.data());
+  if (digits == 0 || digits > kMost || width > here.size()) return std::nullopt;
+  if (width < here.size() && upper(*at) == 'E') return std::nullopt;  // 5EX3
+  number = static_cast<double>(read.value) / kPowersOfTen[read.decimals];
+  line.pass(width);
+  return read.point ? Type::Real : Type::Int;
+}
+
+}  // namespace
+
 Read take_number(OpenExpression& open, double& number) {
   Line& line = open.line;
   const std::uint32_t at = line.offset();
+  if (const Read type = take_short_number(line, number)) return type;
   const std::string text = line.take_number();
   if (text.empty()) return fails(open.wrong(Cause::AddressWithoutValue, "a number is missing", at));
   const auto read = system::parse(text, number);
@@ -229,10 +252,9 @@ bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (read.ec == std::errc() && number <= kLastNumber) place = open.to.code().place(number);
   if (place.is_common()) return true;
-  return open.wrong(Cause::IllegalVariable,
-                    "this control has no parameter R" + std::string(digits) +
-                        option_with(open.to.control(), number),
-                    at);
+  if (read.ec != std::errc())
+    return open.wrong(Cause::IllegalVariable, "there is no R" + std::string(digits), at);
+  return open.wrong(Cause::IllegalVariable, no_variable(open.to.control(), "R", number), at);
 }
 
 bool late(OpenExpression& open, std::uint32_t at) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/text/axis_names.hpp"
@@ -29,6 +30,8 @@ Read read_bracket(OpenExpression& open, char before, char after, int depth);
 Read read_function(OpenExpression& open, std::string_view name, int depth);
 /// Read $AA_IW[X], after its $.
 Read read_system_variable(OpenExpression& open, int depth);
+/// Return the names of the system variables that a run knows, without their $.
+std::vector<std::string_view> known_system_variables();
 /// Read the indices of an array, in their brackets, as the place of one element.
 bool read_indices(OpenExpression& open, const Definition& of, int depth);
 /// Read the indices of a datum of a tool, as the number of its variable.

@@ -57,8 +57,8 @@ const VariableRange* range_of(const OpenExpression& open, const SystemVariable& 
 }
 
 /// Read the index of a system variable, and push its value.
-bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t first, int depth) {
-  const std::uint32_t at = open.line.offset();
+bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t first,
+                  std::uint32_t at, int depth) {
   if (!open.line.take('['))
     return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable has an index", at);
   const Read read = read_value(open, depth + 1);
@@ -68,7 +68,7 @@ bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t f
     return open.wrong(Cause::TypeMismatch, axis ? "the index is a number" : "the index is an axis",
                       at);
   if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
-  open.emit(Ins::VariableAt, first);
+  open.emit_at(at, Ins::VariableAt, first);
   return true;
 }
 
@@ -81,7 +81,7 @@ bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
   if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
   for (const GGroup& group : kGroups) {
     if (number != group.number) continue;
-    open.emit(Ins::Variable, first + group.modal - 1);
+    open.emit_at(at, Ins::Variable, first + group.modal - 1);
     open.emit(Ins::SubtractConstant, group.first);
     return true;
   }
@@ -129,6 +129,12 @@ bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth) {
   return true;
 }
 
+std::vector<std::string_view> known_system_variables() {
+  std::vector<std::string_view> names{"PI"};
+  for (const SystemVariable& of : kVariables) names.push_back(of.name);
+  return names;
+}
+
 Read read_system_variable(OpenExpression& open, int depth) {
   const std::uint32_t at = open.line.offset();
   open.line.pass(1);
@@ -156,12 +162,12 @@ Read read_system_variable(OpenExpression& open, int depth) {
     return Type::Int;
   }
   if (of->by != By::Nothing) {
-    if (!push_indexed(open, *of, range->first, depth)) return std::nullopt;
+    if (!push_indexed(open, *of, range->first, at, depth)) return std::nullopt;
     open.constant.reset();
     return of->kind == VariableKind::Input || of->kind == VariableKind::Output ? Type::Bool
                                                                                : Type::Real;
   }
-  open.emit(Ins::Variable, range->first);
+  open.emit_at(at, Ins::Variable, range->first);
   if (of->divisor == 0) return of->address == 'T' || of->address == 'D' ? Type::Int : Type::Real;
   open.emit(Ins::DivideConstant, of->divisor);
   open.emit(Ins::Fix);

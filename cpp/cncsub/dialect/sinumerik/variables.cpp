@@ -221,7 +221,7 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
   open_.to.expressions().begin();
   open_.to.expressions().emit(variable);
   push_place(open_, from, index, to.length, 0);
-  open_.emit(Ins::TextUpTo);
+  open_.emit_at(at, Ins::TextUpTo);
   const Read read = read_value(open_, 0);
   Definition of;
   of.type = Type::Char;
@@ -229,7 +229,7 @@ bool ExpressionReader::character_side(const Definition& to, Statement& statement
   open_.constant.reset();
   open_.to.expressions().emit(variable);
   push_place(open_, from, index, to.length, 1);
-  open_.emit(Ins::TextFrom);
+  open_.emit_at(at, Ins::TextFrom);
   // The character 0 ends the text: what stands behind it is gone. [828Dj p.74]
   open_.emit(Ins::JoinTexts, static_cast<int>(WrittenAs::Character) * 16);
   open_.emit(Ins::JoinTexts, 0);

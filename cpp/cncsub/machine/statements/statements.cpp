@@ -273,18 +273,17 @@ bool choose_alternative(Run& run, const Statement& choice, bool& holds, const Bl
     run.state.last_condition = choice.expression;
     if (!evaluate(run, choice.expression, sought)) return false;
   }
-  const Statement* of = &choice + 1;
-  for (std::int32_t i = 0; i < choice.number; ++i, ++of) {
-    bool chosen = of->index == Statement::kAlways;
+  for (const Statement& of : alternatives_of(choice)) {
+    bool chosen = of.index == Statement::kAlways;
     double value = 0;
     if (!chosen && by_value) {
-      if (!evaluate(run, of->expression, value)) return false;
+      if (!evaluate(run, of.expression, value)) return false;
       chosen = value == sought;
-    } else if (!chosen && !condition(run, of->expression, places, chosen)) {
+    } else if (!chosen && !condition(run, of.expression, places, chosen)) {
       return false;
     }
     if (!chosen) continue;
-    instead = &run.code->variants[of->then];
+    instead = &run.code->variants[of.then];
     return true;
   }
   holds = false;

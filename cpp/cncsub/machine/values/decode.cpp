@@ -84,8 +84,8 @@ bool decode_computed(Run& run, std::uint32_t expression, Address of, std::size_t
   constexpr double kHair = 1e-9;  // 0.3-0.1-0.2 is no number below zero
   if (value < -kHair && (run.unsigned_words >> place & 1) != 0) {
     const Expression e = run.code->expression(expression);
-    const std::string letter(1, static_cast<char>('A' + place));
-    return alarm(run, {Cause::ValueOutOfRange, e.at(), e.width(), letter + " is negative", of});
+    const std::string address = run.code->spelling->address_of(static_cast<int>(place));
+    return alarm(run, {Cause::ValueOutOfRange, e.at(), e.width(), address + " is negative", of});
   }
   if (is_vacant(value)) {
     if (run.control().macros.vacant_address.value == VacantAddress::Ignored)

@@ -180,11 +180,12 @@ bool evaluate_keeping(Run& run, Expression e, const Places& places, double& valu
   const bool inside = trap.at >= first && trap.at <= first + e.width();
   std::string detail = trap.detail;
   if (trap.variable != Trap::kNoVariable) {
-    const std::string name = "#" + std::to_string(trap.variable);
-    detail = trap.cause == Cause::IllegalVariable ? no_variable(control, trap.variable)
-                                                  : name + " cannot be read";
+    const std::string_view sign = run.code->spelling->variable;
+    detail = trap.cause == Cause::IllegalVariable
+                 ? no_variable(control, sign, trap.variable)
+                 : std::string(sign) + std::to_string(trap.variable) + " cannot be read";
   }
-  Fault fault{trap.cause, inside ? trap.at : first, 0, std::move(detail)};
+  Fault fault{trap.cause, inside ? trap.at : first, inside ? 0 : e.width(), std::move(detail)};
   fault.block = of;
   fault.name = trap.function;
   if (!trap.name.empty()) {

@@ -58,8 +58,12 @@ int system_of(const std::string& name) {
 bool has_system(const Control& control, const std::string& name) {
   const int system = system_of(name);
   if (system < 0) return false;
-  if (name.size() == 4) return control.motion.extra_system_codes.value != 0;  // G505
-  return system <= 6 + control.motion.max_extra_systems.value;
+  const bool by_codes = control.motion.extra_system_codes.value != 0;  // G505
+  if (system > 6)
+    return (name.size() == 4) == by_codes && system <= 6 + control.motion.max_extra_systems.value;
+  // G58 and G59 are no work systems on every control.
+  const GCodes codes(control, control.motion.machine.value);
+  return system == 0 || codes.find(system * 10 + 530).group == Group::Work;
 }
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,

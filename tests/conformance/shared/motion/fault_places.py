@@ -71,7 +71,7 @@ case(
 case(
     "a value that cannot be computed in a profile names its own block",
     control=[F16, F30, M7], **RULE, setup=lathe(), program=_G71.format("G1 Z[-9/#100]"), runs="N10",
-    alarm="division-by-zero", number=DIVISION, at="O1 N40", word="Z[-9/#100]",
+    alarm="division-by-zero", number=DIVISION, at="O1 N40", word="/",
 )
 case(
     "a value that can be computed in a profile is cut",

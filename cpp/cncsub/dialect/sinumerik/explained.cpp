@@ -1,0 +1,125 @@
+// The words of the language with what each does, for those who ask: `cncsub explain GOTOF`.
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
+#include "cncsub/dialect/sinumerik/operands.hpp"
+
+namespace cncsub {
+
+namespace sinumerik {
+
+namespace {
+
+constexpr std::string_view kKnown = "general knowledge of the SINUMERIK 840D";
+constexpr std::string_view kWithoutPath =
+    "changes no path: a run reports it as dropped and goes on";
+
+struct Row {
+  std::string_view word, does, words, causes, source;
+};
+constexpr Row kRows[] = {
+#define KEYWORD(word, does, words, causes, source) {word, does, words, causes, source},
+#define FUNCTION KEYWORD
+#include "cncsub/dialect/sinumerik/keywords.def"
+#undef FUNCTION
+#undef KEYWORD
+};
+
+// The words of the rows that name no variable.
+constexpr std::string_view kReserved[] = {
+#define KEYWORD(word, does, words, causes, source) word,
+#define FUNCTION(word, does, words, causes, source)
+#include "cncsub/dialect/sinumerik/keywords.def"
+#undef FUNCTION
+#undef KEYWORD
+};
+
+/// A list of words of the reader, and what it does with each of them.
+struct TreatedWords {
+  std::span<const std::string_view> words;
+  std::string_view does;
+};
+const std::array<TreatedWords, 4> kLists = {
+    {{kNeutralWords, kWithoutPath},
+     {kReportedWords, "has a value that changes no path: a run reports it as dropped and goes on"},
+     {kReportedCallWords, kWithoutPath},
+     {kOffAtZeroWords,
+      "with the value 0 only says that what it begins is off; with another value a run stops "
+      "there"}}};
+
+/// The words found so far, each once.
+class Collection {
+ public:
+  void add(Keyword word) {
+    const auto same = [&word](const Keyword& of) { return of.name == word.name; };
+    if (std::none_of(all_.begin(), all_.end(), same)) all_.push_back(std::move(word));
+  }
+  std::vector<Keyword> take() { return std::move(all_); }
+
+ private:
+  std::vector<Keyword> all_;
+};
+
+void add_cycles(const Control& control, Collection& to) {
+  for (const SystemProgram& of : control.system_programs) {
+    if (of.name.starts_with('_')) continue;  // no program can name it
+    const bool computed = !of.text.empty();
+    Keyword word{std::string(of.name), computed ? "computed" : "not-computed",
+                 "is a standard cycle of the control"};
+    if (computed) {
+      const std::size_t open = std::min(of.text.find('('), of.text.size());
+      word.does +=
+          ", called with " + std::string(of.text.substr(open, of.text.find(')') + 1 - open));
+    } else {
+      word.does += ", which is not computed here: a run stops there";
+      if (!of.needs.empty()) word.does.append("; ").append(of.needs);
+    }
+    word.source = kKnown;
+    to.add(std::move(word));
+  }
+}
+
+/// Add the letters that no word of the language begins with.
+void add_other_letters(Collection& to) {
+  static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  for (std::size_t i = 0; i < kLetters.size(); ++i)
+    to.add({std::string(kLetters.substr(i, 1)), "refused",
+            "is no address of the language: its block alarms", "", "address-not-usable", kKnown});
+}
+
+}  // namespace
+
+bool is_keyword(std::string_view word) {
+  const auto is_in = [word](const TreatedWords& of) { return is_among(of.words, word); };
+  return code_of_word(word) >= 0 || is_not_computed(word) || is_among(kReserved, word) ||
+         std::any_of(kLists.begin(), kLists.end(), is_in);
+}
+
+}  // namespace sinumerik
+
+std::vector<Keyword> sinumerik_keywords(const Control& control) {
+  using namespace sinumerik;
+  Collection all;
+  for (const Row& of : kRows)
+    all.add(
+        {std::string(of.word), "computed", std::string(of.does), of.words, of.causes, of.source});
+  add_cycles(control, all);
+  for (const TreatedWords& list : kLists)
+    for (const std::string_view word : list.words)
+      all.add({std::string(word), "passed-over", std::string(list.does), "", "", kKnown});
+  for (const std::string_view word : known_system_variables())
+    all.add({"$" + std::string(word), "computed", "is a system variable that a run knows", "", "",
+             kKnown});
+  for (const std::string_view word : kNotComputedWords)
+    all.add({std::string(word), "not-computed",
+             "is not computed here: a run stops there; " + what_it_needs(word), "",
+             "code-not-computed", kKnown});
+  add_other_letters(all);
+  return all.take();
+}
+
+}  // namespace cncsub
