@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -62,6 +63,30 @@ class Look {
  private:
   Live& live_;
 };
+
+/// Do a job without the GIL. What it gets takes the GIL now and then to let Ctrl-C in, which ends
+/// the job. An exception that another signal's handler raises is passed on.
+template <class Job>
+void with_signals(Job&& job) {
+  std::optional<pybind11::error_already_set> other;
+  {
+    GilRelease away;
+    const auto interrupted = [&other] {
+      if (PyErr_CheckSignals() == 0) return false;
+      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
+        PyErr_Clear();
+      else
+        other.emplace();
+      return true;
+    };
+    std::forward<Job>(job)(std::function<bool()>([&] { return away.ask(interrupted); }));
+  }
+  if (other) throw std::move(*other);
+}
+
+using MachineClass = pybind11::class_<Live, std::shared_ptr<Live>>;
+/// Add breakpoints, the way back and expressions to the machine.
+void add_debugging(MachineClass& machine);
 
 /// The record of a machine, which may go on, or of one part of a stream.
 class Record {
