@@ -329,3 +329,89 @@ def test_a_copy_goes_back_on_its_own() -> None:
     machine.back("#100")
     assert machine.next is not None
     assert machine.next.n == 40
+
+
+# ---- what can be set by name ----
+
+
+def test_a_name_that_cannot_be_set_is_refused_with_those_that_can(machine: cncsub.Machine) -> None:
+    for name in ("next", "reached", "stop", "alarm", "blocks", "breakpoints", "variables"):
+        with pytest.raises(AttributeError, match=f"'{name}' of a machine cannot be set; what can"):
+            setattr(machine, name, 5)
+    with pytest.raises(AttributeError, match="block_skip, optional_stop, and the values of"):
+        machine.next = 5  # type: ignore[misc,assignment]
+
+
+def test_modes_are_set_as_the_control_reads_them(machine: cncsub.Machine) -> None:
+    machine.run(until="O1:N40")
+    modes = machine.modal
+    modes["work"] = "G55"
+    modes["distance"] = "G91"
+    modes["F"] = 250
+    assert (modes["work"], machine.modal["distance"], machine.modal["F"]) == ("G55", "G91", "250")
+    for mode, code in (
+        ("distance", "G55"), ("distance", "G91 X5."), ("plane", "G1"), ("F", "1 X2"),
+        ("distance", "GOTO10"), ("distance", ""), ("work", "G54\nG55"), ("motion", "M3"),
+    ):  # fmt: skip
+        before = dict(machine.modal)
+        with pytest.raises(ValueError, match="it does not set the mode|modal"):
+            machine.modal[mode] = code
+        assert dict(machine.modal) == before
+    with pytest.raises(KeyError, match="there is no 'distances' to be set; did you mean distance"):
+        machine.modal["distances"] = "G91"
+    with pytest.raises(TypeError, match="must be a code such as 'G91'"):
+        machine.modal["distance"] = 91
+    with pytest.raises(TypeError, match="cannot be taken out"):
+        del machine.modal["distance"]
+    with pytest.raises(TypeError, match="the position follows from the moves"):
+        machine.position["X"] = 5
+
+
+def test_what_was_set_is_set_again_on_the_way_back(machine: cncsub.Machine) -> None:
+    machine.run(until="O1:N40")
+    at = machine.blocks
+    machine.modal["work"] = "G55"
+    machine.block_skip = (2,)
+    machine.optional_stop = True
+    machine.run(until="O1:N70")
+    machine.back(at)
+    assert (machine.modal["work"], machine.block_skip, machine.optional_stop) == ("G55", (2,), True)
+    machine.back()
+    assert (machine.modal["work"], machine.block_skip, machine.optional_stop) == ("G54", (), False)
+
+
+def test_a_skip_switch_holds_from_where_it_is_set() -> None:
+    machine = cncsub.loads("O1\n/N10 X1.\n/N20 X2.\nN30 M30\n", control=CONTROL).machine()
+    machine.step()
+    machine.block_skip = True
+    assert machine.next is not None
+    assert machine.next.n == 30
+    with pytest.raises(ValueError, match="must be 1 to 10"):
+        machine.block_skip = (11,)
+    with pytest.raises(TypeError, match="optional_stop must be True or False"):
+        machine.optional_stop = 1  # type: ignore[assignment]
+
+
+def test_named_variables_are_set_by_their_type() -> None:
+    text = (
+        'DEF INT SIDES[2]=SET(3,4)\nDEF REAL DEPTH=5\nDEF STRING[8] NAME="A"\n'
+        "DEF BOOL ON\nDEF AXIS WHICH=AX1\nM30\n".replace("DEF AXIS WHICH=AX1\n", "")
+    )
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    machine.run(until="mode")
+    machine.back(4)
+    named = machine.variables.named
+    named["DEPTH"], named["NAME"], named["ON"], named["SIDES"] = 2.5, "HOLE", True, [7, 8]
+    assert machine.variables.named == {"SIDES": [7, 8], "DEPTH": 2.5, "NAME": "HOLE", "ON": True}
+    for name, value in (
+        ("SIDES", [1.5, 2]), ("SIDES", [1]), ("DEPTH", "deep"), ("NAME", 3), ("SIDES", 2),
+    ):  # fmt: skip
+        with pytest.raises(ValueError, match=f"named\\['{name}'\\]"):
+            machine.variables.named[name] = value
+    with pytest.raises(KeyError, match="there is no 'DEPHT' to be set; did you mean DEPTH"):
+        machine.variables.named["DEPHT"] = 3
+    with pytest.raises(TypeError, match="set the whole variable"):
+        machine.variables.named["SIDES"][0] = 3
+    machine.back(3)
+    machine.step()
+    assert machine.variables.named["DEPTH"] == 5

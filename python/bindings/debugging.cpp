@@ -18,6 +18,7 @@ namespace cncsub::bindings {
 
 namespace {
 
+constexpr int kSwitches = 10;          // that skip blocks
 constexpr std::size_t kLook = 1 << 8;  // the work between two questions, in bytes
 
 Breakpoint::Kind kind_of(const std::string& name) {
@@ -141,11 +142,49 @@ py::object evaluate(Live& live, const ExpressionList& expressions, std::size_t i
   return value_or_none(value);
 }
 
+/// Raise the reason why something cannot be set.
+void raise_refused(const std::optional<std::string>& refused) {
+  if (refused) throw py::value_error(*refused);
+}
+
+void set_mode(Live& live, const std::string& mode, const std::string& text) {
+  const Work machine(live);
+  raise_refused(machine->set_mode(compile_mdi(machine->code(), text), mode));
+}
+
+void set_named(Live& live, const std::string& name, const std::vector<NamedValue>& values,
+               int level) {
+  const Work machine(live);
+  if (level > machine->state().level) throw py::index_error("no such level");
+  raise_refused(machine->set_named(level < 0 ? machine->state().level : level, name, values));
+}
+
+/// Return the numbers of the block-skip switches that are on, and whether M01 stops.
+py::tuple switches(Live& live) {
+  const Look machine(live);
+  const Options& options = machine->options();
+  py::list on;
+  for (int k = 1; k <= kSwitches; ++k)
+    if ((options.skips >> k & 1) != 0) on.append(k);
+  return py::make_tuple(py::tuple(on), options.optional_stop);
+}
+
+void set_switches(Live& live, const std::vector<int>& on, bool stops) {
+  std::uint32_t skips = 0;
+  for (const int number : on)
+    if (number >= 1 && number <= kSwitches) skips |= 1U << static_cast<unsigned>(number);
+  Work(live)->set_switches(static_cast<std::uint16_t>(skips), stops);
+}
+
 }  // namespace
 
 void add_debugging(MachineClass& machine) {
   py::class_<ExpressionList>(machine, "Expressions", py::is_final());
-  machine.def("run_to", &run_to, py::arg("breakpoints"), py::arg("expressions"))
+  machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
+      .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
+      .def_property_readonly("switches", &switches)
+      .def("set_switches", &set_switches, py::arg("on"), py::arg("stops"))
+      .def("run_to", &run_to, py::arg("breakpoints"), py::arg("expressions"))
       .def("last_met", &last_met, py::arg("breakpoints"), py::arg("expressions"))
       .def("remember", [](Live& live) { Work(live)->remember(); })
       .def("back", &back, py::arg("step"))

@@ -544,6 +544,13 @@ class Machine:
         """Run to a breakpoint. Return which were reached, how often each was met, and the one that
         has no value here.
         """
+    def set_mode(self, mode: str, text: str) -> None:
+        """Put a code or a word in force; a `ValueError` says why it cannot be."""
+    def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
+        """Give a variable its value, or those of its elements; likewise."""
+    @property
+    def switches(self) -> tuple[tuple[int, ...], bool]: ...  # block skips; whether M01 stops
+    def set_switches(self, on: list[int], stops: bool) -> None: ...
     def remember(self) -> None:
         """Keep snapshots from now on, for the way back."""
     def back(self, step: int) -> None:

@@ -12,8 +12,9 @@ from cncsub.breakpoints import At, Breakpoint, Compiled, as_breakpoints
 from cncsub.breakpoints import compiled as compiled_expressions
 from cncsub.program import Block, Program
 from cncsub.run import Outcome, Run, Stop
+from cncsub.run_options import switches
 from cncsub.tables.rows import Step
-from cncsub.variables import MachineVariables, Signals
+from cncsub.variables import MachineVariables, Modes, Position, Signals
 
 Until = At | Breakpoint | int | Iterable[At | Breakpoint]
 
@@ -234,6 +235,51 @@ class Machine(Outcome):
         return MachineVariables(self.core, -1)
 
     @property
+    def modal(self) -> Modes:
+        """The modal codes in force, by group, to read and to set:
+        `machine.modal["distance"] = "G91"`, `machine.modal["F"] = 100`. A code is read as the
+        control reads it, and set without a move.
+
+        Raises `KeyError` for a mode that is not there, and `ValueError` for a code that sets
+        another one.
+
+        >>> import cncsub
+        >>> machine = cncsub.loads("O1\\nN10 X5. F100\\nM30\\n", control="fanuc-0i-f").machine()
+        >>> machine.modal["motion"] = "G1"
+        >>> _ = machine.step()
+        >>> machine.modal["motion"], machine.moves[0].kind
+        ('G01', 'feed')
+        """
+        return Modes(self.core)
+
+    @property
+    def position(self) -> Position:
+        """The position of the tool: work coordinates by axis, mm. It follows from the moves and
+        cannot be set: change the block, or set a work offset (`variables[5221]` on a FANUC).
+        """
+        return Position(self.core.position)
+
+    @property
+    def block_skip(self) -> tuple[int, ...]:
+        """The block-skip switches that are on, to read and to set: `machine.block_skip = (1,)`."""
+        return self.core.switches[0]
+
+    @block_skip.setter
+    def block_skip(self, on: Iterable[int] | int | bool) -> None:
+        self.core.set_switches(list(switches(on)), self.core.switches[1])
+
+    @property
+    def optional_stop(self) -> bool:
+        """Whether M01 stops, to read and to set."""
+        return self.core.switches[1]
+
+    @optional_stop.setter
+    def optional_stop(self, stops: bool) -> None:
+        if not isinstance(stops, bool):
+            raise TypeError(f"optional_stop must be True or False, not {stops!r}")
+        self.core.set_switches(list(self.core.switches[0]), stops)
+
+    @property
     def signals(self) -> Signals:
         """The interface inputs now, to read and to set: `machine.signals[1004] = 1`."""
         return Signals(self.core)
@@ -250,7 +296,7 @@ class Machine(Outcome):
 # What a machine holds itself, what can be set of it by name, and what holds values to be set.
 _OWN = frozenset({"core", "recorded"})
 _SETTABLE = ("block_skip", "optional_stop")
-_MAPPINGS = ("variables", "variables.named", "signals", "modal", "position")
+_MAPPINGS = ("variables", "variables.named", "signals", "modal")
 _VARIABLE = re.compile(r"\s*(#|R\d|\$|[A-Za-z_]\w*\s*$)")
 _EVENT = re.compile(r"\s*(alarm|return|mode|[MTS]\d*)\s*$")
 

@@ -137,7 +137,6 @@ Address Machine::next_block() const {
 std::optional<Alarm> Machine::evaluate(const ExpressionList& list, const ExpressionList::One& one,
                                        double& value) const {
   Run probe = run_;
-  const AtWork at_work(probe, {});
   return evaluate_aside(probe, list, one, value);
 }
 
@@ -234,6 +233,30 @@ void Machine::set_from_outside(std::int32_t number, double value) {
   const auto set = [number, value](Run& run) {
     cncsub::set_from_outside(run, number, value);
     note_changes_from_outside(run);
+  };
+  change(set, set);
+}
+
+std::optional<std::string> Machine::set_mode(const std::shared_ptr<const Code>& typed,
+                                             const std::string& mode) {
+  std::optional<std::string> refused;
+  change([&](Run& run) { refused = cncsub::set_mode(run, typed, mode); },
+         [=](Run& run) { cncsub::set_mode(run, typed, mode); });
+  return refused;
+}
+
+std::optional<std::string> Machine::set_named(int level, const std::string& name,
+                                              const std::vector<NamedValue>& values) {
+  std::optional<std::string> refused;
+  change([&](Run& run) { refused = cncsub::set_named(run, level, name, values); },
+         [=](Run& run) { cncsub::set_named(run, level, name, values); });
+  return refused;
+}
+
+void Machine::set_switches(std::uint16_t skips, bool optional_stop) {
+  const auto set = [=](Run& run) {
+    run.options.skips = static_cast<std::uint16_t>(skips | (run.options.skips & Block::kPartEnd));
+    run.options.optional_stop = optional_stop;
   };
   change(set, set);
 }

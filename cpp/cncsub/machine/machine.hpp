@@ -13,6 +13,7 @@
 #include "cncsub/machine/run/breakpoints.hpp"
 #include "cncsub/machine/run/endless.hpp"
 #include "cncsub/machine/run/history.hpp"
+#include "cncsub/machine/run/settings.hpp"
 #include "cncsub/machine/state/context.hpp"
 #include "cncsub/machine/state/options.hpp"
 #include "cncsub/machine/state/state.hpp"
@@ -117,6 +118,14 @@ class Machine {
   std::optional<Fault> write(std::int64_t number, int level, double value);
   /// Set a signal or a variable as the machine and other programs do.
   void set_from_outside(std::int32_t number, double value);
+  /// Set a mode, or a variable that a program defines: see settings.hpp. Return why it cannot be.
+  std::optional<std::string> set_mode(const std::shared_ptr<const Code>& typed,
+                                      const std::string& mode);
+  std::optional<std::string> set_named(int level, const std::string& name,
+                                       const std::vector<NamedValue>& values);
+  /// Set the block-skip switches, a bit each, and whether M01 stops.
+  void set_switches(std::uint16_t skips, bool optional_stop);
+  const Options& options() const { return run_.options; }
 
  private:
   /// Change the run from outside, and remember what does the same again.

@@ -23,7 +23,7 @@ from cncsub.option_errors import wrong_value
 if TYPE_CHECKING:
     from cncsub._core import Alarm
     from cncsub.drawing.path import Path
-    from cncsub.run import Recorded, Outcome
+    from cncsub.run import Outcome, Recorded
 
     Numbers = np.ndarray[Any, np.dtype[Any]]
 

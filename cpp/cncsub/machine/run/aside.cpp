@@ -1,8 +1,10 @@
 #include "cncsub/machine/run/aside.hpp"
 
+#include <functional>
 #include <memory>
 #include <utility>
 
+#include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/values/expressions.hpp"
 
 namespace cncsub {
@@ -58,9 +60,15 @@ class Undone {
 
 std::optional<Alarm> evaluate_aside(Run& run, const ExpressionList& list,
                                     const ExpressionList::One& one, double& value) {
+  static const std::function<bool()> kNever;
+  std::optional<AtWork> at_work;  // a long expression asks who interrupts it
+  if (run.watch.interrupted == nullptr) at_work.emplace(run, kNever);
   const Undone undone(run, list, one.block);
   if (evaluate(run, one.expression, value)) return std::nullopt;
-  return std::move(run.state.alarm);
+  if (run.state.alarm) return std::move(run.state.alarm);
+  Alarm interrupted;
+  interrupted.detail = "it was interrupted";
+  return interrupted;
 }
 
 bool reads_locals(const ExpressionList& list, const ExpressionList::One& one) {

@@ -9,7 +9,7 @@
 namespace cncsub {
 
 /// Evaluate one expression of a list between two blocks. Return the alarm that it would be in a
-/// program, and what the run was before. The run is at work (AtWork).
+/// program, and the run is what it was before.
 std::optional<Alarm> evaluate_aside(Run& run, const ExpressionList& list,
                                     const ExpressionList::One& one, double& value);
 /// Return whether the value of an expression depends on the level of locals that is open.
