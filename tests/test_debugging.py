@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import Any
 
 import pytest
@@ -267,8 +268,14 @@ def test_an_alarm_is_gone_where_the_machine_goes_back() -> None:
     machine = cncsub.loads(text, control=CONTROL).machine()
     machine.run()
     assert machine.alarm is not None
-    machine.back(machine.blocks)
+    with pytest.raises(ValueError, match="did not stop with 'alarm PS0077'"):
+        machine.back("alarm PS0077")
+    machine.back("alarm PS0076")
     assert machine.alarm is None
+    assert machine.next is not None
+    assert machine.next.n == 20
+    with pytest.raises(ValueError, match="did not stop with 'alarm'"):
+        machine.back("alarm")
     machine.variables[100] = 2
     finished = machine.run()
     assert finished is not None
@@ -415,3 +422,15 @@ def test_named_variables_are_set_by_their_type() -> None:
     machine.back(3)
     machine.step()
     assert machine.variables.named["DEPTH"] == 5
+
+
+def test_another_thread_sees_the_code_while_conditions_are_evaluated() -> None:
+    """A condition is evaluated with a code of its own; nobody else may see that."""
+    machine = cncsub.loads(LOOP.format(400_000), control=CONTROL).machine()
+    until = cncsub.Breakpoint("O1:N40", when="#1 GT 399999")
+    worker = threading.Thread(target=machine.run, args=(until,))
+    code = machine.core.code
+    worker.start()
+    while worker.is_alive():
+        assert machine.core.code is code
+    assert machine.variables[1] == 400_000

@@ -101,7 +101,7 @@ void back(Live& live, std::int64_t step) {
 /// Return the addresses of the blocks of a program with a sequence number, or on a line.
 std::vector<Address> blocks_at(const Live& live, std::int32_t program, std::int64_t n,
                                std::int64_t line) {
-  const Code& code = live.machine.code();
+  const Code& code = *live.code;
   const Program& of = code.programs.at(static_cast<std::size_t>(program));
   std::vector<Address> found;
   for (Address at = of.first; at < of.last; ++at)
@@ -120,7 +120,7 @@ py::object next_block(Live& live) {
 /// Compile expressions; return them, and of each the reason and the place why it is none.
 py::tuple expressions_of(const Live& live,
                          const std::vector<std::pair<std::string, std::int32_t>>& texts) {
-  ExpressionList list = compile_expressions(live.machine.code(), texts);
+  ExpressionList list = compile_expressions(*live.code, texts);
   py::list faults;
   for (const ExpressionList::One& one : list.list) {
     if (!one.fault) {
@@ -149,7 +149,7 @@ void raise_refused(const std::optional<std::string>& refused) {
 
 void set_mode(Live& live, const std::string& mode, const std::string& text) {
   const Work machine(live);
-  raise_refused(machine->set_mode(compile_mdi(machine->code(), text), mode));
+  raise_refused(machine->set_mode(compile_mdi(*live.code, text), mode));
 }
 
 void set_named(Live& live, const std::string& name, const std::vector<NamedValue>& values,

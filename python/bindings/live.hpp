@@ -19,6 +19,8 @@ struct Live {
   explicit Live(Values&&... values) : machine(std::forward<Values>(values)...) {}
 
   Machine machine;
+  // Its code, which may be asked for while the machine is at work.
+  const std::shared_ptr<const Code> code = machine.shared_code();
   std::atomic<int> lookers = 0;  // how many read the machine; kAtWork: it changes
   static constexpr int kAtWork = -1;
 };
@@ -92,9 +94,7 @@ void add_debugging(MachineClass& machine);
 class Record {
  public:
   explicit Record(std::shared_ptr<Live> live)
-      : code_(live->machine.shared_code()),
-        trace_(live, &live->machine.trace()),
-        live_(std::move(live)) {}
+      : code_(live->code), trace_(live, &live->machine.trace()), live_(std::move(live)) {}
   Record(std::shared_ptr<const Code> code, Trace trace)
       : code_(std::move(code)), trace_(std::make_shared<const Trace>(std::move(trace))) {}
 

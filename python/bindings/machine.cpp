@@ -233,10 +233,8 @@ void add_run(Class& machine) {
            })
       .def_property_readonly("trace",
                              [](const std::shared_ptr<Live>& live) { return Record(live); })
-      .def_property_readonly("code",
-                             [](const Live& live) {
-                               return std::const_pointer_cast<Code>(live.machine.shared_code());
-                             })
+      .def_property_readonly(
+          "code", [](const Live& live) { return std::const_pointer_cast<Code>(live.code); })
       .def_property_readonly("stop", &stop_of)
       .def_property_readonly("waiting_for",
                              [](Live& live) { return Look(live)->state().waiting_for; })

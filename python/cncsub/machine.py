@@ -133,7 +133,8 @@ class Machine(Outcome):
 
         `to`: without it, before the block that was executed last. A whole number is the step: that
         many blocks were executed (0 is the head of the program, `blocks` the present place, without
-        an alarm that came there). `"call"` is the block that called the program that runs. Anything
+        an alarm that came there). `"call"` is the block that called the program that runs,
+        `"alarm"` the block that alarmed, before it did. Anything
         else is a breakpoint: where it was met last, `next` being the block of the place, or the
         block that did it: `"changes #100"`, or `"#100"` for short, goes to where the variable was
         last written with another value. `hits` does not count here.
@@ -171,6 +172,15 @@ class Machine(Outcome):
             if not 0 <= step <= blocks:
                 raise ValueError(f"to: the steps behind are 0 to {blocks}, not {step}")
             return step
+        if isinstance(to, str) and to.split()[:1] == ["alarm"]:
+            Compiled(self.core, [Breakpoint(to)])
+            if self.alarm is None or to.split()[1:] not in (
+                [],
+                [self.alarm.number],
+                [self.alarm.cause],
+            ):
+                raise ValueError(f"to: the machine did not stop with {to!r}")
+            return blocks
         if to == "call":
             if (step := self.core.step_of_call) < 0:
                 raise ValueError("to: no call is open; the main program runs")
