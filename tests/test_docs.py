@@ -47,7 +47,7 @@ def test_the_documented_parts_have_examples() -> None:
         for test in finder.find(importlib.import_module(module))
         if test.examples
     }
-    classes = ["library.Library", "program.Program", "run.Run", "run.Machine", "setup.Setup"]
+    classes = ["library.Library", "program.Program", "run.Run", "machine.Machine", "setup.Setup"]
     classes += [
         "inputs.Inputs",
         "tables.of_runs.Steps",

@@ -114,7 +114,7 @@ PACKAGE = ROOT / "python" / "cncsub"
 
 # The modules at the top are three rooms: `base`, the programs, controls and options; `face`, the
 # objects that users hold; and `package`, the names that `import cncsub` gives.
-_FACE = {"library", "run", "stream", "loading", "sibling_files"}
+_FACE = {"library", "machine", "run", "stream", "loading", "sibling_files"}
 MAY_IMPORT = {
     "base": set(),
     "tables": {"base"},

@@ -674,7 +674,7 @@ def test_a_machine_runs_until_a_block_or_out_of_a_call(library: cncsub.Library) 
     with pytest.raises(KeyError, match="no block N1 in O2"):
         machine.run(until=("O2", 1))
     with pytest.raises(TypeError, match="until must be a Block"):
-        machine.run(until="O2")  # type: ignore[arg-type]
+        machine.run(until=2.5)  # type: ignore[arg-type]
 
 
 def test_until_in_a_loop_stops_at_each_pass() -> None:

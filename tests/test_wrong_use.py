@@ -81,13 +81,19 @@ def test_zeros_in_front_of_a_parameter_may_be_missing() -> None:
 
 @pytest.mark.parametrize(
     "until",
-    [("O2", "30"), ("O2", 30.0), ("O2", True), ("O2", None), (1.5, 30), (None, 30), (True, 30),
-     ("O2",), ("O2", 30, 1), ["O2", 30], "O2", 1.0, True, {}],
+    [("O2", 30.0), ("O2", True), ("O2", None), (1.5, 30), (None, 30), (True, 30),
+     ("O2", 30, 1), ["O2", 30], 1.0, True, {}],
 )  # fmt: skip
 def test_until_names_a_block_or_a_depth(library: cncsub.Library, until: Any) -> None:
     with pytest.raises(
         TypeError, match=r"until must be a Block, a program and a sequence number such as"
     ):
+        library.machine().run(until=until)
+
+
+@pytest.mark.parametrize("until", [("O2", "30"), ("O2",), "O2", "O2 N30", ""])
+def test_until_takes_no_other_text(library: cncsub.Library, until: Any) -> None:
+    with pytest.raises(ValueError, match="is no breakpoint: it must be such as 'O2:N30'"):
         library.machine().run(until=until)
 
 

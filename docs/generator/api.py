@@ -33,6 +33,7 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "Stop",
             "AlarmError",
             "Machine",
+            "Breakpoint",
             "Stream",
             "Part",
             "Endless",

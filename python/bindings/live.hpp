@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -18,6 +19,8 @@ struct Live {
   explicit Live(Values&&... values) : machine(std::forward<Values>(values)...) {}
 
   Machine machine;
+  // Its code, which may be asked for while the machine is at work.
+  const std::shared_ptr<const Code> code = machine.shared_code();
   std::atomic<int> lookers = 0;  // how many read the machine; kAtWork: it changes
   static constexpr int kAtWork = -1;
 };
@@ -63,13 +66,35 @@ class Look {
   Live& live_;
 };
 
+/// Do a job without the GIL. What it gets takes the GIL now and then to let Ctrl-C in, which ends
+/// the job. An exception that another signal's handler raises is passed on.
+template <class Job>
+void with_signals(Job&& job) {
+  std::optional<pybind11::error_already_set> other;
+  {
+    GilRelease away;
+    const auto interrupted = [&other] {
+      if (PyErr_CheckSignals() == 0) return false;
+      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
+        PyErr_Clear();
+      else
+        other.emplace();
+      return true;
+    };
+    std::forward<Job>(job)(std::function<bool()>([&] { return away.ask(interrupted); }));
+  }
+  if (other) throw std::move(*other);
+}
+
+using MachineClass = pybind11::class_<Live, std::shared_ptr<Live>>;
+/// Add breakpoints, the way back and expressions to the machine.
+void add_debugging(MachineClass& machine);
+
 /// The record of a machine, which may go on, or of one part of a stream.
 class Record {
  public:
   explicit Record(std::shared_ptr<Live> live)
-      : code_(live->machine.shared_code()),
-        trace_(live, &live->machine.trace()),
-        live_(std::move(live)) {}
+      : code_(live->code), trace_(live, &live->machine.trace()), live_(std::move(live)) {}
   Record(std::shared_ptr<const Code> code, Trace trace)
       : code_(std::move(code)), trace_(std::make_shared<const Trace>(std::move(trace))) {}
 

@@ -52,39 +52,9 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   return live;
 }
 
-/// Run without the GIL. Takes it now and then to let Ctrl-C in, which stops the run. An exception
-/// that another signal's handler raises is passed on.
-template <class... Extent>
-void run_released(Machine& machine, const Extent&... extent) {
-  std::optional<py::error_already_set> other;
-  {
-    GilRelease away;
-    const auto interrupted = [&other] {
-      if (PyErr_CheckSignals() == 0) return false;
-      if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
-        PyErr_Clear();
-      else
-        other.emplace();
-      return true;
-    };
-    machine.run([&] { return away.ask(interrupted); }, extent...);
-  }
-  if (other) throw std::move(*other);
-}
-
-void run(Live& live, const std::optional<std::pair<std::int64_t, std::int64_t>>& until) {
+void run(Live& live) {
   const Work machine(live);
-  const std::int64_t first = machine->blocks();
-  std::function<bool(const Machine&)> pause;
-  if (until)
-    pause = [&](const Machine& m) {
-      if (m.blocks() == first) return false;
-      if (until->first < 0) return m.depth() <= until->second;
-      const Code& code = m.code();
-      return code.program_at(m.state().pc) == until->first &&
-             code.blocks[m.state().pc].line == until->second;
-    };
-  run_released(*machine, pause);
+  with_signals([&](const auto& interrupted) { machine->run(interrupted); });
 }
 
 /// Execute a step and return it; None where the run has stopped.
@@ -100,7 +70,7 @@ py::object step(Live& live, const py::type& row) {
 
 void run_blocks(Live& live, std::int64_t blocks) {
   const Work machine(live);
-  run_released(*machine, blocks);
+  with_signals([&](const auto& interrupted) { machine->run(interrupted, blocks); });
 }
 
 py::object stop_of(Live& live) {
@@ -248,11 +218,11 @@ void set_signal(Live& live, std::int32_t number, double value) {
   machine->set_from_outside(number, value);
 }
 
-using Class = py::class_<Live, std::shared_ptr<Live>>;
+using Class = MachineClass;
 
 /// Add the functions that run a machine and return its position.
 void add_run(Class& machine) {
-  machine.def("run", &run, py::arg("until") = py::none())
+  machine.def("run", &run)
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step, py::arg("row"))
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
@@ -264,10 +234,8 @@ void add_run(Class& machine) {
            })
       .def_property_readonly("trace",
                              [](const std::shared_ptr<Live>& live) { return Record(live); })
-      .def_property_readonly("code",
-                             [](const Live& live) {
-                               return std::const_pointer_cast<Code>(live.machine.shared_code());
-                             })
+      .def_property_readonly(
+          "code", [](const Live& live) { return std::const_pointer_cast<Code>(live.code); })
       .def_property_readonly("stop", &stop_of)
       .def_property_readonly("waiting_for",
                              [](Live& live) { return Look(live)->state().waiting_for; })
@@ -329,6 +297,7 @@ void add_machine(py::module_& m) {
   Class machine(m, "Machine", py::is_final());
   add_run(machine);
   add_variables(machine);
+  add_debugging(machine);
   m.def("machine", &make_machine, py::arg("code"), py::arg("main"));
 }
 

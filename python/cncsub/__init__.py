@@ -14,13 +14,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, __version__
+from cncsub.breakpoints import Breakpoint
 from cncsub.controls import Cause, Source, causes, control, controls, sources
 from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library
 from cncsub.loading import load, loads
+from cncsub.machine import Machine
 from cncsub.program import Block, Program, Token, Word
-from cncsub.run import AlarmError, Machine, Run, Stop
+from cncsub.run import AlarmError, Run, Stop
 from cncsub.run_options import RunOptions
 from cncsub.setup import Setup
 from cncsub.stream import Part, Stream
@@ -95,6 +97,7 @@ __all__ = [
     "Block",
     "BlockChange",
     "Box",
+    "Breakpoint",
     "Call",
     "CallGraph",
     "CallTo",

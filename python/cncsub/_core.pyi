@@ -531,8 +531,49 @@ class Machine:
     """One run of one program, whole or step by step. One thread uses it at a time: any other call
     while a thread runs it raises `RuntimeError`.
     """
-    def run(self, until: tuple[int, int] | None = None) -> None:
-        """Run on, to `until`: (program, line) or (-1, depth). Ctrl-C stops it as interrupted."""
+    def run(self) -> None:
+        """Run on. Ctrl-C stops it as interrupted."""
+    @final
+    class Expressions:
+        """Expressions that were compiled beside the programs."""
+
+    def expressions(
+        self, texts: list[tuple[str, int]]
+    ) -> tuple[Expressions, list[tuple[str, int, int] | None]]:
+        """Compile expressions, each with the program whose variables it may name. Return them, and
+        of each that is none why, with the column and the width of what is wrong.
+        """
+    def evaluate(self, expressions: Expressions, index: int) -> float | None:
+        """Return the value of one; a `ValueError` says why it has none."""
+    def run_to(
+        self, breakpoints: list[dict[str, Any]], expressions: Expressions
+    ) -> tuple[list[int], list[int], tuple[int, str] | None]:
+        """Run to a breakpoint. Return which were reached, how often each was met, and the one that
+        has no value here.
+        """
+    def set_mode(self, mode: str, text: str) -> None:
+        """Put a code or a word in force; a `ValueError` says why it cannot be."""
+    def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
+        """Give a variable its value, or those of its elements; likewise."""
+    @property
+    def switches(self) -> tuple[tuple[int, ...], bool]: ...  # block skips; whether M01 stops
+    def set_switches(self, on: list[int], stops: bool) -> None: ...
+    def remember(self) -> None:
+        """Keep snapshots from now on, for the way back."""
+    def back(self, step: int) -> None:
+        """Go back to when so many blocks were executed."""
+    def last_met(self, breakpoints: list[dict[str, Any]], expressions: Expressions) -> int:
+        """Return the last step before this at which one shows a block, -1 for none."""
+    @property
+    def step_of_call(self) -> int: ...  # -1 where no call is open
+    @property
+    def snapshots(self) -> tuple[int, int]: ...  # how many, and their bytes
+    def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:
+        """Return the addresses of the blocks with a sequence number, or on a line."""
+    @property
+    def next_block(self) -> int | None: ...  # its address
+    @property
+    def address(self) -> int: ...  # of the block where the program stands
     def run_blocks(self, blocks: int) -> None:
         """Run on for about that many blocks."""
     def step(self, row: type[Step]) -> Step | None:

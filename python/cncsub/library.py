@@ -11,8 +11,9 @@ from cncsub._core import Control
 from cncsub.collectors import tell
 from cncsub.controls import Named, control_of, did_you_mean
 from cncsub.files import TEXT, CoreFile, clean, cut, shown_and_stem, text_pieces
+from cncsub.machine import Machine
 from cncsub.program import Program, find_program, named_like
-from cncsub.run import Machine, Run
+from cncsub.run import Run
 from cncsub.run_options import (
     FlattenOptions,
     MdiOptions,

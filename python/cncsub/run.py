@@ -1,22 +1,19 @@
-"""The record of a run, and the machine that makes it one step at a time."""
+"""The record of a run."""
 
 from __future__ import annotations
 
 import enum
 import functools
-import operator
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from cncsub import _core
-from cncsub._core import Alarm, Frame
+from cncsub._core import Alarm
 from cncsub.analysis import assertions
-from cncsub.controls import did_you_mean
 from cncsub.pickling import NotPicklable
-from cncsub.program import Block, find_program
 from cncsub.tables.of_runs import Calls, Codes, Conditions, Moves, Steps, Watch
-from cncsub.tables.rows import Dropped, MissedSkip, Step
-from cncsub.variables import MachineVariables, Signals, Variables
+from cncsub.tables.rows import Dropped, MissedSkip
+from cncsub.variables import Variables
 
 if TYPE_CHECKING:
     from plotly.graph_objects import Figure
@@ -25,8 +22,6 @@ if TYPE_CHECKING:
     from cncsub.analysis.listing import Listed
     from cncsub.coverage.summary import Coverage
     from cncsub.tables.polyline import Polyline
-
-Until = Block | tuple[str | int, int] | int
 
 
 class Stop(enum.StrEnum):
@@ -246,7 +241,7 @@ class State(NotPicklable):
         return str(self.core.stop or "running")
 
 
-class _Outcome(State, Recorded):
+class Outcome(State, Recorded):
     """The properties that a run and a machine share."""
 
     def __init__(self, core: _core.Machine) -> None:
@@ -366,7 +361,7 @@ class _Outcome(State, Recorded):
         return coverage_of(self.recorded, self.core.code)
 
 
-class Run(_Outcome):
+class Run(Outcome):
     """A run that has stopped.
 
     >>> import cncsub
@@ -456,127 +451,3 @@ class Run(_Outcome):
         """Return `repr`, and why the program had not ended where a limit stopped it."""
         why = self.endless
         return repr(self) if why is None else f"{self!r}: {why}"
-
-
-class Machine(_Outcome):
-    """One program on its control, executed block by block.
-
-    >>> import cncsub
-    >>> text = "O1\\nN10 #1=5\\nN20 G65 P2 A7.\\nN30 M30\\nO2\\nN40 #100=#1\\nN50 M99\\n"
-    >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
-    >>> [machine.step().n for _ in range(3)]
-    [10, 20, 40]
-    >>> machine.variables[1], machine.variables.level(0)[1], machine.variables[100]
-    (7.0, 5.0, 7.0)
-    >>> [(frame.program, frame.n, frame.kind) for frame in machine.stack]
-    [('O1', 20, 'G65')]
-    >>> [step.n for step in machine]
-    [50, 30]
-    """
-
-    def step(self) -> Step | None:
-        """Execute one block. `None` where the run has stopped and nothing was executed."""
-        return self.core.step(Step)
-
-    def run(self, until: Until | None = None) -> Run | None:
-        """Run on until the program stops; then return what `Library.run` would have returned.
-
-        `until` stops before a block: a `Block`, or program and sequence number such as `("O2",
-        30)`. A whole number stops where no more than that many calls are open:
-        `machine.run(until=len(machine.stack) - 1)` steps out, of the main program to its end (-1).
-        Returns `None` where it stopped there. An unknown program or block is a `KeyError`, a block
-        of another library and a number below -1 a `ValueError`. A machine that Ctrl-C stopped goes
-        on.
-        """
-        self.core.run(None if until is None else self._place(until))
-        # The machine may go on; the run is a copy and does not change.
-        return None if self.core.stop is None else Run(self.core.copy())
-
-    def _place(self, until: Until) -> tuple[int, int]:
-        if isinstance(until, Block):
-            if until.program.data.code is not self.core.code:
-                raise ValueError(f"until: {until!r} is a block of another library")
-            return until.program.index, until.line
-        if isinstance(until, tuple) and len(until) == 2:
-            return self._block_place(*until)
-        if isinstance(until, bool) or not hasattr(until, "__index__"):
-            raise _wrong_until(until)
-        depth = operator.index(until)
-        if depth < -1:
-            raise ValueError(
-                "until: the number of open calls must be 0 or more, or -1 to run to the end;"
-                f" not {depth}"
-            )
-        return -1, min(depth, 1 << 30)
-
-    def _block_place(self, name: str | int, n: int) -> tuple[int, int]:
-        if isinstance(n, bool) or not hasattr(n, "__index__"):
-            raise _wrong_until((name, n))
-        code = self.core.code
-        try:
-            index = find_program(code, name)
-        except TypeError:
-            raise _wrong_until((name, n)) from None
-        if index < 0:
-            known = did_you_mean(name, code.names())
-            raise KeyError(f"no program {name} in the memory{known}")
-        program = code.program(index)
-        for block in range(program.blocks):
-            number, line, _ = program.block(block)
-            if number == n:
-                return index, line
-        raise KeyError(f"no block N{n} in {program.name}")
-
-    def __iter__(self) -> Iterator[Step]:
-        while (step := self.step()) is not None:
-            yield step
-
-    def reset(self) -> None:
-        """Press the reset key: calls and modal calls are gone, the variables that the control
-        clears are vacant, and the main program is at its head. What was recorded stays.
-        """
-        self.core.reset()
-
-    def copy(self) -> Machine:
-        """Return a machine in the same state that runs on its own: a snapshot to come back to."""
-        return Machine(self.core.copy())
-
-    __copy__ = copy
-
-    def __deepcopy__(self, memo: object) -> Machine:
-        return self.copy()
-
-    @property
-    def stop(self) -> Stop | None:
-        """Why the program stopped, `None` while it runs."""
-        return None if self.core.stop is None else Stop(self.core.stop)
-
-    @property
-    def stack(self) -> tuple[Frame, ...]:
-        """The open calls, innermost first."""
-        return self.core.stack
-
-    @property
-    def variables(self) -> MachineVariables:
-        """The variables now, to read and to set; `#1` and so on are those of the present level."""
-        return MachineVariables(self.core, -1)
-
-    @property
-    def signals(self) -> Signals:
-        """The interface inputs now, to read and to set: `machine.signals[1004] = 1`."""
-        return Signals(self.core)
-
-    def __repr__(self) -> str:
-        try:
-            program, n, line = self.core.position_in_program
-        except RuntimeError:
-            return "<Machine: at work in another thread>"
-        where = program if n is None else f"{program} N{n}"
-        return f"<Machine: {self.summary()}, next block {where}, line {line}>"
-
-
-def _wrong_until(until: object) -> TypeError:
-    return TypeError(
-        "until must be a Block, a program and a sequence number such as ('O2', 30),"
-        f" or a number of open calls, not {until!r}"
-    )

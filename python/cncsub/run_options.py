@@ -96,7 +96,7 @@ def _seconds(value: Any) -> float:
     return seconds
 
 
-def _switches(block_skip: object) -> tuple[int, ...]:
+def switches(block_skip: object) -> tuple[int, ...]:
     if isinstance(block_skip, bool):
         return (1,) if block_skip else ()
     if hasattr(block_skip, "__index__"):
@@ -143,7 +143,7 @@ class FlattenOptions(TypedDict, total=False):
     ]
     block_skip: Annotated[
         Iterable[int] | int,
-        Option((), _switches, "The block-skip switches 1 to 10 that are on."),
+        Option((), switches, "The block-skip switches 1 to 10 that are on."),
     ]
     optional_stop: Annotated[
         bool,

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import operator
+import re
 from collections.abc import Iterator, Mapping, MutableMapping
 from typing import Any
 
 from cncsub import _core
+from cncsub.controls import did_you_mean
+from cncsub.files import clean
 from cncsub.inputs import checked_variables
 from cncsub.pickling import NotPicklable
 
@@ -101,6 +104,26 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
     are a `KeyError`, `popitem` and `clear` leave them.
     """
 
+    @property
+    def named(self) -> NamedVariables:
+        """The variables that the program of the level defines, and those of all programs, by name
+        in capitals, to read and to set: a number, a text, an axis, or lists for an array, which is
+        set as a whole.
+
+        Raises `KeyError` for a name that is not there and `ValueError` for a value of another type.
+
+        >>> import cncsub
+        >>> text = "DEF INT SIDES[2]=SET(3,4)\\nDEF REAL DEPTH=5\\nR1=DEPTH*SIDES[1]\\nM30\\n"
+        >>> machine = cncsub.loads(text, control="siemens-one").machine()
+        >>> _ = machine.step(), machine.step()
+        >>> machine.variables.named["DEPTH"] = 2.5
+        >>> machine.variables.named["SIDES"] = [3, 6]
+        >>> _ = machine.step()
+        >>> machine.evaluate("R1")
+        15.0
+        """
+        return NamedVariables(self._core, self._level)
+
     def __setitem__(self, number: int, value: float | None) -> None:
         ((checked, number_or_none),) = checked_variables("variables", {number: value}).items()
         try:
@@ -154,6 +177,106 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         if not 0 <= level <= self._core.level:
             raise ValueError(f"the open levels are 0 to {self._core.level}, not {level}")
         return MachineVariables(self._core, level)
+
+
+class _ByName(dict[str, Any]):
+    """Values by name, as they were when they were asked for. What sets one sets it in the machine;
+    none can be added or taken out.
+    """
+
+    def _put(self, name: str, value: Any) -> Any:
+        """Set a value in the machine and return what holds there now."""
+        raise NotImplementedError
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        if name not in self:
+            raise KeyError(f"there is no {name!r} to be set{did_you_mean(name, list(self))}")
+        super().__setitem__(name, self._put(name, value))
+
+    def update(self, *given: Any, **named: Any) -> None:
+        for name, value in dict(*given, **named).items():
+            self[name] = value
+
+    def __ior__(self, given: Any) -> Any:  # type: ignore[misc]
+        self.update(given)
+        return self
+
+    def _refuse(self, *_: Any) -> Any:
+        raise TypeError("a value of a machine cannot be taken out or added; it can be set")
+
+    __delitem__ = pop = popitem = clear = setdefault = _refuse
+
+
+class Modes(_ByName):
+    """The modal codes of a machine by group, and the values of F, S, T, H and D."""
+
+    def __init__(self, core: _core.Machine) -> None:
+        super().__init__(core.modal)
+        self._core = core
+
+    def _put(self, name: str, value: Any) -> str:
+        if len(name) == 1:
+            if isinstance(value, bool) or not isinstance(value, int | float | str):
+                raise TypeError(f"modal[{name!r}] must be a number, not {value!r}")
+            text = f"{name}{value}" if isinstance(value, str) else f"{name}{value:.10g}"
+            if isinstance(value, float) and "." not in text:
+                text += "."
+        elif isinstance(value, str):
+            text = value
+        else:
+            raise TypeError(f"modal[{name!r}] must be a code such as 'G91', not {value!r}")
+        try:
+            self._core.set_mode(name, re.sub(r"[\r\n\0]", " ", clean(text)))
+        except ValueError as error:
+            raise ValueError(f"modal[{name!r}] = {value!r}: {error}") from None
+        return self._core.modal[name]
+
+
+class Position(_ByName):
+    """The position of a machine by axis."""
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        raise TypeError(
+            "the position follows from the moves and cannot be set: change the block that moves,"
+            " or set a work offset among the variables"
+        )
+
+
+class _Array(list[Any]):
+    """The elements of a variable, which is set as a whole."""
+
+    def __setitem__(self, index: Any, value: Any) -> None:
+        raise TypeError("set the whole variable: variables.named['SIDES'] = [5, 6]")
+
+
+def _array(values: Any) -> Any:
+    return _Array(map(_array, values)) if isinstance(values, list) else values
+
+
+def _flat(values: Any) -> list[Any]:
+    if isinstance(values, list | tuple):
+        return [each for value in values for each in _flat(value)]
+    if not isinstance(values, int | float | str):
+        raise TypeError(f"a value must be a number or a text, not {values!r}")
+    return [values if isinstance(values, str) else float(values)]
+
+
+class NamedVariables(_ByName):
+    """The variables of a machine that programs define, by name."""
+
+    def __init__(self, core: _core.Machine, level: int) -> None:
+        super().__init__(
+            (name, _array(value)) for name, value in core.named_variables(level).items()
+        )
+        self._core = core
+        self._level = level
+
+    def _put(self, name: str, value: Any) -> Any:
+        try:
+            self._core.set_named(name, _flat(value), self._level)
+        except ValueError as error:
+            raise ValueError(f"named[{name!r}] = {value!r}: {error}") from None
+        return _array(self._core.named_variables(self._level)[name])
 
 
 class Signals(NotPicklable, MutableMapping[int, float]):

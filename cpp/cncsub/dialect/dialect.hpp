@@ -48,10 +48,20 @@ struct Keyword {
   std::string_view rule{};  // the rule that says that the control has it
 };
 
+/// A text that is an expression and nothing else, such as the condition of a breakpoint.
+struct ExpressionText {
+  std::string_view text;
+  std::uint32_t file = 0, at = 0;  // where it stands
+  std::int32_t program = 0;        // the program whose variables it may name
+};
+
 struct Dialect {
   std::string_view name;
   /// The reader of the files of one library, one after the other.
   FileReader (*reader)(Builder& to);
+  /// Compile an expression, a condition or a value; a fault says why the text is none.
+  std::optional<Fault> (*read_expression)(Builder& to, const ExpressionText& text,
+                                          std::uint32_t& expression);
   /// The words of a block as they are written.
   ReadWord read_word;
   /// The same reader for pieces; null if the language is not read in pieces.
@@ -71,13 +81,15 @@ struct Dialect {
 const Dialect* find_dialect(std::string_view name);
 
 // The build writes the list from the names of the folders. Each folder holds these functions.
-#define DIALECT(folder)                                      \
-  extern const Spelling folder##_spelling;                   \
-  extern const std::string_view folder##_rules;              \
-  extern const std::span<const WordUse> folder##_word_uses;  \
-  std::vector<Keyword> folder##_keywords(const Control&);    \
-  FileReader folder##_reader(Builder& to);                   \
-  extern PieceReader (*const folder##_pieces)(Builder & to); \
+#define DIALECT(folder)                                                             \
+  extern const Spelling folder##_spelling;                                          \
+  extern const std::string_view folder##_rules;                                     \
+  extern const std::span<const WordUse> folder##_word_uses;                         \
+  std::vector<Keyword> folder##_keywords(const Control&);                           \
+  FileReader folder##_reader(Builder& to);                                          \
+  std::optional<Fault> folder##_expression(Builder& to, const ExpressionText& text, \
+                                           std::uint32_t& expression);              \
+  extern PieceReader (*const folder##_pieces)(Builder & to);                        \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"
 #undef DIALECT

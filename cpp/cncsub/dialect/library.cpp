@@ -17,8 +17,9 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder)                                                                       \
-  {#folder,        folder##_reader,    folder##_word,    folder##_pieces, &folder##_spelling, \
+#define DIALECT(folder)                                     \
+  {#folder,        folder##_reader,    folder##_expression, \
+   folder##_word,  folder##_pieces,    &folder##_spelling,  \
    folder##_rules, folder##_word_uses, folder##_keywords},
 #include "dialect/list.def"
 #undef DIALECT
@@ -304,6 +305,58 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   if (!reading->interrupted(0)) return with;
   free_aside(std::move(with), {});
   return nullptr;
+}
+
+namespace {
+
+/// Return what an expression needs that the programs do not have: it must not add a variable, of
+/// which a run has no value, nor a text, whose number a run may have given to another one.
+std::optional<Fault> adds_to(const Code& code, const Code& with, std::uint32_t at) {
+  const auto refused = [at](std::string detail) {
+    return Fault{Cause::IllegalVariable, at, 1, std::move(detail)};
+  };
+  if (with.locals != code.locals || with.commons != code.commons || with.elements != code.elements)
+    return refused("the programs have no variable of this name");
+  if (with.texts.size() != code.texts.size())
+    return refused("a text that stands in none of the programs is not computed here");
+  return std::nullopt;
+}
+
+}  // namespace
+
+ExpressionList compile_expressions(const Code& code,
+                                   const std::vector<std::pair<std::string, std::int32_t>>& texts) {
+  if (texts.empty()) return {};
+  auto with = std::make_shared<Code>(code);
+  InterruptCheck never;
+  Builder to(*with, never);
+  std::string all = " ";
+  for (const auto& [text, program] : texts) all += text + '\n';
+  Program holder;
+  holder.file = static_cast<std::uint32_t>(with->files.size());
+  holder.line = 1;
+  with->files.push_back({"expression", "expression", FileText(all), false});
+  const std::string_view file = with->files.back().text.view();
+  const Dialect& dialect = dialect_of(*code.control);
+  to.begin_program(holder);
+  ExpressionList compiled;
+  Block block;
+  block.text = 1;
+  for (const auto& [text, program] : texts) {
+    ++block.line;
+    block.length = static_cast<std::uint16_t>(std::min<std::size_t>(text.size(), kLookedAt));
+    ExpressionList::One& one = compiled.list.emplace_back();
+    one.block = to.next_address();
+    one.fault = dialect.read_expression(
+        to, {file.substr(block.text, text.size()), holder.file, block.text, program},
+        one.expression);
+    if (!one.fault) one.fault = adds_to(code, *with, block.text);
+    to.append(block);
+    block.text += static_cast<std::uint32_t>(text.size() + 1);
+  }
+  to.end_program(block.text, block.line + 1);
+  compiled.code = std::move(with);
+  return compiled;
 }
 
 }  // namespace cncsub

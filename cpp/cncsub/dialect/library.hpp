@@ -5,9 +5,11 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/expression_list.hpp"
 #include "cncsub/dialect/sharing.hpp"
 
 namespace cncsub {
@@ -25,5 +27,10 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
 /// Return the same library with one more program at its end: the text typed in MDI.
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
                                         const std::function<bool()>& interrupted = {});
+
+/// Compile expressions of the library's language, conditions or values, each with the program whose
+/// variables it may name. One that is none has a fault.
+ExpressionList compile_expressions(const Code& code,
+                                   const std::vector<std::pair<std::string, std::int32_t>>& texts);
 
 }  // namespace cncsub

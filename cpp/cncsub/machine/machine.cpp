@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/machine/run/aside.hpp"
 #include "cncsub/machine/run/run.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
@@ -65,14 +66,84 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
   begin_watching(run_);
 }
 
-bool Machine::step(const std::function<bool()>& interrupted) { return run_one(run_, interrupted); }
+bool Machine::step(const std::function<bool()>& interrupted) {
+  if (history_) history_->note(run_);
+  return run_one(run_, interrupted);
+}
+
+namespace {
+
+/// Run on, with a snapshot for the way back where one is due. Where it pauses, `paused` says so.
+void run_with(Run& run, std::optional<History>& history, const std::function<bool()>& interrupted,
+              const Pauses& pauses, const bool& paused) {
+  if (!history) return run_on(run, interrupted, pauses);
+  do {
+    history->note(run);
+    run_on(run, interrupted, pauses, run.state.executed + history->distance());
+  } while (run.state.stop == Stop::Running && !paused);
+}
+
+}  // namespace
 
 void Machine::run(const std::function<bool()>& interrupted,
                   const std::function<bool(const Machine&)>& pause) {
+  bool paused = false;
   if (pause)
-    run_on(run_, interrupted, [&] { return pause(*this); });
+    run_with(run_, history_, interrupted, {[&] { return paused = pause(*this); }}, paused);
   else
-    run_on(run_, interrupted, {});
+    run_with(run_, history_, interrupted, {}, paused);
+}
+
+Breakpoints Machine::run(const std::function<bool()>& interrupted, std::vector<Breakpoint> list,
+                         const ExpressionList& expressions) {
+  bool paused = false;
+  Breakpoints breakpoints(std::move(list), expressions, run_);
+  breakpoints.begin(run_);
+  run_with(run_, history_, interrupted,
+           {[&] { return paused = breakpoints.pauses(run_); }, breakpoints.marked()}, paused);
+  if (!paused) breakpoints.pauses(run_);
+  return breakpoints;
+}
+
+void Machine::remember() {
+  if (!history_) history_.emplace().note(run_);
+}
+
+bool Machine::back(std::int64_t step, const std::function<bool()>& interrupted) {
+  return history_->back(run_, step, interrupted);
+}
+
+std::int64_t Machine::last_met(const std::vector<Breakpoint>& list,
+                               const ExpressionList& expressions,
+                               const std::function<bool()>& interrupted) const {
+  return history_->last_met(run_, list, expressions, interrupted);
+}
+
+std::int64_t Machine::step_of_call() const {
+  const std::int32_t call = run_.frame().call;
+  return call < 0 ? -1 : run_.trace.calls[run_.trace.call_row(call)].caller_step;
+}
+
+Address Machine::next_block() const {
+  const State& s = run_.state;
+  if (s.stop == Stop::End || s.stop == Stop::Cycles) return kNowhere;
+  if ((code().blocks[s.pc].skip & run_.options.skips) == 0 || s.stop == Stop::Alarm) return s.pc;
+  Run probe = run_;
+  probe.state.stop = Stop::Running;
+  while (probe.state.stop == Stop::Running && passes_over(probe)) continue;
+  return probe.state.stop == Stop::Running ? probe.state.pc : kNowhere;
+}
+
+std::optional<Alarm> Machine::evaluate(const ExpressionList& list, const ExpressionList::One& one,
+                                       double& value) const {
+  Run probe = run_;
+  return evaluate_aside(probe, list, one, value);
+}
+
+void Machine::change(const std::function<void(Run&)>& now, const std::function<void(Run&)>& again) {
+  const Address pc = run_.state.pc;
+  now(run_);
+  if (history_) history_->edited(run_, pc, again);
 }
 
 void Machine::run(const std::function<bool()>& interrupted, std::int64_t blocks) {
@@ -84,10 +155,12 @@ void Machine::interrupt() {
   if (stop() == Stop::Running) end_run(run_, Stop::Interrupted);
 }
 
-void Machine::reset() {
-  State& s = run_.state;
-  finish_calls(run_);
-  run_.motion.reset();
+namespace {
+
+void reset(Run& run) {
+  State& s = run.state;
+  finish_calls(run);
+  run.motion.reset();
   s.modals.clear();
   s.loops.clear();
   s.waiting.clear();
@@ -96,14 +169,18 @@ void Machine::reset() {
   s.level = 0;
   s.subprograms = s.macros = 0;
   s.cycles = 0;
-  clear_variables(run_);
-  set_own_parameters(run_);
+  clear_variables(run);
+  set_own_parameters(run);
   s.stop = Stop::Running;
   s.alarm.reset();
   s.waiting_for.clear();
   s.pc = s.frames[0].restart;
-  note_changes_from_outside(run_);
+  note_changes_from_outside(run);
 }
+
+}  // namespace
+
+void Machine::reset() { change(&cncsub::reset, &cncsub::reset); }
 
 std::vector<Frame> Machine::frames() const { return open_calls(run_); }
 
@@ -135,15 +212,53 @@ std::optional<Fault> Machine::read(std::int64_t number, int level, double& value
   return read_variable(run_, number, level, value);
 }
 
+namespace {
+
+std::optional<Fault> write(Run& run, std::int64_t number, int level, double value) {
+  auto fault = write_variable(run, number, level, value);
+  note_changes_from_outside(run);
+  return fault;
+}
+
+}  // namespace
+
 std::optional<Fault> Machine::write(std::int64_t number, int level, double value) {
-  auto fault = write_variable(run_, number, level, value);
-  note_changes_from_outside(run_);
+  std::optional<Fault> fault;
+  change([&](Run& run) { fault = cncsub::write(run, number, level, value); },
+         [=](Run& run) { cncsub::write(run, number, level, value); });
   return fault;
 }
 
 void Machine::set_from_outside(std::int32_t number, double value) {
-  cncsub::set_from_outside(run_, number, value);
-  note_changes_from_outside(run_);
+  const auto set = [number, value](Run& run) {
+    cncsub::set_from_outside(run, number, value);
+    note_changes_from_outside(run);
+  };
+  change(set, set);
+}
+
+std::optional<std::string> Machine::set_mode(const std::shared_ptr<const Code>& typed,
+                                             const std::string& mode) {
+  std::optional<std::string> refused;
+  change([&](Run& run) { refused = cncsub::set_mode(run, typed, mode); },
+         [=](Run& run) { cncsub::set_mode(run, typed, mode); });
+  return refused;
+}
+
+std::optional<std::string> Machine::set_named(int level, const std::string& name,
+                                              const std::vector<NamedValue>& values) {
+  std::optional<std::string> refused;
+  change([&](Run& run) { refused = cncsub::set_named(run, level, name, values); },
+         [=](Run& run) { cncsub::set_named(run, level, name, values); });
+  return refused;
+}
+
+void Machine::set_switches(std::uint16_t skips, bool optional_stop) {
+  const auto set = [=](Run& run) {
+    run.options.skips = static_cast<std::uint16_t>(skips | (run.options.skips & Block::kPartEnd));
+    run.options.optional_stop = optional_stop;
+  };
+  change(set, set);
 }
 
 }  // namespace cncsub

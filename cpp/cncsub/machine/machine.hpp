@@ -10,7 +10,10 @@
 #include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/machine/run/breakpoints.hpp"
 #include "cncsub/machine/run/endless.hpp"
+#include "cncsub/machine/run/history.hpp"
+#include "cncsub/machine/run/settings.hpp"
 #include "cncsub/machine/state/context.hpp"
 #include "cncsub/machine/state/options.hpp"
 #include "cncsub/machine/state/state.hpp"
@@ -38,6 +41,32 @@ class Machine {
            const std::function<bool(const Machine&)>& pause = {});
   /// Run on for about this many blocks: fewer where they made very many moves.
   void run(const std::function<bool()>& interrupted, std::int64_t blocks);
+  /// Run until the run stops, or one of the breakpoints is reached. Return them as they are then.
+  Breakpoints run(const std::function<bool()>& interrupted, std::vector<Breakpoint> list,
+                  const ExpressionList& expressions);
+
+  /// Remember from now on where the run came from, to go back. It costs a snapshot now and then.
+  void remember();
+  bool remembers() const { return history_.has_value(); }
+  /// Go back to when so many blocks were executed, 0 to `blocks`; what was set from outside after
+  /// that is forgotten, what was set before is set again. Return false where `interrupted` ended
+  /// it, at an earlier block.
+  bool back(std::int64_t step, const std::function<bool()>& interrupted);
+  /// Return the last step before the present one at which the breakpoints show a block; -1: none.
+  std::int64_t last_met(const std::vector<Breakpoint>& list, const ExpressionList& expressions,
+                        const std::function<bool()>& interrupted) const;
+  const History& history() const { return *history_; }
+  /// Return the step of the block that opened the innermost call; -1 where none is open, or calls
+  /// are not recorded.
+  std::int64_t step_of_call() const;
+
+  /// Return the block about to be executed, past those that the block-skip switches skip; kNowhere
+  /// where the program has ended.
+  Address next_block() const;
+  /// Evaluate an expression in the present state, which stays as it is.
+  std::optional<Alarm> evaluate(const ExpressionList& list, const ExpressionList::One& one,
+                                double& value) const;
+
   /// Tell `observer` what each block does from now on, until there is none (null). It is to be
   /// emptied before each block.
   void tell(Observer* observer) { run_.observer = observer; }
@@ -89,9 +118,21 @@ class Machine {
   std::optional<Fault> write(std::int64_t number, int level, double value);
   /// Set a signal or a variable as the machine and other programs do.
   void set_from_outside(std::int32_t number, double value);
+  /// Set a mode, or a variable that a program defines: see settings.hpp. Return why it cannot be.
+  std::optional<std::string> set_mode(const std::shared_ptr<const Code>& typed,
+                                      const std::string& mode);
+  std::optional<std::string> set_named(int level, const std::string& name,
+                                       const std::vector<NamedValue>& values);
+  /// Set the block-skip switches, a bit each, and whether M01 stops.
+  void set_switches(std::uint16_t skips, bool optional_stop);
+  const Options& options() const { return run_.options; }
 
  private:
+  /// Change the run from outside, and remember what does the same again.
+  void change(const std::function<void(Run&)>& now, const std::function<void(Run&)>& again);
+
   Run run_;
+  std::optional<History> history_;
 };
 
 }  // namespace cncsub

@@ -166,14 +166,21 @@ std::vector<std::pair<std::string, double>> position(MotionView m) {
   return list;
 }
 
+static constexpr std::pair<std::string_view, Group> kNames[] = {
+    {"motion", Group::Motion},   {"plane", Group::Plane},       {"distance", Group::Distance},
+    {"feed_mode", Group::Feed},  {"units", Group::Units},       {"radius", Group::Radius},
+    {"length", Group::Length},   {"cycle", Group::Cycle},       {"return", Group::Return},
+    {"scaling", Group::Scaling}, {"surface", Group::Surface},   {"work", Group::Work},
+    {"path", Group::Path},       {"rotation", Group::Rotation}, {"polar", Group::Polar},
+    {"mirror", Group::Mirror},   {"stroke", Group::Stroke}};
+
+std::optional<Group> group_named(std::string_view name) {
+  for (const auto& [known, group] : kNames)
+    if (known == name) return group;
+  return std::nullopt;
+}
+
 std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
-  static constexpr std::pair<const char*, Group> kNames[] = {
-      {"motion", Group::Motion},   {"plane", Group::Plane},       {"distance", Group::Distance},
-      {"feed_mode", Group::Feed},  {"units", Group::Units},       {"radius", Group::Radius},
-      {"length", Group::Length},   {"cycle", Group::Cycle},       {"return", Group::Return},
-      {"scaling", Group::Scaling}, {"surface", Group::Surface},   {"work", Group::Work},
-      {"path", Group::Path},       {"rotation", Group::Rotation}, {"polar", Group::Polar},
-      {"mirror", Group::Mirror},   {"stroke", Group::Stroke}};
   std::vector<std::pair<std::string, std::string>> list;
   for (const auto& [name, group] : kNames) {
     const int code = m.state.modal[at(group)].code;

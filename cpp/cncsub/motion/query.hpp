@@ -2,7 +2,9 @@
 // control's order: X Y Z A B C U V W; lathe X Z Y C A B.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -32,6 +34,8 @@ double offset(MotionView m, VariableKind kind, int number);
 
 std::vector<std::pair<std::string, double>> position(MotionView m);
 std::vector<std::pair<std::string, std::string>> modal(MotionView m);
+/// Return the group of codes that `modal` shows under a name; nothing for one of a word.
+std::optional<Group> group_named(std::string_view name);
 
 /// Return a number without a point at this address, as an argument of a macro.
 double scaled(MotionView m, char address, double value);

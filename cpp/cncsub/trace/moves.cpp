@@ -91,6 +91,12 @@ void Moves::truncate(std::size_t rows) {
   room_ = {};
 }
 
+void Moves::rewind(const Mark& mark) {
+  truncate(mark.rows);
+  extras_.resize(std::min(extras_.size(), mark.extras));
+  used_ = mark.used;
+}
+
 MoveRow Moves::row(std::size_t index) const {
   Walk walk(*this);
   walk.seek(index);

@@ -109,6 +109,13 @@ class Moves {
   void skip(SkipMove how);
   /// Forget the rows from `rows` on.
   void truncate(std::size_t rows);
+  /// How much the table held when a run stood somewhere, to go back to.
+  struct Mark {
+    std::size_t rows = 0, extras = 0;
+    std::uint32_t used = 0;
+  };
+  Mark mark() const { return {rows_, extras_.size(), used_}; }
+  void rewind(const Mark& mark);
 
  private:
   friend class MoveReader;

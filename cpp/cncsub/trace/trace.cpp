@@ -53,6 +53,34 @@ void Trace::keep_messages(std::size_t count) {
   messages.keep(count);
 }
 
+Trace::Mark Trace::mark() const {
+  return {.steps = steps.size(),
+          .calls = calls.size(),
+          .arguments = arguments.size(),
+          .codes = codes.size(),
+          .messages = messages.size(),
+          .missed_skips = missed_skips.size(),
+          .dropped = dropped.size(),
+          .changes = changes.size(),
+          .compared = compared.size(),
+          .moves = moves.mark(),
+          .watched = watched};
+}
+
+void Trace::rewind(const Mark& mark) {
+  steps.keep(mark.steps);
+  calls.keep(mark.calls);
+  arguments.keep(mark.arguments);
+  codes.keep(mark.codes);
+  keep_messages(mark.messages);
+  missed_skips.keep(mark.missed_skips);
+  dropped.keep(mark.dropped);
+  changes.keep(mark.changes);
+  compared.keep(mark.compared);
+  moves.rewind(mark.moves);
+  watched = mark.watched;
+}
+
 Trace Trace::take(const Open& open) {
   Trace rest;
   rest.depth = depth;

@@ -126,6 +126,18 @@ struct Trace {
   void say(std::string message);
   /// Forget the messages from `count` on.
   void keep_messages(std::size_t count);
+  /// How much was recorded when a run stood somewhere, to go back to.
+  struct Mark {
+    std::size_t steps = 0, calls = 0, arguments = 0, codes = 0, messages = 0, missed_skips = 0,
+                dropped = 0, changes = 0, compared = 0;
+    Moves::Mark moves;
+    std::vector<Watched> watched;
+  };
+  Mark mark() const;
+  /// Forget what was recorded after a mark. Calls that were open there count as open again when
+  /// `reopen` names them.
+  void rewind(const Mark& mark);
+  void reopen(std::int32_t call) { calls.at(call_row(call)).last_step = -1; }
   /// The calls, steps and moves that go on after a part that is taken away.
   struct Open {
     std::vector<std::int32_t> calls;

@@ -23,7 +23,7 @@ from cncsub.option_errors import wrong_value
 if TYPE_CHECKING:
     from cncsub._core import Alarm
     from cncsub.drawing.path import Path
-    from cncsub.run import Recorded, _Outcome
+    from cncsub.run import Outcome, Recorded
 
     Numbers = np.ndarray[Any, np.dtype[Any]]
 
@@ -89,7 +89,7 @@ class Picture:
         return _element(height, "path from above and the side", lines)
 
 
-def svg_of(run: _Outcome, coordinates: str) -> str:
+def svg_of(run: Outcome, coordinates: str) -> str:
     """See `Run.svg`."""
     if coordinates not in ("work", "machine"):
         raise wrong_value(

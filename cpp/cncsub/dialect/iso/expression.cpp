@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "cncsub/dialect/dialect.hpp"
+
 namespace cncsub {
 
 namespace {
@@ -88,6 +90,15 @@ std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
   return read;
 }
 
+std::optional<std::uint32_t> ExpressionReader::condition_or_number(Scanner& s) {
+  begin(s);
+  gap();
+  const std::uint32_t at = offset();
+  const Value value = values();
+  s.at = s_.at;
+  return value && value.is_condition() ? out_.finish(at, offset() - at) : finished(value, at);
+}
+
 std::optional<std::uint32_t> ExpressionReader::read_condition() {
   const bool opened = peek() == '[';
   const std::uint32_t at = offset();
@@ -124,6 +135,20 @@ std::optional<ExpressionReader::Variable> ExpressionReader::read_target(const Sc
   if (!number) return std::nullopt;
   if (*number != kComputed) return Variable{*number, 0};
   return Variable{kComputed, out_.finish(at, 1)};
+}
+
+std::optional<Fault> iso_expression(Builder& to, const ExpressionText& text,
+                                    std::uint32_t& expression) {
+  const ExpressionRules rules(to.code());
+  ExpressionReader reader(to, rules);
+  const char* const file = to.code().files[text.file].text.view().data();
+  Scanner s{text.text.data(), text.text.data() + text.text.size(), file};
+  const auto read = reader.condition_or_number(s);
+  if (!read) return reader.fault();
+  if (s.peek() != '\0')
+    return Fault{Cause::ExpressionFormat, s.offset(), 1, "the expression ends before this"};
+  expression = *read;
+  return std::nullopt;
 }
 
 }  // namespace cncsub

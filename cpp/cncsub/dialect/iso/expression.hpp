@@ -27,6 +27,8 @@ class ExpressionReader : private ValueReader {
   std::optional<std::uint32_t> arithmetic_of_word(Scanner& s, char address);
   /// Read the condition of IF or WHILE, brackets included.
   std::optional<std::uint32_t> condition(Scanner& s);
+  /// Read a condition without the brackets around it, or an expression that gives a number.
+  std::optional<std::uint32_t> condition_or_number(Scanner& s);
   /// The variable after a # (at `hash`): its number, or an expression that gives the number.
   struct Variable {
     std::int64_t number = -1;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/system/decimal.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -235,3 +236,20 @@ bool ExpressionReader::read_arctangent(int depth) {
 }
 
 }  // namespace cncsub::linuxcnc
+
+namespace cncsub {
+
+std::optional<Fault> linuxcnc_expression(Builder& to, const ExpressionText& text,
+                                         std::uint32_t& expression) {
+  linuxcnc::Line line;
+  line.set("[" + std::string(text.text) + "]", text.at - 1);
+  linuxcnc::ExpressionReader reader(to, line);
+  linuxcnc::Value value;
+  if (!reader.bracketed(value)) return reader.fault;
+  if (!line.at_end())
+    return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
+  expression = to.expressions().expression_of(value);
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -1,8 +1,10 @@
 // Operators, and the values of whole expressions.
 #include "cncsub/dialect/sinumerik/expression.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
 namespace cncsub::sinumerik {
@@ -233,4 +235,58 @@ bool ExpressionReader::condition(std::uint32_t& expression, bool otherwise) {
   return true;
 }
 
+namespace {
+
+/// Return how the text of a program defined a variable.
+Definition definition_of(const DefinedVariable& of) {
+  static constexpr std::pair<DefinedVariable::Type, Type> kTypes[] = {
+      {DefinedVariable::Type::Real, Type::Real},   {DefinedVariable::Type::Int, Type::Int},
+      {DefinedVariable::Type::Bool, Type::Bool},   {DefinedVariable::Type::Char, Type::Char},
+      {DefinedVariable::Type::Text, Type::String}, {DefinedVariable::Type::Axis, Type::Axis}};
+  Definition definition;
+  for (const auto& [shown, type] : kTypes)
+    if (shown == of.type) definition.type = type;
+  definition.global = of.common;
+  definition.local = of.index;
+  definition.dimensions = std::min(of.extents.size(), Definition::kMostDimensions);
+  std::copy_n(of.extents.begin(), definition.dimensions, definition.extents.begin());
+  return definition;
+}
+
+/// Return the variables that a program may name.
+Definitions definitions_of(const Code& code, std::int32_t program) {
+  Definitions all;
+  const Program& of = code.programs[static_cast<std::size_t>(program)];
+  for (std::uint32_t i = 0; i < of.defined; ++i) {
+    const DefinedVariable& variable = code.defined_variables[of.first_defined + i];
+    all.add(variable.name, definition_of(variable));
+  }
+  for (const DefinedVariable& variable : code.shared_variables)
+    all.add(variable.name, definition_of(variable));
+  return all;
+}
+
+}  // namespace
+
 }  // namespace cncsub::sinumerik
+
+namespace cncsub {
+
+std::optional<Fault> sinumerik_expression(Builder& to, const ExpressionText& text,
+                                          std::uint32_t& expression) {
+  const sinumerik::Definitions definitions = sinumerik::definitions_of(to.code(), text.program);
+  sinumerik::Line line;
+  line.set(text.text, text.at);
+  sinumerik::ExpressionReader reader(to, line, definitions);
+  sinumerik::Value value;
+  bool is_text = false;
+  if (!reader.value_or_text(value, is_text)) return reader.fault;
+  if (!line.at_end())
+    return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
+  if (is_text)
+    return Fault{Cause::ExpressionFormat, text.at, 1, "a text is no number and no condition"};
+  expression = to.expressions().expression_of(value);
+  return std::nullopt;
+}
+
+}  // namespace cncsub

@@ -164,9 +164,11 @@ void execute_alone(Run& run, const Block& block) {
 /// Execute blocks and nothing else until the run is to look for a reason to stop. Return false
 /// where it is to `pause`. The caller asks whether variables are watched, not every pass.
 template <bool watched>
-inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_t& passed) {
+inline bool run_blocks(Run& run, const Pauses& pauses, std::int64_t& passed) {
   State& s = run.state;
   const Block* blocks = run.code->blocks.data();
+  const std::uint8_t* const marked = pauses.marked;
+  const bool asks = static_cast<bool>(pauses.ask), each = asks && marked == nullptr;
   while (s.executed < run.watch.look_at && s.stop == Stop::Running) {
     const Block& block = blocks[s.pc];
     if ((block.skip & run.options.skips) != 0) [[unlikely]] {
@@ -174,11 +176,11 @@ inline bool run_blocks(Run& run, const std::function<bool()>& pause, std::int64_
       if (++passed % kLookSkipped == 0) look_soon(run);
       if (passes) continue;
     }
-    if (pause && pause()) return false;
+    if (asks && (each || marked[s.pc] != 0) && pauses.ask()) return false;
     if constexpr (watched)
       execute_alone(run, block);
     else
-      execute(run, block, static_cast<bool>(pause));
+      execute(run, block, each);
   }
   return true;
 }
@@ -212,20 +214,23 @@ bool run_one(Run& run, const std::function<bool()>& interrupted) {
   return s.executed != before;
 }
 
-void run_on(Run& run, const std::function<bool()>& interrupted, const std::function<bool()>& pause,
+bool passes_over(Run& run) { return passes_over(run, run.code->blocks[run.state.pc]); }
+
+void run_on(Run& run, const std::function<bool()>& interrupted, const Pauses& pauses,
             std::int64_t until) {
   State& s = run.state;
   std::int64_t passed = 0;
   const std::int64_t last = std::min(until, run.options.max_blocks);
   goes_on(s);
   const AtWork at_work(run, interrupted);
+  run.watch.marked = pauses.ask ? pauses.marked : nullptr;
   if (s.stop == Stop::Running && stops(run) == Stop::Limit) end_run(run, Stop::Limit);
   while (s.stop == Stop::Running) {
     // Between two looks at the clock, the memory and Ctrl-C, only blocks are executed.
     look_later(run, last);
     const bool quickly = run.watched.empty() && !run.code->general_only;
     const bool on =
-        quickly ? run_blocks<false>(run, pause, passed) : run_blocks<true>(run, pause, passed);
+        quickly ? run_blocks<false>(run, pauses, passed) : run_blocks<true>(run, pauses, passed);
     if (!on || s.stop != Stop::Running) return;
     const Stop broken_off = run.watch.broken_off;
     const Stop why = broken_off != Stop::Running ? broken_off : stops(run);

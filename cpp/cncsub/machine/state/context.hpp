@@ -76,6 +76,8 @@ struct Watch {
   std::int64_t look_at = 0;     // when that many blocks are executed the run looks for a reason,
   std::int64_t look_moves = 0;  // or when it has made so many moves since the last time
   std::int64_t moves = 0;       // which are these
+  // While it runs: by address, which blocks it may pause before. Null: none, or all.
+  const std::uint8_t* marked = nullptr;
 };
 
 /// The watched variables, laid out so that a step pays for what it changes, however much is

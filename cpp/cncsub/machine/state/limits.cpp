@@ -1,6 +1,8 @@
 #include "cncsub/machine/state/limits.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "cncsub/machine/state/stop.hpp"
 
@@ -32,6 +34,19 @@ AtWork::AtWork(Run& run, const std::function<bool()>& interrupted) : watch_(run.
 AtWork::~AtWork() {
   watch_.spent += seconds_since(watch_.begun);
   watch_.interrupted = nullptr;
+  watch_.marked = nullptr;
+}
+
+LiftedLimits::LiftedLimits(Run& run)
+    : run_(run),
+      seconds_(std::exchange(run.options.max_seconds, 0)),
+      spent_(run.watch.spent),
+      memory_(std::exchange(run.options.max_memory, std::numeric_limits<std::uint64_t>::max())) {}
+
+LiftedLimits::~LiftedLimits() {
+  run_.options.max_seconds = seconds_;
+  run_.options.max_memory = memory_;
+  run_.watch.spent = spent_;
 }
 
 Stop stops(Run& run) {

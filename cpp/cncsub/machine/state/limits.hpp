@@ -21,6 +21,21 @@ class AtWork {
   Watch& watch_;
 };
 
+/// The limits of time and memory, lifted as long as this lives: a stretch runs again for which they
+/// counted before.
+class LiftedLimits {
+ public:
+  explicit LiftedLimits(Run& run);
+  LiftedLimits(const LiftedLimits&) = delete;
+  LiftedLimits& operator=(const LiftedLimits&) = delete;
+  ~LiftedLimits();
+
+ private:
+  Run& run_;
+  double seconds_, spent_;
+  std::uint64_t memory_;
+};
+
 /// Return why the run is to stop now, if it is. Asked between blocks, and inside those that take
 /// long.
 Stop stops(Run& run);

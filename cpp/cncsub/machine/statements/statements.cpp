@@ -258,6 +258,7 @@ bool run_statements(Run& run, bool one, const Block*& instead) {
     s.pc = run.block.next;
     if (one || s.executed >= run.watch.look_at || (blocks[s.pc].skip & run.options.skips) != 0)
       return true;
+    if (run.watch.marked != nullptr && run.watch.marked[s.pc] != 0) return true;
   }
 }
 

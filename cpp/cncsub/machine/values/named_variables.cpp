@@ -64,4 +64,10 @@ std::vector<NamedValues> named_variables(const Run& run, int level) {
   return named;
 }
 
+std::optional<NamedValues> named_variable(const Run& run, int level, const std::string& name) {
+  for (const NamedValues& of : named_variables(run, level))
+    if (of.variable->name == name) return of;
+  return std::nullopt;
+}
+
 }  // namespace cncsub

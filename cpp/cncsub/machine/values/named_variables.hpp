@@ -1,6 +1,8 @@
 // Variables that have names, with their values, for whoever looks at a run.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "cncsub/machine/state/context.hpp"
@@ -16,5 +18,7 @@ struct NamedValues {
 /// Return the variables that the program of a level defines, then those of all programs. One that
 /// was not defined yet is left out.
 std::vector<NamedValues> named_variables(const Run& run, int level);
+/// Return the one of this name, in capitals; nothing where there is none.
+std::optional<NamedValues> named_variable(const Run& run, int level, const std::string& name);
 
 }  // namespace cncsub

@@ -1,0 +1,206 @@
+// Breakpoints, the way back, and expressions that stand in no program.
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bindings.hpp"
+#include "cncsub/dialect/library.hpp"
+#include "gil.hpp"
+#include "live.hpp"
+#include "rows.hpp"
+
+namespace py = pybind11;
+
+namespace cncsub::bindings {
+
+namespace {
+
+constexpr int kSwitches = 10;          // that skip blocks
+constexpr std::size_t kLook = 1 << 8;  // the work between two questions, in bytes
+
+Breakpoint::Kind kind_of(const std::string& name) {
+  using enum Breakpoint::Kind;
+  static const std::pair<const char*, Breakpoint::Kind> kKinds[] = {
+      {"block", Block}, {"depth", Depth}, {"call", Call}, {"return", Return}, {"alarm", Alarm},
+      {"code", Code},   {"value", Value}, {"axis", Axis}, {"mode", Mode}};
+  for (const auto& [known, kind] : kKinds)
+    if (name == known) return kind;
+  throw py::value_error("no such kind of breakpoint: " + name);
+}
+
+/// Return a breakpoint from the facts of one; those that are not given are left as they are.
+Breakpoint breakpoint_of(const py::dict& from, const Code& code,
+                         const ExpressionList& expressions) {
+  Breakpoint of;
+  of.kind = kind_of(from["kind"].cast<std::string>());
+  const auto take = [&from](const char* name, auto& value) {
+    if (from.contains(name)) value = from[name].cast<std::decay_t<decltype(value)>>();
+  };
+  take("blocks", of.blocks);
+  take("number", of.number);
+  take("letter", of.letter);
+  take("value", of.value);
+  take("name", of.name);
+  take("expression", of.expression);
+  take("condition", of.condition);
+  take("hits", of.hits);
+  for (const Address block : of.blocks)
+    if (block >= code.blocks.size()) throw py::index_error("no such block");
+  for (const std::uint32_t one : {of.expression, of.condition})
+    if (one != Breakpoint::kNone && one >= expressions.list.size())
+      throw py::index_error("no such expression");
+  return of;
+}
+
+std::vector<Breakpoint> breakpoints_of(const py::list& given, const Code& code,
+                                       const ExpressionList& expressions) {
+  std::vector<Breakpoint> list;
+  for (const py::handle one : given)
+    list.push_back(breakpoint_of(one.cast<py::dict>(), code, expressions));
+  return list;
+}
+
+/// Run to one of the breakpoints. Return which were reached, how often each was met, and the fault
+/// of one that could not be evaluated.
+py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expressions) {
+  const Work machine(live);
+  auto list = breakpoints_of(given, machine->code(), expressions);
+  std::optional<Breakpoints> after;
+  with_signals([&](const auto& interrupted) {
+    after.emplace(machine->run(interrupted, std::move(list), expressions));
+  });
+  py::object faulty = py::none();
+  if (const auto& fault = after->faulty())
+    faulty = py::make_tuple(fault->first, fault->second.detail);
+  return py::make_tuple(py::cast(after->reached()), py::cast(after->met()), faulty);
+}
+
+/// Return the last step before the present one at which a breakpoint shows a block; -1: none.
+std::int64_t last_met(Live& live, const py::list& given, const ExpressionList& expressions) {
+  const Work machine(live);
+  const auto list = breakpoints_of(given, machine->code(), expressions);
+  std::int64_t step = -1;
+  work_away([&](InterruptCheck& interrupt) {
+    step = machine->last_met(list, expressions, [&] { return interrupt.requested(kLook); });
+  });
+  return step;
+}
+
+void back(Live& live, std::int64_t step) {
+  const Work machine(live);
+  if (step < 0 || step > machine->blocks()) throw py::index_error("no such step");
+  if (!machine->remembers()) throw py::value_error("the machine does not remember its way");
+  work_away([&](InterruptCheck& interrupt) {
+    machine->back(step, [&] { return interrupt.requested(kLook); });
+  });
+}
+
+/// Return the addresses of the blocks of a program with a sequence number, or on a line.
+std::vector<Address> blocks_at(const Live& live, std::int32_t program, std::int64_t n,
+                               std::int64_t line) {
+  const Code& code = *live.code;
+  const Program& of = code.programs.at(static_cast<std::size_t>(program));
+  std::vector<Address> found;
+  for (Address at = of.first; at < of.last; ++at)
+    if ((n < 0 || code.blocks[at].n == n) && (line < 0 || code.blocks[at].line == line) &&
+        code.program_at(at) == program)
+      found.push_back(at);
+  return found;
+}
+
+py::object next_block(Live& live) {
+  const Look machine(live);
+  const Address address = machine->next_block();
+  return address == kNowhere ? py::object(py::none()) : py::object(py::int_(address));
+}
+
+/// Compile expressions; return them, and of each the reason and the place why it is none.
+py::tuple expressions_of(const Live& live,
+                         const std::vector<std::pair<std::string, std::int32_t>>& texts) {
+  ExpressionList list = compile_expressions(*live.code, texts);
+  py::list faults;
+  for (const ExpressionList::One& one : list.list) {
+    if (!one.fault) {
+      faults.append(py::none());
+      continue;
+    }
+    const Alarm alarm = alarm_of(*list.code, one.block, *one.fault);
+    faults.append(py::make_tuple(alarm.detail, alarm.column, alarm.width));
+  }
+  return py::make_tuple(std::move(list), faults);
+}
+
+/// Return the value of an expression, or raise what it would be in a program.
+py::object evaluate(Live& live, const ExpressionList& expressions, std::size_t index) {
+  const Look machine(live);
+  double value = 0;
+  if (const auto alarm = machine->evaluate(expressions, expressions.list.at(index), value))
+    throw py::value_error(alarm->detail);
+  return value_or_none(value);
+}
+
+/// Raise the reason why something cannot be set.
+void raise_refused(const std::optional<std::string>& refused) {
+  if (refused) throw py::value_error(*refused);
+}
+
+void set_mode(Live& live, const std::string& mode, const std::string& text) {
+  const Work machine(live);
+  raise_refused(machine->set_mode(compile_mdi(*live.code, text), mode));
+}
+
+void set_named(Live& live, const std::string& name, const std::vector<NamedValue>& values,
+               int level) {
+  const Work machine(live);
+  if (level > machine->state().level) throw py::index_error("no such level");
+  raise_refused(machine->set_named(level < 0 ? machine->state().level : level, name, values));
+}
+
+/// Return the numbers of the block-skip switches that are on, and whether M01 stops.
+py::tuple switches(Live& live) {
+  const Look machine(live);
+  const Options& options = machine->options();
+  py::list on;
+  for (int k = 1; k <= kSwitches; ++k)
+    if ((options.skips >> k & 1) != 0) on.append(k);
+  return py::make_tuple(py::tuple(on), options.optional_stop);
+}
+
+void set_switches(Live& live, const std::vector<int>& on, bool stops) {
+  std::uint32_t skips = 0;
+  for (const int number : on)
+    if (number >= 1 && number <= kSwitches) skips |= 1U << static_cast<unsigned>(number);
+  Work(live)->set_switches(static_cast<std::uint16_t>(skips), stops);
+}
+
+}  // namespace
+
+void add_debugging(MachineClass& machine) {
+  py::class_<ExpressionList>(machine, "Expressions", py::is_final());
+  machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
+      .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
+      .def_property_readonly("switches", &switches)
+      .def("set_switches", &set_switches, py::arg("on"), py::arg("stops"))
+      .def("run_to", &run_to, py::arg("breakpoints"), py::arg("expressions"))
+      .def("last_met", &last_met, py::arg("breakpoints"), py::arg("expressions"))
+      .def("remember", [](Live& live) { Work(live)->remember(); })
+      .def("back", &back, py::arg("step"))
+      .def_property_readonly("step_of_call", [](Live& live) { return Look(live)->step_of_call(); })
+      .def_property_readonly("snapshots",
+                             [](Live& live) -> py::tuple {
+                               const Look machine(live);
+                               if (!machine->remembers()) return py::make_tuple(0, 0);
+                               const History& history = machine->history();
+                               return py::make_tuple(history.snapshots(), history.bytes());
+                             })
+      .def("blocks_at", &blocks_at, py::arg("program"), py::arg("n") = -1, py::arg("line") = -1)
+      .def_property_readonly("next_block", &next_block)
+      .def_property_readonly("address", [](Live& live) { return Look(live)->state().pc; })
+      .def("expressions", &expressions_of, py::arg("texts"))
+      .def("evaluate", &evaluate, py::arg("expressions"), py::arg("index"));
+}
+
+}  // namespace cncsub::bindings

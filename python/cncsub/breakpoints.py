@@ -1,0 +1,245 @@
+"""Breakpoints: where a machine pauses, and after which events."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from cncsub import _core
+from cncsub.controls import did_you_mean
+from cncsub.files import clean
+from cncsub.program import Block, find_program
+
+AXES = "XYZABCUVW"
+# fmt: off
+_MODES = (
+    "motion", "plane", "distance", "feed_mode", "units", "radius", "length", "cycle", "return",
+    "scaling", "surface", "work", "path", "rotation", "polar", "mirror", "stroke",
+    "F", "S", "T", "H", "D",
+)
+# fmt: on
+_FORMS = (
+    "'O2:N30' (program and sequence number), 'job.nc:12' (file or program and line), 'call',"
+    " 'call O2', 'return', 'return O2', 'alarm', 'alarm 078', 'M6', 'T3', 'M', 'T',"
+    " 'changes #100', 'passes Z -5', 'mode' or 'mode distance'"
+)
+
+At = Block | tuple[str | int, int] | str
+
+
+@dataclass(frozen=True, slots=True)
+class Breakpoint:
+    """A place before which a machine pauses, or an event after whose block it does.
+
+    `at` is a `Block`, a program and a sequence number such as `("O2", 30)`, or a text:
+
+    | text | pauses |
+    | --- | --- |
+    | `"O2:N30"` | before the blocks N30 of the program O2 |
+    | `"job.nc:12"`, `"O2:12"` | before the block on line 12 of the file, or of the file of O2 |
+    | `"call"`, `"call O2"` | after a call, at the first block of what was called |
+    | `"return"`, `"return O2"` | after a program was left, at the block of the caller |
+    | `"alarm"`, `"alarm 078"` | at an alarm, by its number or its cause |
+    | `"M6"`, `"T3"`, `"S500"`, `"M"` | after a block that sent the code, or any M code |
+    | `"changes #100"` | after a block that changed the value of an expression |
+    | `"passes Z -5"` | after a block whose moves end beyond Z-5 (mm) or at it, from either side |
+    | `"mode distance"`, `"mode"` | after a block that changed the code of a group of `modal` |
+
+    `when` is an expression in the language of the control, read by its reader: the breakpoint
+    counts only where it holds. `hits`: it pauses from the so manieth time on that it is met.
+    Locals such as `#1` in `changes` are those of the level that is open when the machine runs on.
+
+    Raises `TypeError` and `ValueError` for what is none of these. Whether the program, the block
+    and the expression exist is seen when a machine runs to it.
+
+    >>> import cncsub
+    >>> text = "O1\\nN10 #100=0\\nN20 #100=#100+1\\nN30 IF[#100 LT 9]GOTO20\\nN40 M30\\n"
+    >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
+    >>> machine.run(until=cncsub.Breakpoint("O1:N20", when="#100 EQ 4"))
+    >>> machine.variables[100], machine.next.n
+    (4.0, 20)
+    """
+
+    at: At
+    when: str | None = None
+    hits: int = 1
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.at, Block | str) and not _is_place(self.at):
+            raise wrong_place(self.at)
+        if self.when is not None and not isinstance(self.when, str):
+            raise TypeError(f"when must be an expression such as '#100 GT 3', not {self.when!r}")
+        if isinstance(self.hits, bool) or not isinstance(self.hits, int):
+            raise TypeError(f"hits must be a whole number from 1 on, not {self.hits!r}")
+        if self.hits < 1:
+            raise ValueError(f"hits must be 1 or more, not {self.hits}")
+
+
+def wrong_place(given: object) -> TypeError:
+    return TypeError(
+        "until must be a Block, a program and a sequence number such as ('O2', 30), a number of"
+        f" open calls, a Breakpoint or several, or a text such as {_FORMS}; not {given!r}"
+    )
+
+
+def _one_line(text: str) -> str:
+    return re.sub(r"[\r\n\0]", " ", clean(text))
+
+
+def _is_place(given: object) -> bool:
+    return (
+        isinstance(given, tuple)
+        and len(given) == 2
+        and isinstance(given[0], str | int)
+        and not isinstance(given[0], bool)
+        and not isinstance(given[1], bool)
+        and hasattr(given[1], "__index__")
+    )
+
+
+class Compiled:
+    """Breakpoints as the engine takes them, with the expressions that they name."""
+
+    def __init__(self, core: _core.Machine, given: Iterable[Breakpoint]) -> None:
+        self._core = core
+        self._texts: list[tuple[str, int]] = []
+        self._what: list[str] = []
+        self.rows = [self._row(each) for each in given]
+        self.expressions = compiled(core, self._texts, self._what)
+
+    def _row(self, of: Breakpoint) -> dict[str, Any]:
+        row = self._event(of.at) if isinstance(of.at, str) else self._place(of.at)
+        if of.when is not None:
+            blocks = row.get("blocks")
+            row["condition"] = self._expression(of.when, "when", blocks[0] if blocks else None)
+        row["hits"] = of.hits
+        return row
+
+    def _expression(self, text: str, what: str, block: int | None = None) -> int:
+        address = self._core.address if block is None else block
+        self._texts.append((text, self._core.code.place_of(address)[0]))
+        self._what.append(what)
+        return len(self._texts) - 1
+
+    def _place(self, at: Block | tuple[str | int, int]) -> dict[str, Any]:
+        if isinstance(at, Block):
+            if at.program.data.code is not self._core.code:
+                raise ValueError(f"until: {at!r} is a block of another library")
+            return self._blocks(at.program.index, line=at.line)
+        return self._numbered(at[0], int(at[1]))
+
+    def _blocks(self, program: int, n: int = -1, line: int = -1) -> dict[str, Any]:
+        return {"kind": "block", "blocks": self._core.blocks_at(program, n, line)}
+
+    def _program(self, name: str | int) -> int:
+        code = self._core.code
+        index = find_program(code, name)
+        if index < 0:
+            known = did_you_mean(name, code.names())
+            raise KeyError(f"no program {name} in the memory{known}")
+        return index
+
+    def _numbered(self, name: str | int, n: int) -> dict[str, Any]:
+        index = self._program(name)
+        row = self._blocks(index, n=n if 0 <= n < 2**31 else 2**31)
+        if not row["blocks"]:
+            program = self._core.code.program(index)
+            every = (program.block(i)[0] for i in range(program.blocks))
+            numbers = {number for number in every if number is not None}
+            nearest = sorted(numbers, key=lambda number: (abs(number - n), number))[:3]
+            near = ", ".join(f"N{number}" for number in sorted(nearest))
+            cure = f"; near it are {near}" if near else ": give a line, such as 'job.nc:12'"
+            raise KeyError(f"no block N{n} in {program.name}{cure}")
+        return row
+
+    def _event(self, text: str) -> dict[str, Any]:
+        word, _, rest = _one_line(text).strip().partition(" ")
+        rest = rest.strip()
+        if word in ("call", "return"):
+            return {"kind": word, "number": self._program(rest) if rest else -1}
+        if word == "alarm":
+            return {"kind": word, "name": self._alarm(rest)}
+        if word == "changes" and rest:
+            return {"kind": "value", "expression": self._expression(rest, "changes")}
+        if word == "passes":
+            return self._axis(rest)
+        if word == "mode":
+            if rest and rest not in _MODES:
+                raise ValueError(f"no mode is called {rest!r}; there are {', '.join(_MODES)}")
+            return {"kind": word, "name": rest}
+        if code := re.fullmatch(r"([MTS])(\d{0,9})", text.strip()):
+            return {"kind": "code", "letter": code[1], "number": int(code[2] or -1)}
+        name, colon, place = text.strip().rpartition(":")
+        if not colon or not re.fullmatch(r"[Nn]?\d{1,15}", place):
+            raise ValueError(f"{text!r} is no breakpoint: it must be such as {_FORMS}")
+        if place[0] in "Nn":
+            return self._numbered(name, int(place[1:]))
+        return self._on_line(name, int(place))
+
+    def _axis(self, text: str) -> dict[str, Any]:
+        axis, _, value = text.partition(" ")
+        try:
+            if len(axis) == 1 and axis.upper() in AXES:
+                return {"kind": "axis", "letter": axis.upper(), "value": float(value)}
+        except ValueError:
+            pass
+        raise ValueError(f"'passes {text}' must name an axis and a value in mm: 'passes Z -5'")
+
+    def _alarm(self, name: str) -> str:
+        control = self._core.code.control
+        known = {slug: alarm.number for slug, alarm in control.alarms.items()}
+        if name and name not in known and name not in known.values():
+            near = did_you_mean(name, [*known, *(n for n in known.values() if n)])
+            raise ValueError(f"{control.name} has no alarm {name}{near}")
+        return name
+
+    def _on_line(self, name: str, line: int) -> dict[str, Any]:
+        """Return the blocks on a line of a file, or of the file in which a program stands."""
+        code = self._core.code
+        programs = [(i, code.program(i)) for i in range(len(code))]
+        found = [(i, p) for i, p in programs if name in (p.file, p.file.rpartition("/")[2])]
+        if not found:
+            index = find_program(code, name)
+            if index < 0:
+                names = [*code.names(), *{p.file for _, p in programs}]
+                raise KeyError(f"no file and no program {name}{did_you_mean(name, names)}")
+            found = [(i, p) for i, p in programs if p.file == code.program(index).file]
+        blocks = [block for i, _ in found for block in self._core.blocks_at(i, -1, line)]
+        if not blocks:
+            lines = sorted(p.block(i)[1] for _, p in found for i in range(p.blocks))
+            before = max((each for each in lines if each < line), default=None)
+            after = min((each for each in lines if each > line), default=None)
+            near = " and ".join(str(each) for each in (before, after) if each is not None)
+            cure = f"; the nearest have lines {near}" if near else ""
+            raise KeyError(f"no block on line {line} of {name}{cure}")
+        return {"kind": "block", "blocks": blocks}
+
+
+def compiled(
+    core: _core.Machine, texts: list[tuple[str, int]], what: list[str]
+) -> _core.Machine.Expressions:
+    """Compile expressions of the control's language; a `ValueError` says which is none, and why."""
+    cleaned = [(_one_line(text), program) for text, program in texts]
+    expressions, faults = core.expressions(cleaned)
+    for (text, _), name, fault in zip(cleaned, what, faults, strict=True):
+        if fault is not None:
+            detail, column, width = fault
+            caret = " " * (column - 1) + "^" * max(1, min(width, len(text) - column + 1))
+            raise ValueError(
+                f"{name}: {detail or 'this is no expression'}, on {core.code.control.name}\n"
+                f"  {text}\n  {caret}"
+            )
+    return expressions
+
+
+def as_breakpoints(given: object) -> list[Breakpoint]:
+    """Return what `until` and `to` may give as a list: one breakpoint or place, or several."""
+    if isinstance(given, Breakpoint):
+        return [given]
+    if isinstance(given, Block | str) or _is_place(given):
+        return [Breakpoint(given)]  # type: ignore[arg-type]
+    if isinstance(given, Iterable) and not isinstance(given, Mapping | bytes):
+        return [each if isinstance(each, Breakpoint) else Breakpoint(each) for each in given]
+    raise wrong_place(given)
