@@ -92,6 +92,8 @@ def test_what_is_installed(installed: Path) -> None:
     expected = {
         "include/cncsub/cncsub.h",
         "include/cncsub/cncsub.hpp",
+        "include/cncsub/comparison.hpp",
+        "include/cncsub/recorded.hpp",
         f"{lib}/libcncsub.a",
         f"{lib}/libcncsub.so",
         f"{lib}/pkgconfig/cncsub.pc",
@@ -170,7 +172,7 @@ def test_the_snippets_of_the_page_compile_and_run(installed: Path, tmp_path: Pat
 
 def test_the_public_header_is_short() -> None:
     assert len((INCLUDE / "cncsub.hpp").read_text().splitlines()) <= 300
-    assert len(functions()) <= 50
+    assert len(functions()) <= 70
 
 
 # ---- C ----
@@ -217,6 +219,44 @@ class Finding(ctypes.Structure):
     ]
 
 
+class StepRow(ctypes.Structure):
+    _fields_ = [
+        ("at", Place),
+        ("text", ctypes.c_char_p),
+        ("depth", ctypes.c_int32),
+        ("skipped", ctypes.c_int32),
+    ]
+
+
+CALL_STEPS = ("parent", "start_n", "repeats", "caller_step", "first_step", "last_step")
+
+
+class CallMade(ctypes.Structure):
+    _fields_ = [
+        ("kind", ctypes.c_char_p),
+        ("called", ctypes.c_char_p),
+        *((name, ctypes.c_int64) for name in CALL_STEPS),
+    ]
+
+
+class Variable(ctypes.Structure):
+    _fields_ = [
+        ("number", ctypes.c_int64),
+        ("name", ctypes.c_char_p),
+        ("value", ctypes.c_double),
+        ("text", ctypes.c_char_p),
+    ]
+
+
+class Rule(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("meaning", ctypes.c_char_p),
+        ("values", ctypes.c_char_p * 2),
+        ("examples", ctypes.c_char_p * 2),
+    ]
+
+
 NUMBERS = ("x", "y", "z", "mx", "my", "mz", "cx", "cy", "cz", "feed", "length", "time")
 
 
@@ -234,6 +274,10 @@ STRUCTS = {
     "cncsub_call": Call,
     "cncsub_finding": Finding,
     "cncsub_columns": Columns,
+    "cncsub_step": StepRow,
+    "cncsub_call_made": CallMade,
+    "cncsub_variable": Variable,
+    "cncsub_rule": Rule,
 }
 
 
@@ -241,8 +285,10 @@ def face(folder: Path) -> ctypes.CDLL:
     """Return the C face with the types that are not int."""
     c = library_of(folder)
     texts = ["version", "error", "control", "library_program", "run_stop", "machine_stop"]
+    texts += ["control_title", "library_hint", "run_message", "run_waiting_for", "comparison_what"]
     handles = ["library_new", "options_new", "library_run", "library_machine", "machine_so_far"]
-    doubles = ["run_variable", "machine_variable", "machine_position"]
+    handles += ["library_for", "compare", "comparison_run"]
+    doubles = ["run_variable", "machine_variable", "machine_position", "run_length", "run_time"]
     for names, type_ in (
         (texts, ctypes.c_char_p),
         (handles, ctypes.c_void_p),
@@ -250,9 +296,10 @@ def face(folder: Path) -> ctypes.CDLL:
     ):
         for name in names:
             getattr(c, f"cncsub_{name}").restype = type_
-    for name in ("run_moves", "library_check"):
+    sizes = ("run_moves", "library_check", "run_steps", "run_calls", "run_path", "run_variables")
+    for name in sizes:
         getattr(c, f"cncsub_{name}").restype = ctypes.c_size_t
-    c.cncsub_run_blocks.restype = ctypes.c_int64
+    c.cncsub_run_blocks.restype = c.cncsub_comparison_step.restype = ctypes.c_int64
     return c
 
 
@@ -384,6 +431,100 @@ def test_an_alarm_through_c(installed: Path) -> None:
     )
     c.cncsub_run_free(run)
     c.cncsub_library_free(library)
+
+
+def rows(next_: object, handle: object, row: type[ctypes.Structure]) -> list[ctypes.Structure]:
+    """Return structs by their index, until there is none."""
+    found, made = [], row()
+    while next_(handle, ctypes.c_size_t(len(found)), ctypes.byref(made)):
+        found.append(type(made).from_buffer_copy(made))
+    return found
+
+
+def test_blocks_calls_and_path_through_c_are_those_of_python(installed: Path) -> None:
+    c = face(installed)
+    run = ctypes.c_void_p(c.cncsub_library_run(read(c, "fanuc-0i-f", ALARMING), None))
+    same = cncsub.loads(ALARMING, control="fanuc-0i-f").run()
+    assert c.cncsub_run_steps(run) == len(same.steps)
+    made = c.cncsub_run_step(run, ctypes.c_size_t(2), ctypes.byref(row := StepRow()))
+    assert (made, row.at.program, row.at.n, row.text, row.depth) == (
+        1,
+        b"O2",
+        50,
+        b"N50 #100=#1*2",
+        1,
+    )
+    made = c.cncsub_run_call(run, ctypes.c_size_t(0), ctypes.byref(call_row := CallMade()))
+    assert (made, call_row.kind, call_row.called, call_row.parent) == (1, b"G65", b"O2", -1)
+    assert (call_row.caller_step, call_row.first_step) == (1, 2)
+    moving = ctypes.c_void_p(c.cncsub_library_run(read(c, "fanuc-0i-f", MOVING), None))
+    count = c.cncsub_run_path(moving, ctypes.c_double(0.01))
+    x, y = (ctypes.c_double * count)(), (ctypes.c_double * count)()
+    assert c.cncsub_run_write_path(moving, x, y, None, None, None)
+    assert ([x[0], y[0], x[count - 1]], count > 5) == ([0, 0, 20], True)
+    assert (
+        c.cncsub_run_length(moving)
+        == cncsub.loads(MOVING, control="fanuc-0i-f").run().moves.total_length
+    )
+
+
+def test_variables_with_numbers_and_names_through_c(installed: Path) -> None:
+    c = face(installed)
+    text = 'DEF INT SIDES[2]=SET(3,4)\nDEF STRING[8] NAME="A"<<SIDES[1]\nR5=2.5\nM30\n'
+    run = ctypes.c_void_p(c.cncsub_library_run(read(c, "siemens-one", text), None))
+    c.cncsub_run_variables(run)
+    found = [
+        (row.number, row.name, row.text) for row in rows(c.cncsub_run_variable_at, run, Variable)
+    ]
+    assert (5, b"", b"2.5") in found
+    assert found[-3:] == [(-1, b"SIDES[0]", b"3"), (-1, b"SIDES[1]", b"4"), (-1, b"NAME", b"A4")]
+
+
+def test_rules_and_parameters_are_changed_through_c_as_in_python(installed: Path) -> None:
+    c = face(installed)
+    library = read(c, "fanuc-0i-f", ALARMING)
+    changed = c.cncsub_library_for(library, b"fanuc-0i-f", b"max_nesting=0\n\n 6050 = 70")
+    run = ctypes.c_void_p(c.cncsub_library_run(ctypes.c_void_p(changed), None))
+    alarm = Alarm()
+    assert c.cncsub_run_alarm(run, ctypes.byref(alarm))
+    control = cncsub.controls["fanuc-0i-f"].replace(max_nesting=0)
+    assert alarm.cause.decode() == cncsub.loads(ALARMING, control=control).run().alarm.cause
+    for lines, why in (
+        (b"max_nestin=1", b"there is no rule max_nestin; the nearest are max_nesting"),
+        (b"max_nesting=deep", b"max_nesting must be a whole number, not deep"),
+        (b"6050=x", b"parameter 6050 must be a number, not x"),
+        (b"zero_repeats=never", b"zero_repeats must be one of once, skip, alarm"),
+    ):
+        assert not c.cncsub_library_for(library, b"fanuc-0i-f", lines)
+        assert why in c.cncsub_error()
+
+
+EXAMPLES = sorted((ROOT / "examples").glob("*/*.nc"))
+
+
+@pytest.mark.parametrize("file", EXAMPLES, ids=lambda file: file.stem)
+def test_a_comparison_through_c_is_that_of_python(installed: Path, file: Path) -> None:
+    c = face(installed)
+    text = file.read_text(encoding="utf-8")
+    pairs = (
+        ("fanuc-0i-f", "mitsubishi-m700"),
+        ("gsk-988ta", "fanuc-0i-f"),
+        ("fanuc-30i", "haas-ngc"),
+    )
+    for one, other in pairs:
+        first = read(c, one, text)
+        second = ctypes.c_void_p(c.cncsub_library_for(first, other.encode(), None))
+        options = ctypes.c_void_p(c.cncsub_options_new())
+        assert c.cncsub_options_number(options, b"max_blocks", ctypes.c_double(5000))
+        compared = ctypes.c_void_p(c.cncsub_compare(first, second, options))
+        same = cncsub.compare(
+            cncsub.loads({"file0.nc": text}, control=one), controls=[one, other], max_blocks=5000
+        )
+        what = c.cncsub_comparison_what(compared).decode()
+        assert what == ("" if same.same else same.what), (one, other)
+        found = [row.name.decode() for row in rows(c.cncsub_comparison_rule, compared, Rule)]
+        assert found == [*same.rules, *same.parameters], (one, other)
+        c.cncsub_comparison_free(compared)
 
 
 def test_what_cannot_be_is_refused_with_a_reason(installed: Path) -> None:

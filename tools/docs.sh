@@ -12,4 +12,6 @@ if [ "${1:-}" = --serve ]; then
 fi
 # It shows Python's traceback where it stops for a warning; what it has found stands above that.
 "$VENV/bin/zensical" build --strict --clean --config-file build/docs/mkdocs.yml
+# The page for trying programs, where `sh tools/playground.sh` has made it.
+[ ! -d build/playground/page ] || cp -r build/playground/page build/docs/site/playground
 exec "$VENV/bin/python" tools/check_site.py build/docs/site

@@ -1,84 +1,14 @@
-// The C face over the C++ library.
+// The C face over the C++ library: libraries, options, runs and machines.
 #include <cmath>
-#include <exception>
-#include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cncsub/cncsub.h"
-#include "cncsub/cncsub.hpp"
+#include "c_inside.hpp"
 
-namespace nc = cncsub::api;
-
-struct cncsub_library {
-  nc::Library library;
-  std::vector<std::string> programs;
-  std::vector<nc::Finding> findings;
-};
-struct cncsub_options {
-  nc::Options options;
-};
-struct cncsub_run {
-  nc::Run run;
-  std::optional<nc::Alarm> alarm;
-};
-struct cncsub_machine {
-  nc::Machine machine;
-  nc::Place next;
-  std::vector<nc::Call> stack;
-};
+using namespace cncsub::c_face;  // NOLINT(google-build-using-namespace)
 
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
-std::string& last_error() {
-  thread_local std::string text;
-  return text;
-}
-
-template <class Value>
-Value refused(const std::string& why, Value value) {
-  last_error() = why;
-  return value;
-}
-
-/// Do what may throw (memory is missing, a text is too long); return `otherwise` where it does.
-template <class Value, class Work>
-Value guarded(Value otherwise, const Work& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    return refused(error.what(), otherwise);
-  } catch (...) {
-    return refused("an unknown exception", otherwise);
-  }
-}
-
-/// Return whether an argument is NULL that may not be, and say so.
-template <class... Pointers>
-bool missing(const Pointers*... pointers) {
-  if (((pointers != nullptr) && ...)) return false;
-  last_error() = "an argument is NULL";
-  return true;
-}
-
-std::string text_of(const char* text) { return text == nullptr ? std::string() : text; }
-
-cncsub_place place_of(const nc::Place& from) {
-  return {from.program.c_str(), from.file.c_str(), from.n.value_or(-1), from.line};
-}
-cncsub_call call_of(const nc::Call& from) {
-  return {place_of(from.at), from.kind.c_str(), from.called.c_str(), from.repeat, from.repeats};
-}
-std::optional<double> value_of(double value) {
-  return std::isnan(value) ? std::nullopt : std::optional(value);
-}
-nc::Options options_of(const cncsub_options* options) {
-  return options == nullptr ? nc::Options() : options->options;
-}
 
 /// Set an option that is a number; return false where there is none of this name.
 bool set_number(nc::Options& options, const std::string& name, double value) {
@@ -108,9 +38,20 @@ const char* cncsub_version() { return nc::version().data(); }
 int32_t cncsub_abi() { return CNCSUB_ABI; }
 const char* cncsub_error() { return last_error().c_str(); }
 
-const char* cncsub_control(size_t index) {
+namespace {
+
+const std::vector<nc::Control>& all_controls() {
   static const std::vector<nc::Control> all = nc::controls();
-  return index < all.size() ? all[index].name.c_str() : nullptr;
+  return all;
+}
+
+}  // namespace
+
+const char* cncsub_control(size_t index) {
+  return index < all_controls().size() ? all_controls()[index].name.c_str() : nullptr;
+}
+const char* cncsub_control_title(size_t index) {
+  return index < all_controls().size() ? all_controls()[index].title.c_str() : nullptr;
 }
 
 cncsub_library* cncsub_library_new(const char* control, size_t count, const char* const* names,
@@ -149,6 +90,11 @@ int32_t cncsub_library_finding(const cncsub_library* library, size_t index, cncs
   *to = {from.rule.c_str(), from.severity.c_str(), from.message.c_str(), place_of(from.at),
          from.column};
   return 1;
+}
+
+const char* cncsub_library_hint(const cncsub_library* library, size_t index) {
+  if (missing(library)) return nullptr;
+  return index < library->findings.size() ? library->findings[index].hint.c_str() : nullptr;
 }
 
 cncsub_options* cncsub_options_new() {
@@ -294,6 +240,11 @@ int32_t cncsub_machine_run_to(cncsub_machine* machine, const char* program, int6
     if (!there) return refused(there.error().message, 0);
     return *there ? 1 : refused("the run stopped before that block", 0);
   });
+}
+
+int32_t cncsub_machine_run(cncsub_machine* machine, int64_t blocks) {
+  if (missing(machine)) return 0;
+  return guarded<int32_t>(0, [&] { return machine->machine.run_blocks(blocks) ? 1 : 0; });
 }
 
 void cncsub_machine_interrupt(cncsub_machine* machine) {

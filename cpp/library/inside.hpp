@@ -3,9 +3,11 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cncsub/cncsub.hpp"
 #include "cncsub/code/code.hpp"
@@ -36,7 +38,19 @@ Stop stop_of(cncsub::Stop from);
 std::optional<double> value_of(double value);
 Result<std::optional<double>> read(const cncsub::Machine& machine, std::int64_t number, int level);
 
+std::vector<Variable> variables_of(const cncsub::Machine& machine, int level);
+
+/// Return the control of a name; null where there is none.
+const cncsub::Control* find_control(const std::string& name);
+Result<std::shared_ptr<const cncsub::Control>> changed_control(
+    const std::string& name, const std::map<std::string, std::string>& changes);
+/// Read the texts of a library for another control.
+std::shared_ptr<const Code> read_again(const Code& code,
+                                       std::shared_ptr<const cncsub::Control> control);
+
 /// Return a machine that stands at the beginning of what the options ask for, or why there is none.
-Result<cncsub::Machine> machine_of(const std::shared_ptr<const Code>& code, const Options& options);
+/// `watch`: variables whose changes are kept.
+Result<cncsub::Machine> machine_of(const std::shared_ptr<const Code>& code, const Options& options,
+                                   const std::vector<std::int32_t>& watch = {});
 
 }  // namespace cncsub::api

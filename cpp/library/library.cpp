@@ -33,12 +33,6 @@ std::optional<std::string> text_of(const std::string& path) {
   return text;
 }
 
-const cncsub::Control* find_control(const std::string& name) {
-  for (const cncsub::Control& control : all_controls())
-    if (control.name == name) return &control;
-  return nullptr;
-}
-
 Finding finding_of(const Code& code, const cncsub::Finding& from) {
   const CheckInfo& rule = info(from.check);
   const cncsub::Alarm there = cncsub::alarm_of(
@@ -58,6 +52,12 @@ Finding finding_of(const Code& code, const cncsub::Finding& from) {
 }
 
 }  // namespace
+
+const cncsub::Control* find_control(const std::string& name) {
+  for (const cncsub::Control& control : all_controls())
+    if (control.name == name) return &control;
+  return nullptr;
+}
 
 std::string_view version() { return CNCSUB_VERSION; }
 

@@ -164,6 +164,16 @@ void Machine::run(const std::function<bool(const Machine&)>& pause) {
   inside_->interrupted = false;
 }
 
+bool Machine::run_blocks(std::int64_t blocks) {
+  const auto interrupted = [this] { return inside_->interrupted.load(); };
+  if (inside_->interrupted)
+    inside_->machine.interrupt();
+  else
+    inside_->machine.run(interrupted, blocks);
+  inside_->interrupted = false;
+  return stop() == Stop::Running;
+}
+
 Result<bool> Machine::run_to(const std::string& program, std::int64_t n) {
   const Code& code = inside_->machine.code();
   const std::int32_t found = code.find(std::string_view(program));

@@ -93,8 +93,8 @@ std::int32_t main_of(const Code& code, const std::string& name) {
 
 }  // namespace
 
-Result<cncsub::Machine> machine_of(const std::shared_ptr<const Code>& code,
-                                   const Options& options) {
+Result<cncsub::Machine> machine_of(const std::shared_ptr<const Code>& code, const Options& options,
+                                   const std::vector<std::int32_t>& watch) {
   const std::int32_t main = main_of(*code, options.main);
   if (main == kNoProgram)
     return Error{"main", options.main.empty() ? "there is no program"
@@ -104,7 +104,9 @@ Result<cncsub::Machine> machine_of(const std::shared_ptr<const Code>& code,
   if (options.start && code->first_of(program, *options.start) == kNowhere)
     return Error{"start", "there is no block N" + std::to_string(*options.start) + " in " +
                               code->name_of(program)};
-  cncsub::Machine machine(code, main, options_of(options));
+  cncsub::Options own = options_of(options);
+  own.watch = watch;
+  cncsub::Machine machine(code, main, std::move(own));
   for (const auto& [number, value] : options.variables)
     if (const auto fault = machine.write(number, 0, value.value_or(kVacant)))
       return Error{"variables", fault->detail};

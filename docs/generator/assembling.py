@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 import generator
 
 DOCS = generator.ROOT / "docs"
-_NOT_OF_THE_SITE = ("generator", "site.yml")
+_NOT_OF_THE_SITE = ("generator", "playground", "site.yml")
 
 # Pages that stand at the head of the repository, and where they stand in the site.
 HEAD_PAGES = {

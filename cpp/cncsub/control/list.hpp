@@ -34,7 +34,7 @@ constexpr std::optional<E> named(const std::string_view (&names)[Count], std::st
 template <class Kind>
 class List {
  public:
-  using Entry = Kind::Entry;
+  using Entry = typename Kind::Entry;
 
   constexpr List() = default;
   consteval List(const char* literal) {  // NOLINT(misc-explicit-constructor)

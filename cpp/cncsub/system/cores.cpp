@@ -10,7 +10,7 @@
 namespace cncsub::system {
 
 std::size_t cores() {
-#ifdef CPU_COUNT
+#if defined(CPU_COUNT) && !defined(__EMSCRIPTEN__)  // which declares it and has none
   cpu_set_t allowed;
   if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
     return static_cast<std::size_t>(std::max(1, CPU_COUNT(&allowed)));

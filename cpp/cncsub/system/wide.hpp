@@ -28,7 +28,7 @@ inline char32_t next_point(std::string_view text, std::size_t& at) {
 /// Return UTF-8 as 16-bit units.
 template <class Wide = std::wstring>
 Wide wide(std::string_view text) {
-  using Unit = Wide::value_type;
+  using Unit = typename Wide::value_type;
   Wide units;
   units.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {

@@ -168,8 +168,9 @@ void StatementReader::assignment(bool bracketed) {
   assigned.at = at - block_.text;
   assigned.width = width;
   const bool kept = assigned.target <= Statement::Target::Common || !expressions_.comments();
+  const char* const behind = s_.file + code_.expression(*value).at();
   const std::string_view comment =
-      kept ? std::string_view() : comment_in({s_.file + code_.expression(*value).at(), s_.end});
+      kept ? std::string_view() : comment_in({behind, static_cast<std::size_t>(s_.end - behind)});
   if (comment.empty() && assigned.fits() && !code_.general_only)
     return set(block_, assigned, *value);
   Statement statement = assigned.statement(*value, block_.text);

@@ -67,7 +67,7 @@ void pass_name(Scanner& s) {
 
 /// Pass over a character that begins no word and may have several bytes, and over its value.
 void pass_other(Scanner& s, const char* at, WrittenWord& word) {
-  word.address = first_character({at, s.end});
+  word.address = first_character({at, static_cast<std::size_t>(s.end - at)});
   s.at = at + word.address.size();
   if (!take_number(s, word)) pass_value(s);
 }

@@ -84,7 +84,7 @@ std::optional<WrittenWord> linuxcnc_word(std::string_view block, std::size_t& fr
     take_number(ahead, word);
     pass_value(s);
   } else {
-    word.address = first_character({start, s.end});
+    word.address = first_character({start, static_cast<std::size_t>(s.end - start)});
     s.at = start + word.address.size();
   }
   s.at = place_word(word, block, start, s.at);

@@ -31,6 +31,8 @@
 #include <variant>
 #include <vector>
 
+#include "cncsub/recorded.hpp"
+
 #if defined(_WIN32)
 #define CNCSUB_API
 #else
@@ -67,14 +69,6 @@ class Result {
 };
 
 // ---- what happened ----
-
-/// Where something stands: a block of a program, and the line of its file.
-struct Place {
-  std::string program;  // "O1"
-  std::optional<std::int64_t> n;
-  std::uint32_t line = 0;  // from 1
-  std::string file;
-};
 
 /// An open call, seen from where it was made.
 struct Call {
@@ -151,27 +145,6 @@ struct Options {
 
 // ---- reading and running ----
 
-/// A block that was executed.
-struct Step {
-  Place at;
-  std::string text;      // of the block
-  int depth = 0;         // open calls
-  bool skipped = false;  // it has a condition that did not hold
-};
-
-enum class Motion { Rapid, Feed, Clockwise, Counterclockwise, Thread, Dwell };
-
-/// Columns of moves, each as long as `size` and written by the caller's wish alone: null is left
-/// out.
-struct MoveColumns {
-  double *x = nullptr, *y = nullptr, *z = nullptr;     // ends, work coordinates
-  double *mx = nullptr, *my = nullptr, *mz = nullptr;  // ends of the tool, machine coordinates
-  double *cx = nullptr, *cy = nullptr, *cz = nullptr;  // centres of arcs; NaN elsewhere
-  double *feed = nullptr, *length = nullptr, *time = nullptr;
-  std::int32_t* kind = nullptr;  // a Motion
-  std::int64_t* step = nullptr;  // the step that makes it
-};
-
 /// A finished run. It never changes.
 class CNCSUB_API Run {
  public:
@@ -184,12 +157,18 @@ class CNCSUB_API Run {
   std::size_t steps() const;           // that were recorded
   Step step(std::size_t index) const;  // an empty one where there is none
   std::size_t moves() const;
+  std::size_t calls() const;
+  CallMade call(std::size_t index) const;
   double length() const;  // mm
   double time() const;    // s
   /// Write the columns that are not null; each has room for `moves()` values.
   void write_moves(const MoveColumns& columns) const;
+  /// Return the path of the tool as points, work coordinates; what is left out lies within
+  /// `tolerance` mm.
+  Path path(double tolerance) const;
   std::vector<std::string> messages() const;
   Result<std::optional<double>> variable(std::int64_t number) const;
+  std::vector<Variable> variables() const;  // those that have values, by number, then by name
 
   struct Inside;
   explicit Run(std::shared_ptr<const Inside> inside) : inside_(std::move(inside)) {}
@@ -207,6 +186,8 @@ class CNCSUB_API Machine {
   std::optional<Step> step();
   /// Run on until the run stops, or until `pause`, which is asked before each block, returns true.
   void run(const std::function<bool(const Machine&)>& pause = {});
+  /// Run on for about so many blocks; return whether the run goes on after them.
+  bool run_blocks(std::int64_t blocks);
   /// Run on until the block is the next one: false where the run stopped before. An Error where
   /// there is no such block.
   Result<bool> run_to(const std::string& program, std::int64_t n);
@@ -262,6 +243,10 @@ class CNCSUB_API Library {
   static Result<Library> load(const std::vector<std::string>& paths, const std::string& control,
                               const std::map<std::string, double>& parameters = {});
 
+  /// Read the same texts for a control whose rules and parameters are changed: by their names, with
+  /// values as Control.to_toml writes them: {"max_nesting", "3"}, {"zero_repeats", "once"}.
+  Result<Library> read_for(const std::string& control,
+                           const std::map<std::string, std::string>& changes = {}) const;
   const std::string& control() const;
   std::vector<std::string> programs() const;  // of several with one name, the first
   Result<Run> run(const Options& options = {}, const std::function<bool()>& interrupted = {}) const;
@@ -270,6 +255,7 @@ class CNCSUB_API Library {
 
   struct Inside;
   explicit Library(std::shared_ptr<const Inside> inside) : inside_(std::move(inside)) {}
+  const Inside& inside() const { return *inside_; }
 
  private:
   std::shared_ptr<const Inside> inside_;
