@@ -242,12 +242,14 @@ Definition definition_of(const DefinedVariable& of) {
   static constexpr std::pair<DefinedVariable::Type, Type> kTypes[] = {
       {DefinedVariable::Type::Real, Type::Real},   {DefinedVariable::Type::Int, Type::Int},
       {DefinedVariable::Type::Bool, Type::Bool},   {DefinedVariable::Type::Char, Type::Char},
-      {DefinedVariable::Type::Text, Type::String}, {DefinedVariable::Type::Axis, Type::Axis}};
+      {DefinedVariable::Type::Text, Type::String}, {DefinedVariable::Type::Axis, Type::Axis},
+      {DefinedVariable::Type::Frame, Type::Frame}};
   Definition definition;
   for (const auto& [shown, type] : kTypes)
     if (shown == of.type) definition.type = type;
   definition.global = of.common;
   definition.local = of.index;
+  definition.reference = of.reference;
   definition.dimensions = std::min(of.extents.size(), Definition::kMostDimensions);
   std::copy_n(of.extents.begin(), definition.dimensions, definition.extents.begin());
   return definition;
@@ -279,12 +281,12 @@ std::optional<Fault> sinumerik_expression(Builder& to, const ExpressionText& tex
   line.set(text.text, text.at);
   sinumerik::ExpressionReader reader(to, line, definitions);
   sinumerik::Value value;
-  bool is_text = false;
-  if (!reader.value_or_text(value, is_text)) return reader.fault;
+  auto type = sinumerik::Type::Real;
+  if (!reader.value_of_any(value, type)) return reader.fault;
   if (!line.at_end())
     return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
-  if (is_text)
-    return Fault{Cause::ExpressionFormat, text.at, 1, "a text is no number and no condition"};
+  if (!sinumerik::is_number(type))
+    return Fault{Cause::ExpressionFormat, text.at, 1, sinumerik::no_number(type)};
   expression = to.expressions().expression_of(value);
   return std::nullopt;
 }

@@ -57,6 +57,8 @@ std::optional<double> held_value(Run& run, DefinedVariable::Type type, const Nam
       return text == nullptr ? std::optional<double>(number != 0 ? 1 : 0) : std::nullopt;
     case DefinedVariable::Type::Text:
       return text != nullptr ? std::optional(keep_text(run, *text)) : std::nullopt;
+    case DefinedVariable::Type::Frame:
+      return std::nullopt;
     case DefinedVariable::Type::Axis:
       break;
   }
