@@ -38,7 +38,7 @@ def runs_elsewhere(text: str, control: str | cncsub.Control, setup: dict, random
     start = {"start": dict.fromkeys("XYZ", 0.0), **setup}
     plain = told(library.run(setup=start), lengths=True)
     for _ in range(3):
-        place = moved(start, random)
+        place = moved(start, control, random)
         assert same(plain, told(library.run(setup=place), lengths=True)), f"{place}\n{text}"
 
 

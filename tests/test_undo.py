@@ -141,7 +141,7 @@ TOGETHER = {
         "#<_a>=3 (MSG, said) G2 X1", "#1=7 #2=8 #5420=1", "#[30+1]=5 G2 X9", "#[5000+221]=5 G2 X9",
         "#1=5 #5221=9 M199 G2 X5", "#31=[1/0] #1=3", "#4=6 (ABORT, here)", "G10 L2 P1 X5 #5=6 G2 X1",
     ],
-    "siemens-one": ["R1=R1+1 G96", "R2=7 R3=8 G2 X5", "R4=R1 N5 G1 X=R1/R9", "R1=5 M6 G3 Y9", "MSG(\"A\") G2 X5"],
+    "siemens-one": ["R1=R1+1 G5", "R2=7 R3=8 G2 X5", "R4=R1 N5 G1 X=R1/R9", "R1=5 M6 G3 Y9", "MSG(\"A\") G2 X5"],
 }  # fmt: skip
 
 

@@ -48,7 +48,7 @@ double value_of_main(const cncsub::Machine& machine, std::int32_t number) {
 void add_written(const Code& code, std::set<std::int32_t>& numbers) {
   for (std::size_t i = 0; i < code.programs.size(); ++i) {
     const Program& program = code.programs[i];
-    if (!code.is_listed(program)) continue;
+    if (!is_listed(code, program)) continue;
     for (Address at = program.first; at < program.last; ++at)
       for (const VariableReference& use :
            references_of(code, code.blocks[at], static_cast<std::int32_t>(i)).writes)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping
+from functools import cache
 from random import Random
 from typing import Any
 
@@ -57,7 +58,24 @@ def _zero_point(setup: Mapping[str, Any]) -> dict[str, float]:
     return {axis: sum(part.get(axis, 0.0) for part in parts) for axis in AXES}
 
 
-def moved(setup: Mapping[str, Any], random: Random) -> dict[str, Any]:
+@cache
+def systems_of(control: str | cncsub.Control) -> list[str]:
+    """Return the codes of G54 to G59 that are work systems on a control."""
+    library = cncsub.loads("M30\n", control=control)
+
+    def takes(name: str) -> bool:
+        try:
+            library.run(setup={"work_offsets": {name: {"X": 1.0}}})
+        except ValueError:
+            return False
+        return True
+
+    return [name for name in (f"G{number}" for number in range(54, 60)) if takes(name)]
+
+
+def moved(
+    setup: Mapping[str, Any], control: str | cncsub.Control, random: Random
+) -> dict[str, Any]:
     """Return the setup with all zero points elsewhere, on a machine whose limits are wide."""
     offsets = {axis: round(random.uniform(-1000, 1000), 3) for axis in AXES}
     systems = {name: dict(axes) for name, axes in setup.get("work_offsets", {}).items()}
@@ -65,7 +83,7 @@ def moved(setup: Mapping[str, Any], random: Random) -> dict[str, Any]:
         own = systems.get("EXT", {})
         systems["EXT"] = {axis: own.get(axis, 0.0) + offsets[axis] for axis in AXES}
     else:
-        systems = {f"G{number}": offsets for number in range(54, 60)}
+        systems = dict.fromkeys(systems_of(control), offsets)
         systems["EXT"] = {axis: round(random.uniform(-50, 50), 3) for axis in AXES}
     return {**setup, "work_offsets": systems, "limits": WIDE}
 
@@ -97,7 +115,7 @@ def changes(case: Case, control: str, random: Random) -> Iterator[str]:
     plain = run(setup, lengths=True)
     if not plain[3]:
         return
-    elsewhere = moved(setup, random)
+    elsewhere = moved(setup, control, random)
     other = run(elsewhere, lengths=True)
     if not same(plain, other):
         yield f"with {elsewhere}: {_first(plain, other)}"

@@ -21,7 +21,8 @@ std::string_view to_string(ExitKind kind) {
 }
 
 bool is_computed(const CallRecord& record) {
-  for (const Operand* of : {&record.p, &record.l, &record.start(), &record.device()})
+  for (const Operand* of :
+       {&record.p, &record.l, &record.start(), &record.device(), &record.name_text()})
     if (of->kind == Operand::Kind::Expression) return true;
   return false;
 }

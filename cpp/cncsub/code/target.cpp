@@ -216,12 +216,6 @@ std::optional<Fault> CallWords::left_out(std::int32_t own) {
   return std::nullopt;
 }
 
-/// Return the name of a program as a call of the language writes it.
-std::string named_program(const Code& code, const std::string& name) {
-  const auto& [before, behind] = code.spelling->program_name;
-  return std::string(before) + name + std::string(behind);
-}
-
 Fault not_found(const Code& code, const CallRecord& call, const Target& target) {
   const bool named = !call.name().empty();
   const Cause cause = target.external ? Cause::ExternalProgramNotFound

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/spelling.hpp"
 
 namespace cncsub {
 
@@ -20,6 +22,11 @@ struct CallOperands {
 /// number or name for `find_target`.
 std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
                                  const CallOperands& operands, std::int32_t own, Target& target);
+/// Return the name of a program as a call of the language writes it.
+inline std::string named_program(const Code& code, const std::string& name) {
+  const auto& [before, behind] = code.spelling->program_name;
+  return std::string(before) + name + std::string(behind);
+}
 /// Look up the program and its start block, after the block's other words have been executed.
 std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target);
 

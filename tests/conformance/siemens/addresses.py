@@ -56,7 +56,7 @@ case(
     program=INDEXED + "N10 TRANS AX[LENG]=100\nN20 G0 X1\nN30 M30", final_machine="X201.125 Y20.25 Z-40.5",
 )
 for words, word in (
-    ("AX[LENG]=5 X2", "LENG]=5"), ("AX[LENG]=IC(5) AX[DEEP]=2", "AX[DEEP]=2"), ("AX[LENG]=DC(5)", "]="), ("AX[NONE]=5", ""),
+    ("AX[LENG]=5 X2", "LENG]=5"), ("AX[LENG]=IC(5) AX[DEEP]=2", "AX[DEEP]=2"), ("AX[LENG]=DC(5)", "]="), ("AX[NONE]=5", "NONE]=5"),
 ):
     case(
         f"{words} is not computed", **POLICY, setup=ZERO,
@@ -124,7 +124,7 @@ case(
     program="N10 G0 X10 Y0\nN20 G3 I-10 J0 AR=0 F100\nN30 M30", runs="N10", alarm="value-out-of-range", at="MAIN N20", word="AR=0",
 )
 case(
-    "an arc takes rotary axes along", pins="helix", control=ONE, source="840Dbf p.673, synchronized axes", evidence="maker's manual", setup=ZERO,
+    "an arc takes rotary axes along", pins="helix", control=ONE, source="840Dbf p.673, synchronized axes", evidence="secondary", setup=ZERO,
     program="N10 G0 X10 Y0 Z0\nN20 G3 X0 Y10 I-10 J0 A30 F100\nN30 G2 X10 Y0 I0 J-10 C=IC(20) Z-1 TURN=1\nN40 M30",
     final_work="X10 Y0 Z-1 A30 C20",
 )

@@ -54,7 +54,7 @@ case(
 # ---- CT ----
 
 case(
-    "CT goes on in the direction of the line before it, and of the arc before it", pins="g_meanings:901.3=tangent-arc", **TANGENT, setup=ZERO,
+    "CT goes on in the direction of the line before it, and of the arc before it", pins="g_meanings:CT=tangent-arc", **TANGENT, setup=ZERO,
     program="N10 G1 X10 Y0 F100\nN20 CT X20 Y10\nN30 X30 Y20\nN40 M30", moves="F X10 Y0\nCCW X20 Y10 C X10 Y10\nCW X30 Y20 C X30 Y10",
 )
 case(
@@ -165,7 +165,7 @@ for codes, word in (("G94 G96 S100", "G96"), ("G96 G97", "G97"), ("G961 G95", "G
 # ---- POS ----
 
 case(
-    "POS moves an axis beside the path at its own feed, whatever code of motion is in force, and that stays", pins="g_meanings:901.6=position-axes", **AXES, setup=ZERO,
+    "POS moves an axis beside the path at its own feed, whatever code of motion is in force, and that stays", pins="g_meanings:POS=position-axes", **AXES, setup=ZERO,
     program="N10 G0 X5 Y0\nN20 POS[X]=15 FA[X]=600\nN30 X20\nN40 M30", moves="R X5 Y0\nF X15 Y0\nR X20 Y0", final_machine="X120.125 Y20.25 Z-40.5",
 )
 case(

@@ -3,8 +3,10 @@
 #include <array>
 #include <iterator>
 
+#include "cncsub/control/edge_datum.hpp"
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
@@ -83,6 +85,21 @@ void add_cycles(const Control& control, Collection& to) {
   }
 }
 
+/// Add the variables of the control that a run knows and that have no row.
+void add_system_variables(Collection& to) {
+  for (const std::string_view word : known_system_variables())
+    to.add({"$" + std::string(word), "computed", "is a system variable that a run knows", "", "",
+            kKnown});
+  for (const std::string_view word : frames_of_no_machine())
+    to.add({"$" + std::string(word), "computed",
+            "is a frame that the machine has none of: it changes nothing, and takes no other", "",
+            "+code-not-computed", "840Dk p.2-67"});
+  for (int datum = 1; datum < EdgeDatum::kData; ++datum)
+    to.add({"$TC_DP" + std::to_string(datum), "computed",
+            "is a datum of an edge, which a run keeps and computes nothing with",
+            "[5,1]: the tool and its edge", "+array-element", kKnown});
+}
+
 /// Add the letters that no word of the language begins with.
 void add_other_letters(Collection& to) {
   static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -111,13 +128,13 @@ std::vector<Keyword> sinumerik_keywords(const Control& control) {
   for (const TreatedWords& list : kLists)
     for (const std::string_view word : list.words)
       all.add({std::string(word), "passed-over", std::string(list.does), "", "", kKnown});
-  for (const std::string_view word : known_system_variables())
-    all.add({"$" + std::string(word), "computed", "is a system variable that a run knows", "", "",
-             kKnown});
+  add_system_variables(all);
   for (const std::string_view word : kNotComputedWords)
     all.add({std::string(word), "not-computed",
              "is not computed here: a run stops there; " + what_it_needs(word), "",
              "code-not-computed", kKnown});
+  all.add({"ISOCALL", "not-computed", "calls a program in ISO mode: a run stops there", "",
+           "code-not-computed", kKnown});
   add_other_letters(all);
   return all.take();
 }

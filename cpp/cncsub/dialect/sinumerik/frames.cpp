@@ -196,6 +196,14 @@ bool is_frame_variable(std::string_view name) {
   return name == "P_UIFRNUM" || variable_named(name) != nullptr;
 }
 
+std::vector<std::string_view> frames_of_no_machine() {
+  std::vector<std::string_view> names;
+  for (const FrameVariable& of : kVariables)
+    if (of.kind == VariableKind::FrameInForce && of.which == FrameInForce::Other)
+      names.push_back(of.name);
+  return names;
+}
+
 Read read_control_frame(OpenExpression& open, std::string_view name, std::uint32_t at, int depth) {
   open.constant.reset();
   if (open.assigned.contains(kAnyFrame)) return fails(late(open, at));

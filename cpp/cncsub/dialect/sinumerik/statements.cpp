@@ -66,7 +66,7 @@ void name_target(Statement& jump, const JumpTarget& target) {
                                           : Search::Both;
 }
 
-/// Read the text of a jump: "LBL"<<R1, or a variable.
+/// Read the text of a jump: NAME<<R1, or a variable.
 bool text_target(OpenBlock& open, Block& block, JumpTarget& target) {
   Value value;
   Type type = Type::Real;

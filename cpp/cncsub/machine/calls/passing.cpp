@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cncsub/code/target.hpp"
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/statements.hpp"
@@ -110,7 +111,7 @@ bool find_by_text(Run& run, const CallRecord& record, Target& target) {
   target.program = run.code->find(name);
   return target.program != kNoProgram ||
          alarm(run, {Cause::NamedProgramNotFound, text.at, text.width,
-                     "<" + name + "> is not in the memory"});
+                     named_program(*run.code, name) + " is not in the memory"});
 }
 
 bool take_own_values(Run& run, const CallRecord& record, const Target& target) {

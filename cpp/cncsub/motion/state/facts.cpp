@@ -61,9 +61,11 @@ bool has_system(const Control& control, const std::string& name) {
   const bool by_codes = control.motion.extra_system_codes.value != 0;  // G505
   if (system > 6)
     return (name.size() == 4) == by_codes && system <= 6 + control.motion.max_extra_systems.value;
-  // G58 and G59 are no work systems on every control.
+  // G58 and G59 are no work systems on every control that has G54. One without any stands in the
+  // first.
   const GCodes codes(control, control.motion.machine.value);
-  return system == 0 || codes.find(system * 10 + 530).group == Group::Work;
+  const auto is_work = [&](int of) { return codes.find(of * 10 + 530).group == Group::Work; };
+  return system <= 1 || is_work(system) || !is_work(1);
 }
 
 MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
@@ -80,9 +82,10 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
       chamfers(control->motion.chamfer_words.value, lathe()),
       rounds(control->motion.round_words.value, lathe()),
       angles(control->motion.angle_words.value, lathe()),
-      keeps_heading(std::any_of(
-          meanings->blocks.begin(), meanings->blocks.end(),
-          [](const BlockCodes& block) { return block.all.test(at(Meaning::TangentArc)); })),
+      keeps_heading(general || std::any_of(meanings->blocks.begin(), meanings->blocks.end(),
+                                           [](const BlockCodes& block) {
+                                             return block.all.test(at(Meaning::TangentArc));
+                                           })),
       general_only(general || keeps_heading) {
   number_groups(*this);
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');

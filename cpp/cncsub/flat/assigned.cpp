@@ -1,0 +1,134 @@
+// What a flat program writes of variables, messages and alarms.
+#include "cncsub/flat/flat.hpp"
+#include "cncsub/motion/query.hpp"
+
+namespace cncsub {
+
+namespace {
+
+/// Return the text of a value that is assigned to a variable.
+std::string value_text(const Code& code, double value) {
+  return is_vacant(value) ? "#0" : expression_text(value, code);
+}
+
+/// Return whether the value of a variable is seen from outside the program.
+bool has_effect(const Code& code, std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  switch (place.kind) {
+    case VariableKind::Local:
+    case VariableKind::Common:
+    case VariableKind::Kept:
+    case VariableKind::LevelImage:
+    case VariableKind::Vacant:
+    case VariableKind::Milliseconds:
+    case VariableKind::Hours:
+      return false;
+    default:
+      return place.range != nullptr;
+  }
+}
+
+bool is_frame(VariableKind kind) {
+  return kind == VariableKind::StoredFrame || kind == VariableKind::FrameInForce;
+}
+
+}  // namespace
+
+/// Write the alarm of G65 H99.
+void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
+  if (observer_.raised == nullptr) return;
+  const HCode& h = *observer_.raised;
+  const Code& code = machine_.code();
+  const Program& program = code.programs[static_cast<std::size_t>(program_at(coming_.at))];
+  text += "G65 H99 P" + std::string(NumberText(observer_.raised_number).text());
+  if (h.text_length > 0)
+    text +=
+        "(" + std::string(code.files[program.file].text.view().substr(h.text, h.text_length)) + ")";
+  end_line(text, origins);
+}
+
+bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
+  const Code& code = machine_.code();
+  for (const Observer::Assigned& of : observer_.assigned) {
+    if (!has_effect(code, of.number)) continue;
+    if (is_frame(code.place(of.number).kind))
+      return refuse("a frame of the control gets a value, and a flat program cannot write frames");
+    const std::string name = "#" + std::to_string(of.number);
+    const Code& there = *for_;
+    if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
+        there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
+      return refuse(name + " gets a value, and the control has no statement that assigns a number");
+    text += name + "=" + value_text(there, of.value);
+    const VariableKind kind = code.place(of.number).kind;
+    if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
+      text += "(" + of.comment + ")";
+    end_line(text, origins);
+  }
+  return true;
+}
+
+/// Write the fields of DPRNT. Their values go to locals, for it prints no numbers.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
+bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string& statement) {
+  const Code& code = machine_.code();
+  std::size_t printed = 0;
+  for (const PrintField& field : observer_.print->fields) {
+    if (!field.is_variable) {
+      for (const char c : field.text) statement += c == ' ' ? '*' : c;
+      continue;
+    }
+    const double value = observer_.printed[printed++];
+    if (field.is_text) {
+      for (const char c : machine_.text(value)) statement += c == ' ' ? '*' : c;
+      continue;
+    }
+    const auto local = static_cast<std::int64_t>(printed);
+    if (!code.place(local).is_local())
+      return refuse("what is printed has more values than there are local variables");
+    const std::string name = "#" + std::to_string(local);
+    text += name + "=" + value_text(code, value);
+    end_line(text, origins);
+    const int digits = field.whole_digits * 10 + field.decimals;
+    statement += name + "[" + (digits < 10 && !observer_.print->binary ? "0" : "") +
+                 std::to_string(digits) + "]";
+  }
+  return true;
+}
+
+bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
+  const Spelling::Around& message = for_->spelling->message;
+  if (observer_.device != Op::Words) {
+    text += observer_.device == Op::OpenOutput ? "POPEN" : "PCLOS";
+    end_line(text, origins);
+  }
+  if (observer_.print == nullptr) return true;
+  if (observer_.print->last_number > 0)
+    return refuse("the program raises an alarm with a number of its own");
+  const std::string_view command = observer_.print->command;
+  const bool same = !command.empty() && machine_.code().spelling == for_->spelling;
+  if (observer_.print->logs() && !same)
+    return refuse("a log is written, and the other control has none");
+  std::string statement = observer_.print->binary ? "BPRNT[" : "DPRNT[";
+  if (message.before.empty()) {
+    if (!print_fields(text, origins, statement)) return false;
+    text += statement + "]";
+    end_line(text, origins);
+    return true;
+  }
+  // Where a message is a comment, the last comment of a line counts.
+  const bool last = message.before.starts_with(for_->spelling->comment.before);
+  if (const std::string comment = last ? origin() : ""; !comment.empty())
+    text += comment.substr(1) + " ";
+  const auto& messages = machine_.trace().messages;
+  // The text of a log begins with its command.
+  if (!same)
+    text += message.before;
+  else
+    text += "(" + std::string(observer_.print->logs() ? "" : command);
+  text += messages[messages.size() - 1];
+  text += message.behind;
+  end_line(text, origins, last);
+  return true;
+}
+
+}  // namespace cncsub
