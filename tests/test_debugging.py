@@ -194,9 +194,16 @@ def test_a_wrong_place_is_refused_by_name(
     assert machine.blocks == 0
 
 
-@pytest.mark.parametrize("hits", [0, -1])
+@pytest.mark.parametrize("expression", [None, 5, True, [], b"1"])
+def test_what_is_no_text_is_no_expression(expression: object) -> None:
+    machine = cncsub.loads("O1\nM30\n", control="fanuc-0i-f").machine()
+    with pytest.raises(TypeError, match="an expression is a text"):
+        machine.evaluate(expression)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("hits", [0, -1, 10**30])
 def test_a_breakpoint_counts_from_one(hits: int) -> None:
-    with pytest.raises(ValueError, match="hits must be 1 or more"):
+    with pytest.raises(ValueError, match="hits must be 1 to"):
         cncsub.Breakpoint("M6", hits=hits)
     with pytest.raises(TypeError, match="hits must be a whole number"):
         cncsub.Breakpoint("M6", hits=True)

@@ -124,6 +124,13 @@ def test_frames_and_axes_beside_the_path_are_not_written(block: str, reason: str
         library.flatten()
 
 
+@pytest.mark.parametrize("word", ["AX[X]=IC(2)", "G91 AX[X]=AC(2)", "AX[AXX]=IC(2)"])
+def test_a_form_whose_word_names_no_address_is_not_lost(word: str) -> None:
+    library = cncsub.loads(f"DEF AXIS AXX=X\nG0 X5 F100\nG1 {word}\nM30\n", control="siemens-one")
+    with pytest.raises(cncsub.FlattenError, match="the value of"):
+        library.flatten()
+
+
 def test_arcs_about_a_pole_and_tangential_arcs_are_written_as_they_are() -> None:
     text = "G1 X10 Y0 F100\nCT X20 Y10\nG111 X0 Y0\nG2 AP=0\nG96 S100 M3\nG34 Z5 K2 F0.1\nM30\n"
     flat = cncsub.loads(text, control="siemens-one").flatten()

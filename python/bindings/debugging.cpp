@@ -192,9 +192,9 @@ void add_debugging(MachineClass& machine) {
       .def_property_readonly("snapshots",
                              [](Live& live) -> py::tuple {
                                const Look machine(live);
-                               if (!machine->remembers()) return py::make_tuple(0, 0);
-                               const History& history = machine->history();
-                               return py::make_tuple(history.snapshots(), history.bytes());
+                               const History* const history = machine->history();
+                               if (history == nullptr) return py::make_tuple(0, 0);
+                               return py::make_tuple(history->snapshots(), history->bytes());
                              })
       .def("blocks_at", &blocks_at, py::arg("program"), py::arg("n") = -1, py::arg("line") = -1)
       .def_property_readonly("next_block", &next_block)

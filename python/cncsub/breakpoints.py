@@ -73,8 +73,8 @@ class Breakpoint:
             raise TypeError(f"when must be an expression such as '#100 GT 3', not {self.when!r}")
         if isinstance(self.hits, bool) or not isinstance(self.hits, int):
             raise TypeError(f"hits must be a whole number from 1 on, not {self.hits!r}")
-        if self.hits < 1:
-            raise ValueError(f"hits must be 1 or more, not {self.hits}")
+        if not 1 <= self.hits < 2**31:
+            raise ValueError(f"hits must be 1 to {2**31 - 1}, not {self.hits}")
 
 
 def wrong_place(given: object) -> TypeError:

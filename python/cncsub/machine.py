@@ -198,7 +198,8 @@ class Machine(Outcome):
         """Return the value of an expression in the language of the control, in the present state,
         which stays as it is: `None` is the vacant value, a condition is 1 or 0.
 
-        Raises `ValueError` for what is no expression of the control, and for one that has no value.
+        Raises `TypeError` for what is no text, and `ValueError` for what is no expression of the
+        control or has no value.
 
         >>> import cncsub
         >>> machine = cncsub.loads("O1\\n#100=7\\nM30\\n", control="fanuc-0i-f").machine()
@@ -206,6 +207,8 @@ class Machine(Outcome):
         >>> machine.evaluate("#100*2+1"), machine.evaluate("#100 GT 8"), machine.evaluate("#101")
         (15.0, 0.0, None)
         """
+        if not isinstance(expression, str):
+            raise TypeError(f"an expression is a text, not {expression!r}")
         program = self.core.code.place_of(self.core.address)[0]
         expressions = compiled_expressions(self.core, [(expression, program)], ["evaluate"])
         return self.core.evaluate(expressions, 0)

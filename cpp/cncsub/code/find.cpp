@@ -84,41 +84,48 @@ bool is_main(const Code& code, const Program& program) {
   return ends_as_main(text.substr(0, std::min(end + ending.size() + 1, text.size())), ending);
 }
 
+/// Let the number and the name of a program lead to it, and of the first one of a file its name.
+void register_program(Code& code, std::size_t i) {
+  Program& program = code.programs[i];
+  const SourceFile& file = code.files[program.file];
+  const auto place = static_cast<std::int32_t>(i);
+  if (program.number >= 0)
+    program.duplicate_of = code.by_number[file.external].find_or_add(
+        static_cast<std::uint64_t>(program.number), numbered(code, program.number), place);
+  ProgramIndex& names = code.by_name[file.external];
+  const std::string name = code.name_of(program);
+  const std::int32_t before = names.find_or_add(hash_of(name), with_name(code, name), place);
+  const bool other_kind = before != kNoProgram && !code.spelling->called_ending.empty() &&
+                          is_main(code, program) &&
+                          !is_main(code, code.programs[static_cast<std::size_t>(before)]);
+  if (program.number < 0 && !other_kind) program.duplicate_of = before;
+  const std::string_view base = last_part(file.name);
+  if (first_in_file(code, i) && !base.empty())
+    names.find_or_add(hash_of(base), with_name(code, base), place);
+}
+
 }  // namespace
 
 void Code::register_programs(const std::function<bool()>& over) {
   for (auto* index : {&by_number, &by_name})
     for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
-  const auto known = [this](std::size_t i) {
-    Program& program = programs[i];
-    const SourceFile& file = files[program.file];
-    const auto place = static_cast<std::int32_t>(i);
-    if (program.number >= 0)
-      program.duplicate_of = by_number[file.external].find_or_add(
-          static_cast<std::uint64_t>(program.number), numbered(*this, program.number), place);
-    ProgramIndex& names = by_name[file.external];
-    const std::string name = name_of(program);
-    const std::int32_t before = names.find_or_add(hash_of(name), with_name(*this, name), place);
-    const bool other_kind = before != kNoProgram && !spelling->called_ending.empty() &&
-                            is_main(*this, program) &&
-                            !is_main(*this, programs[static_cast<std::size_t>(before)]);
-    if (program.number < 0 && !other_kind) program.duplicate_of = before;
-    const std::string_view base = last_part(file.name);
-    if (first_in_file(*this, i) && !base.empty())
-      names.find_or_add(hash_of(base), with_name(*this, base), place);
-  };
-  bool parts = false;
-  // Where a main program has the name of another one, a call means the other.
+  // Where a main program has the name of another one, a call means the other. A name means a file
+  // first, so the parts of files come last: they are found by their labels.
+  enum class Turn : std::uint8_t { First, Main, Part };
   const bool two_kinds = !spelling->called_ending.empty();
-  for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
-    if (programs[i].inside == kNoProgram && !(two_kinds && is_main(*this, programs[i]))) known(i);
-    parts = parts || programs[i].inside != kNoProgram;
+  const auto turn_of = [&](const Program& of) {
+    if (of.inside != kNoProgram) return Turn::Part;
+    return two_kinds && is_main(*this, of) ? Turn::Main : Turn::First;
+  };
+  bool later = true;
+  for (const Turn turn : {Turn::First, Turn::Main, Turn::Part}) {
+    if (!std::exchange(later, false)) return;
+    for (std::size_t i = 0; i < programs.size() && !over(); ++i) {
+      const Turn its = turn_of(programs[i]);
+      if (its == turn) register_program(*this, i);
+      later = later || its > turn;
+    }
   }
-  for (std::size_t i = 0; two_kinds && i < programs.size() && !over(); ++i)
-    if (programs[i].inside == kNoProgram && is_main(*this, programs[i])) known(i);
-  // A name means a file first, so the parts of files come last: they are found by their labels.
-  for (std::size_t i = 0; parts && i < programs.size() && !over(); ++i)
-    if (programs[i].inside != kNoProgram) known(i);
 }
 
 bool defines_for_all(const Spelling& spelling, const SourceFile& file) {
@@ -223,7 +230,7 @@ bool Code::leads_inside(Address from, Address to) const {
   if (behind == structures.begin()) return false;
   const StructureMark& of = *std::prev(behind);
   if (of.first == kNowhere) return false;
-  return !(from > of.first && (of.last == kNowhere || from <= of.last));
+  return from <= of.first || (of.last != kNowhere && from > of.last);
 }
 
 std::string Code::no_block(std::int64_t n, const Program& program) const {

@@ -42,6 +42,7 @@ VariableReference VariablesUsed::variable(const Instruction& of, bool local,
 }
 
 /// List the variables that an expression reads.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one instruction after the other
 void VariablesUsed::reads(std::uint32_t expression) {
   const TextPlace place = place_of(expression);
   const Expression of = code_.expression(expression);

@@ -167,6 +167,10 @@ void BlockWriter::Maker::take_rest() {
     }
   for (; left_ != 0; left_ &= left_ - 1) {
     const int place = std::countr_zero(left_);
+    if ((formed_ >> place & 1) != 0) {  // AX[X]=IC(2): its word names no place
+      failed_ = to_.code_.spelling->address_of(place);
+      continue;
+    }
     if ((expressions_ >> place & 1) != 0) {
       add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
       continue;

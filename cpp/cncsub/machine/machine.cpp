@@ -110,13 +110,13 @@ void Machine::remember() {
 }
 
 bool Machine::back(std::int64_t step, const std::function<bool()>& interrupted) {
-  return history_->back(run_, step, interrupted);
+  return history_ && history_->back(run_, step, interrupted);
 }
 
 std::int64_t Machine::last_met(const std::vector<Breakpoint>& list,
                                const ExpressionList& expressions,
                                const std::function<bool()>& interrupted) const {
-  return history_->last_met(run_, list, expressions, interrupted);
+  return history_ ? history_->last_met(run_, list, expressions, interrupted) : -1;
 }
 
 std::int64_t Machine::step_of_call() const {

@@ -55,7 +55,8 @@ class Machine {
   /// Return the last step before the present one at which the breakpoints show a block; -1: none.
   std::int64_t last_met(const std::vector<Breakpoint>& list, const ExpressionList& expressions,
                         const std::function<bool()>& interrupted) const;
-  const History& history() const { return *history_; }
+  /// Return what it remembers; null where it remembers nothing.
+  const History* history() const { return history_ ? &*history_ : nullptr; }
   /// Return the step of the block that opened the innermost call; -1 where none is open, or calls
   /// are not recorded.
   std::int64_t step_of_call() const;

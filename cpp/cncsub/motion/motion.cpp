@@ -147,7 +147,7 @@ std::optional<Fault> Motion::set_frame_in_force(FrameInForce which, const FrameV
   keep_increments(*facts_, plan, from);
   if (!in_range(plan.frame.matrix) || !in_range(plan.offset) || !in_range(plan.work))
     return Fault{.cause = Cause::ValueOutOfRange, .detail = "the frame is out of range"};
-  now() = plan;
+  now() = std::move(plan);
   prepare_fast_path(*facts_, now());
   return std::nullopt;
 }

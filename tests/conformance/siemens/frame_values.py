@@ -308,5 +308,11 @@ case(
 )
 case(
     "a part of an element of an array of frames is not computed", **POLICY,
-    program="N10 DEF FRAME ALL[3]\nN20 ALL[1,X,TR]=5\nN30 M30", runs="N10", alarm="bracket-not-closed", number="12080", at="MAIN N20",
+    program="N10 DEF FRAME ALL[3]\nN20 ALL[1,X,TR]=5\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+)
+case(
+    "a part of a parameter by reference is written beside the others", **KNOWN, setup=ZERO,
+    program="N10 DEF FRAME MOVED\nN20 PART(MOVED)\nN30 $P_PFRAME=MOVED\nN40 G0 X0 Y0\nN50 M30\n"
+    "%_N_PART_SPF\nN60 PROC PART(VAR FRAME FIELD)\nN70 FIELD[X,TR]=10\nN80 FIELD[Y,TR]=20\nN90 FIELD[X,TR]=FIELD[X,TR]+1\nN100 M17",
+    final_machine="X111.125 Y40.25 Z-40.5",
 )

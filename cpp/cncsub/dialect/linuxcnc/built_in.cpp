@@ -87,6 +87,7 @@ constexpr std::string_view kOfMachine[] = {"_abs_u",
 
 std::vector<std::string_view> names_of_built_ins() {
   std::vector<std::string_view> names;
+  names.reserve(std::size(kBuiltIns));
   for (const BuiltIn& of : kBuiltIns) names.push_back(of.name);
   return names;
 }

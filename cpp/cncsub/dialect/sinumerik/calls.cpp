@@ -68,9 +68,7 @@ bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& g
   while (!open.line.take(')')) {
     ActualParameter& one = given.emplace_back();
     one.operand.at = open.line.offset();
-    if (open.line.peek() != ',') {
-      if (!given_value(open, one)) return open.refuse(block);
-    }
+    if (open.line.peek() != ',' && !given_value(open, one)) return open.refuse(block);
     if (open.line.peek() != ')' && !open.line.take(','))
       return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
   }

@@ -137,8 +137,7 @@ bool DeclarationReader::parameter(Block& block, std::vector<Statement>& conversi
   if (declared.value && definition.reference >= 0)
     return refuse(block, Cause::StatementFormat, "a variable of the caller has its own value",
                   declared.value->at);
-  if (definition.type == Type::Real || definition.reference >= 0 ||
-      definition.type == Type::Frame)
+  if (definition.type == Type::Real || definition.reference >= 0 || definition.type == Type::Frame)
     return true;
   Statement conversion = assignment_of(declared);
   to_.expressions().begin();
@@ -204,8 +203,21 @@ bool DeclarationReader::name(Block& block, Declared& declared, std::size_t short
                 declared.at);
 }
 
-bool DeclarationReader::too_many_dimensions(Block& block, std::uint32_t at) {
-  return refuse(block, Cause::StatementFormat, "an array has at most three dimensions", at);
+/// Read one extent of an array; 0 where a parameter takes any.
+bool DeclarationReader::extent(Block& block, const Declared& declared, std::uint32_t at,
+                               std::int32_t& extent) {
+  extent = 0;
+  if (line_.peek() == ']' || line_.peek() == ',')
+    return declared.is_parameter ||
+           refuse(block, Cause::StatementFormat, "the size of the array is missing", at);
+  Value value;
+  if (!expression_.value(value)) return refuse(block);
+  if (value.computed)
+    return refuse(block, Cause::CodeNotComputed, "a computed size is not computed here", at);
+  const double whole = std::round(value.number);
+  if (!(whole >= 1)) return refuse(block, Cause::ValueOutOfRange, "an array has elements", at);
+  extent = to_whole<std::int32_t>(whole);
+  return true;
 }
 
 /// Read the extents of an array, whose bracket stands here.
@@ -215,26 +227,15 @@ bool DeclarationReader::extents(Block& block, Declared& declared) {
   line_.take('[');
   double elements = 1;
   do {
-    Value extent;
-    if (line_.peek() == ']' || line_.peek() == ',') {
-      if (!declared.is_parameter)
-        return refuse(block, Cause::StatementFormat, "the size of the array is missing", at);
-      if (definition.dimensions == Definition::kMostDimensions)
-        return too_many_dimensions(block, at);
-      definition.extents[definition.dimensions++] = 0;
-      continue;
-    }
-    if (!expression_.value(extent)) return refuse(block);
-    if (extent.computed)
-      return refuse(block, Cause::CodeNotComputed, "a computed size is not computed here", at);
-    if (definition.dimensions == Definition::kMostDimensions) return too_many_dimensions(block, at);
-    const double whole = std::round(extent.number);
-    if (!(whole >= 1)) return refuse(block, Cause::ValueOutOfRange, "an array has elements", at);
-    elements *= whole;
+    std::int32_t one = 0;
+    if (!extent(block, declared, at, one)) return false;
+    if (definition.dimensions == Definition::kMostDimensions)
+      return refuse(block, Cause::StatementFormat, "an array has at most three dimensions", at);
+    elements *= std::max(one, 1);
     if (definitions_.elements + elements > kMostElements)
       return refuse(block, Cause::CodeNotComputed,
                     "cncsub holds 100,000 elements of the arrays of a program", at);
-    definition.extents[definition.dimensions++] = to_whole<std::int32_t>(whole);
+    definition.extents[definition.dimensions++] = one;
   } while (line_.take(','));
   return line_.take(']') || refuse(block, Cause::BracketNotClosed, "] is missing", at);
 }
@@ -267,7 +268,7 @@ void DeclarationReader::place_parameter(Declared& declared) {
   if (definition.is_array()) {
     declared.declared_extents = definition.shape();
     definition.extents = {};
-    const auto kExtents = static_cast<std::int32_t>(Definition::kMostDimensions);
+    constexpr auto kExtents = static_cast<std::int32_t>(Definition::kMostDimensions);
     definition.reference = to_.names().hidden(declared.name + "[]", 2 + kExtents);
   } else if (declared.by_reference) {
     definition.reference = to_.names().hidden(declared.name, 1);

@@ -44,7 +44,7 @@ class DeclarationReader {
   bool initial_value(Block& block, Declared& declared);
   void place(Declared& declared);
   void place_parameter(Declared& declared);
-  bool too_many_dimensions(Block& block, std::uint32_t at);
+  bool extent(Block& block, const Declared& declared, std::uint32_t at, std::int32_t& extent);
   bool lacks_end(Block& block);
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
   bool refuse(Block& block);

@@ -87,6 +87,7 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
     if (!words.take_group(group))
       return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
     std::vector<double> list;
+    list.reserve(of->codes.size());
     for (const int code : of->codes) list.push_back(code == kNot ? kVacant : code / 10.0);
     const Instruction chosen{Ins::Listed, 0, number.at,
                              static_cast<double>(open.to.names().list(std::move(list)))};
@@ -95,7 +96,8 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
     return true;
   }
   const double place = std::round(number.number);
-  if (!(place >= 1 && place <= static_cast<double>(of->codes.size())))
+  const bool exists = place >= 1 && place <= static_cast<double>(of->codes.size());
+  if (!exists)
     return open.refuse(block, Cause::GroupCodeNotAvailable, "no code of the group has this number",
                        at);
   const int code = of->codes[to_whole<std::size_t>(place) - 1];

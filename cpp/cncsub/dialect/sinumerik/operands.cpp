@@ -171,7 +171,7 @@ namespace {
 Read take_short_number(Line& line, double& number) {
   constexpr std::ptrdiff_t kMost = 15;
   const std::string_view here = line.rest();
-  if (here.empty() || !(is_digit(here[0]) || here[0] == '.')) return std::nullopt;
+  if (here.empty() || (!is_digit(here[0]) && here[0] != '.')) return std::nullopt;
   const char* at = here.data();
   const Mantissa read = scan_mantissa(at);
   const std::ptrdiff_t digits = read.whole + read.decimals;
@@ -244,6 +244,8 @@ bool read_indices(OpenExpression& open, const Definition& of, int depth) {
     if (i > 0) open.emit(Ins::Add);
     if (i + 1 < of.dimensions) multiply_by_extent(open, of, i + 1);
   }
+  if (of.type == Type::Frame && open.line.peek() == ',')
+    return open.not_computed("a part of an element of an array of frames", at);
   return open.line.take(']') || open.wrong(Cause::BracketNotClosed, "] is missing", at);
 }
 

@@ -214,6 +214,19 @@ bool case_of(OpenBlock& open, Block& block, Link& link, Statement choice) {
   return write_switch(open, block, link, choice, all);
 }
 
+/// Return the assignment that lets the variable of a FOR, which an instruction reads, go up by 1.
+Statement counted_up(OpenBlock& open, const Statement& first, const Instruction& read,
+                     std::uint32_t at) {
+  Statement next = first;
+  open.to.expressions().begin();
+  open.to.expressions().emit(read);
+  open.to.expressions().emit({Ins::Constant, 0, at, 1});
+  open.to.expressions().emit({Ins::Add, 0, at, 0});
+  open.to.expressions().emit({Ins::Round, 0, at, 0});
+  next.expression = open.to.expressions().end(at, open.line.width_from(at));
+  return next;
+}
+
 /// Read FOR R1=1 TO 10. A REAL that counts is rounded, and goes up by 1. [general knowledge]
 bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   const std::uint32_t at = open.line.offset();
@@ -240,18 +253,13 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
   if (!open.end_of_statement(block)) return false;
   if (of == nullptr || of->type == Type::Real)
     first.expression = open.to.expressions().changed(first.expression, Ins::Round);
-  Statement next = first;
   double number = 0;
   if (parameter) system::parse(name.substr(1), number);
-  open.to.expressions().begin();
-  if (of != nullptr)
-    open.to.expressions().emit(reading(*of));
-  else
-    open.to.expressions().emit({Ins::Common, 0, static_cast<std::uint32_t>(first.index), number});
-  open.to.expressions().emit({Ins::Constant, 0, at, 1});
-  open.to.expressions().emit({Ins::Add, 0, at, 0});
-  open.to.expressions().emit({Ins::Round, 0, at, 0});
-  next.expression = open.to.expressions().end(at, open.line.width_from(at));
+  const Statement next = counted_up(
+      open, first,
+      of != nullptr ? reading(*of)
+                    : Instruction{Ins::Common, 0, static_cast<std::uint32_t>(first.index), number},
+      at);
   loop.expression = open.to.expressions().expression_of(last);
   loop.then = open.to.keep(first);
   loop.number = static_cast<std::int32_t>(open.to.keep(next));

@@ -135,6 +135,22 @@ std::vector<std::string_view> known_system_variables() {
   return names;
 }
 
+namespace {
+
+/// Push the value of a variable that has no index.
+Read push_variable(OpenExpression& open, const SystemVariable& of, std::int32_t number,
+                   std::uint32_t at) {
+  open.emit_at(at, Ins::Variable, number);
+  if (of.divisor == 0) return of.address == 'T' || of.address == 'D' ? Type::Int : Type::Real;
+  open.emit(Ins::DivideConstant, of.divisor);
+  open.emit(Ins::Fix);
+  open.emit(Ins::Constant, 100);
+  open.emit(Ins::Modulo);
+  return Type::Int;
+}
+
+}  // namespace
+
 Read read_system_variable(OpenExpression& open, int depth) {
   const std::uint32_t at = open.line.offset();
   open.line.pass(1);
@@ -167,13 +183,7 @@ Read read_system_variable(OpenExpression& open, int depth) {
     return of->kind == VariableKind::Input || of->kind == VariableKind::Output ? Type::Bool
                                                                                : Type::Real;
   }
-  open.emit_at(at, Ins::Variable, range->first);
-  if (of->divisor == 0) return of->address == 'T' || of->address == 'D' ? Type::Int : Type::Real;
-  open.emit(Ins::DivideConstant, of->divisor);
-  open.emit(Ins::Fix);
-  open.emit(Ins::Constant, 100);
-  open.emit(Ins::Modulo);
-  return Type::Int;
+  return push_variable(open, *of, range->first, at);
 }
 
 }  // namespace cncsub::sinumerik

@@ -244,8 +244,7 @@ bool ExpressionReader::frame_part_side(const Definition& to, Statement& statemen
   if (to.is_array())
     return open_.not_computed("a part of an element of an array of frames", open_.line.offset());
   if (open_.assigned.contains(mark_of(to))) return late(open_, open_.line.offset());
-  const auto variable =
-      Instruction{to.global ? Ins::Common : Ins::Local, 0, static_cast<std::uint32_t>(to.local), 0};
+  const Instruction variable = reading(to);
   Value assigned;
   if (!write_frame_part(open_, variable, assigned)) return false;
   statement.expression = assigned.expression;

@@ -80,7 +80,7 @@ bool Breakpoints::meets(Run& run, std::size_t index, bool moved) {
     case Breakpoint::Kind::Return:
       return returned(run, of.number);
     case Breakpoint::Kind::Alarm:
-      return run.state.stop == Stop::Alarm &&
+      return run.state.stop == Stop::Alarm && run.state.alarm &&
              (of.name.empty() || of.name == run.state.alarm->number ||
               of.name == info(run.state.alarm->cause).slug);
     case Breakpoint::Kind::Code:

@@ -26,7 +26,8 @@ std::size_t bytes_of(const Snapshot& of) {
   const State& s = of.state;
   return sizeof(Snapshot) + 2 * (sizeof(MotionState) + held_bytes(of.motion.state())) +
          bytes_of(s.frames) + bytes_of(s.loops) + bytes_of(s.waiting) + bytes_of(s.locals) +
-         bytes_of(s.programmed) + bytes_of(s.commons) + bytes_of(s.elements) + s.texts.bytes() +
+         bytes_of(s.programmed) + bytes_of(s.commons) + bytes_of(s.elements) + bytes_of(s.copies) +
+         s.texts.bytes() + s.frame_values.bytes() +
          s.modals.size() * (sizeof(ModalCall) + bytes_of(s.locals)) + bytes_of(s.modal_stack) +
          (s.system.size() + s.signals.size() + s.names.size() + s.labels.met.size()) * kNodeBytes +
          bytes_of(of.seen);

@@ -42,6 +42,7 @@ bool sets(const NcWords& words, const std::string& mode) {
 }
 
 /// Return a value as a variable of this type holds it; nothing where it is none of the type.
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one type after the other
 std::optional<double> held_value(Run& run, DefinedVariable::Type type, const NamedValue& value) {
   const auto* const text = std::get_if<std::string>(&value);
   const double number = text == nullptr ? std::get<double>(value) : 0;
@@ -75,7 +76,7 @@ std::optional<std::string> set_mode(Run& run, const std::shared_ptr<const Code>&
   const Program& program = typed->programs.back();
   const Block& block = typed->blocks[program.first];
   if (block.op == Op::Fault) return typed->faults[block.aux].detail;
-  const std::string none = "it does not set the mode " + mode + " alone";
+  std::string none = "it does not set the mode " + mode + " alone";
   if (program.last - program.first != 1 || !is_words(block.op)) return none;
   NcWords words;
   BlockCodes codes;

@@ -75,6 +75,7 @@ ArrayElements elements_of(const Run& run, const Statement& statement, double pla
           to_whole<std::int32_t>(of[1]) - static_cast<std::int32_t>(at)};
 }
 
+// NOLINTNEXTLINE(readability-function-size): one target after the other
 bool store(Run& run, const Statement& statement, double value) {
   State& s = run.state;
   if (std::fabs(value) > kLargest)  // a vacant value compares false
@@ -99,7 +100,8 @@ bool store(Run& run, const Statement& statement, double value) {
       return store_number(run, number_of_variable(number), value, statement);
     }
     case Statement::Target::Referenced: {
-      double* const cell = s.cell(*variable_of(run, statement));
+      const auto variable = variable_of(run, statement);
+      double* const cell = variable ? s.cell(*variable) : nullptr;
       if (cell != nullptr) put(*cell);
       return cell != nullptr || is_gone(run, statement);
     }

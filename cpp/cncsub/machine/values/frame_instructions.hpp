@@ -48,7 +48,7 @@ inline Fallible frame_part(E e, I at, double a, double b) {
   const auto axis = axis_of_frame_part(e, at, b, part);
   if (!axis || !are_metric(e, at)) return std::nullopt;
   const auto value = part_of(frame_of(e.run, a), part, *axis);
-  if (value) return *value;
+  if (value) return value;
   return fails(e, at, Cause::CodeNotComputed,
                "this part of a frame that shears or turns inside out");
 }

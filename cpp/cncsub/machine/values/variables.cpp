@@ -53,6 +53,7 @@ int offset_number(const VariablePlace& place) {
 }
 
 /// Return a position or an offset; nothing where the variable is something else.
+// NOLINTNEXTLINE(readability-function-size): one kind after the other
 std::optional<double> of_motion(const MotionView& motion, const VariablePlace& place) {
   const int index = place.index;
   switch (place.kind) {

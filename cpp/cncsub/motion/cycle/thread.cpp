@@ -245,6 +245,15 @@ Result cut_cycle_thread(MotionContext& m, BlockWords& block, const Axes& end, do
 /// The variant of a thread by a letter of its axis whose lead grows by F; the next one's shrinks.
 constexpr int kGrowing = 4;
 
+/// Return the length of a thread by its revolutions, whose lead grows with each; nothing where it
+/// would fall to 0.
+static std::optional<double> mean_lead(double first, double growth, double length) {
+  const double square = first * first + 2 * growth * length;
+  if (square <= 0) return std::nullopt;
+  return (first + std::sqrt(square)) / 2;
+}
+
+// NOLINTNEXTLINE(readability-function-cognitive-complexity): one word after the other
 Result thread_by_k(MotionContext& m, BlockWords& block) {
   const Axes start = m.state.work;
   const auto [end, named] = end_point(m, block);
@@ -263,9 +272,9 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
     const double growth = block.words['F'] * m.state.unit * (variant == kGrowing ? 1 : -1);
     const int axis = lead == 'K' ? 2 : lead == 'I' ? 0 : 1;
     const double length = std::fabs(end[axis] - start[axis]) * m.facts.share(axis);
-    const double first = piece.state.feed, square = first * first + 2 * growth * length;
-    if (square <= 0) return fault_at('F', Cause::ThreadLead, block, "the lead would fall to 0");
-    piece.state.feed = (first + std::sqrt(square)) / 2;  // the mean: the length by the revolutions
+    const auto mean = mean_lead(piece.state.feed, growth, length);
+    if (!mean) return fault_at('F', Cause::ThreadLead, block, "the lead would fall to 0");
+    piece.state.feed = *mean;
   }
   if (auto wrong = move(m, block, piece)) return wrong;
   if (variant != 2) return std::nullopt;

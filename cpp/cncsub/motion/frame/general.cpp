@@ -11,7 +11,7 @@
 namespace cncsub {
 namespace {
 
-double& diagonal(FrameValue& of, int i) { return of.matrix[static_cast<std::size_t>(4 * i)]; }
+double& diagonal(FrameValue& of, int i) { return of.matrix[4 * static_cast<std::size_t>(i)]; }
 
 /// Read the shift of a frame, in mm.
 FrameValue shift_of(MotionView m, const BlockWords& block) {
