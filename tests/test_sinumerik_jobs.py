@@ -292,14 +292,13 @@ JOBS = [
         G91 G1 F300
         FOR PASSES=1 TO 3
         AX[ALONG]=FAR
-        AX[OVER]=IC(1)
+        AX[OVER]=1
         AX[ALONG]=-FAR AX[OVER]=1
         ENDFOR
         RET
         """,
         20,
         (17.125, -34.25, 57.5),
-        word="STROKE, line 16: a word counts by a form of its own, which the other control has",
     ),
 ]
 

@@ -350,9 +350,11 @@ Setup usual_setup(Writer& writer) {
   if (writer.chance(60)) setup.radius_offsets[1] = length() / 4;
   if (writer.chance(50)) setup.length_offsets[1] = length();
   if (writer.chance(60))
-    setup.tools[1] = {{{'X', length()}, {'Z', length()}},
-                      static_cast<int>(writer.below(10)),
-                      std::abs(length()) / 10};
+    setup.tools[1] = {{{{'X', length()}, {'Z', length()}},
+                       static_cast<int>(writer.below(10)),
+                       std::abs(length()) / 10},
+                      "MILL",
+                      {}};
   if (writer.chance(20)) setup.reference[1] = {{'X', length()}, {'Z', length()}};
   if (writer.chance(10))
     for (const char axis : {'X', 'Y', 'Z'}) setup.limits[axis] = {-200, 200};

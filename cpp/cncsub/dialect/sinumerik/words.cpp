@@ -99,7 +99,7 @@ void pass_word(Line& line, WrittenWord& word) {
     if (line.ahead(0) == '(') line.pass_brackets('(', ')');
     const std::string_view index = line.rest();
     if (line.ahead(0) == '[') line.pass_brackets('[', ']');
-    if (capital == "AX")  // AX[X]=5
+    if (capital == "AX" || capital == "POS")  // AX[X]=5
       word.address = capital + capitals(index.substr(0, index.size() - line.rest().size()));
     if (!line.take('=')) return;
     if (place_of(capital) >= 0) word.address = capital;
