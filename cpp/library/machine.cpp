@@ -153,24 +153,29 @@ std::optional<Step> Machine::step() {
   return Step{place_of(machine.code(), at), text_at(machine.code(), at), depth, false};
 }
 
-void Machine::run(const std::function<bool(const Machine&)>& pause) {
-  const auto interrupted = [this] { return inside_->interrupted.load(); };
-  if (inside_->interrupted)
-    inside_->machine.interrupt();
-  else if (!pause)
-    inside_->machine.run(interrupted);
+namespace {
+
+/// Run on as the engine's machine does, unless an interrupt came before.
+template <class... How>
+void run_on(Machine::Inside& inside, How&&... how) {
+  if (inside.interrupted)
+    inside.machine.interrupt();
   else
-    inside_->machine.run(interrupted, [&](const cncsub::Machine&) { return pause(*this); });
-  inside_->interrupted = false;
+    inside.machine.run([&] { return inside.interrupted.load(); }, std::forward<How>(how)...);
+  inside.interrupted = false;
+}
+
+}  // namespace
+
+void Machine::run(const std::function<bool(const Machine&)>& pause) {
+  if (pause)
+    run_on(*inside_, [&](const cncsub::Machine&) { return pause(*this); });
+  else
+    run_on(*inside_);
 }
 
 bool Machine::run_blocks(std::int64_t blocks) {
-  const auto interrupted = [this] { return inside_->interrupted.load(); };
-  if (inside_->interrupted)
-    inside_->machine.interrupt();
-  else
-    inside_->machine.run(interrupted, blocks);
-  inside_->interrupted = false;
+  run_on(*inside_, blocks);
   return stop() == Stop::Running;
 }
 
@@ -181,10 +186,8 @@ Result<bool> Machine::run_to(const std::string& program, std::int64_t n) {
   const Address to = code.first_of(code.programs[static_cast<std::size_t>(found)], n);
   if (to == kNowhere)
     return Error{"n", "there is no block N" + std::to_string(n) + " in " + program};
-  const std::int64_t begun = inside_->machine.blocks();
-  run([&](const Machine& machine) {
-    return machine.inside_->machine.state().pc == to && machine.blocks() != begun;
-  });
+  run_on(*inside_, std::vector<Breakpoint>{{.kind = Breakpoint::Kind::Block, .blocks = {to}}},
+         ExpressionList{});
   return stop() == Stop::Running && inside_->machine.state().pc == to;
 }
 

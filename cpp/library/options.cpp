@@ -14,8 +14,6 @@ namespace cncsub::api {
 
 namespace {
 
-constexpr int kSwitches = 10;
-
 /// Return why points name what is no axis, or nothing.
 std::optional<Error> wrong_axis(const std::string& option, const Point& point) {
   for (const auto& [axis, value] : point)
@@ -74,7 +72,7 @@ cncsub::Options options_of(const Options& from) {
 
 std::optional<Error> wrong_options(const Code& code, const Options& options) {
   for (const int number : options.block_skip)
-    if (number < 1 || number > kSwitches)
+    if (number < 1 || number > cncsub::Options::kSwitches)
       return Error{"block_skip", "a switch is 1 to 10, not " + std::to_string(number)};
   for (const auto& [number, value] : options.signals)
     if (!is_signal(code, number))

@@ -84,7 +84,6 @@ Pair::Column Pair::moved(std::size_t side, const std::string& name) const {
 std::string Pair::move_text(std::size_t side, std::size_t at, const std::string& column) const {
   if (at >= moves(side)) return "no further move";
   const std::string move = "move " + std::to_string(at);
-  Column values(moves(side), std::numeric_limits<double>::quiet_NaN());
   const MoveRow row = trace(side).moves.row(at);
   if (column == "kind") return move + " is " + kind_words(row.kind);
   if (column == "skip") return move + " has skip = " + std::string(cncsub::to_string(row.skip));
@@ -92,10 +91,9 @@ std::string Pair::move_text(std::size_t side, std::size_t at, const std::string&
     constexpr std::array<const char*, 3> kModes = {"per-minute", "per-revolution", "inverse-time"};
     return move + " has the feed mode " + kModes[static_cast<std::size_t>(row.state->feed_mode)];
   }
-  values = moved(side, column);
   const double value = column == "plane"  ? static_cast<double>(row.state->plane)
                        : column == "feed" ? row.feed
-                                          : values[at];
+                                          : moved(side, column)[at];
   const std::string shown = short_text(value);
   if (column == "plane") return move + " is in the plane of G" + shown;
   if (column == "feed" || column == "spindle") return move + " has the " + column + " " + shown;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <set>
 #include <string_view>
@@ -11,27 +10,12 @@
 #include <utility>
 
 #include "cncsub/code/references.hpp"
-#include "cncsub/control/rule_lists.hpp"
-#include "cncsub/dialect/asked.hpp"
+#include "cncsub/control/roles.hpp"
 #include "pair.hpp"
 
 namespace cncsub::api {
 
 namespace {
-
-/// Return the M codes that end a program. The stop is compared, and controls differ in which of
-/// these they send to the machine.
-std::set<double> end_codes(const cncsub::Control& control) {
-  std::set<double> codes;
-  for (const RuleView& rule : asked_rules(control)) {
-    const auto* text = std::get_if<std::string>(&rule.value);
-    if (rule.name != "roles" || text == nullptr) continue;
-    for (const std::string_view entry : split_entries(*text))
-      if (entry.size() > 5 && entry[0] == 'M' && entry.ends_with("=end"))
-        codes.insert(std::atof(std::string(entry.substr(1)).c_str()));
-  }
-  return codes;
-}
 
 bool has(const cncsub::Machine& machine, std::int32_t number) {
   double value = 0;
@@ -112,12 +96,15 @@ std::string Pair::summary(std::size_t side) const {
 
 // ---- codes and messages ----
 
+/// Return the codes of a kind that were sent, without the M codes that end a program: the stop is
+/// compared, and controls differ in which of these they send.
 std::vector<Trace::Sent> Pair::sent(std::size_t side, char kind) const {
   const auto& codes = trace(side).codes;
-  const std::set<double> ends = end_codes(*sides_[side].code->control);
+  const Roles& roles = sides_[side].code->control->calls.roles.value;
   std::vector<Trace::Sent> all;
   for (std::size_t i = 0; i < codes.size(); ++i)
-    if (codes[i].kind == kind && (kind != 'M' || !ends.contains(codes[i].value)))
+    if (codes[i].kind == kind &&
+        (kind != 'M' || roles.of_m(static_cast<int>(codes[i].value)) != Role::End))
       all.push_back(codes[i]);
   return all;
 }

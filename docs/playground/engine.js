@@ -3,8 +3,7 @@
 "use strict";
 
 function engineOf(module) {
-  const { HEAP32, HEAPF64 } = module;
-  void HEAP32, HEAPF64; // they are replaced when memory grows: always asked of the module
+  // The views of the memory are replaced when it grows: they are always asked of the module.
   const decoder = new TextDecoder();
   const encoder = new TextEncoder();
 
@@ -54,6 +53,13 @@ function engineOf(module) {
     return rows;
   };
 
+  /** Read texts by their index until there is none, or `most` of them. */
+  const texts = (next, most = Infinity) => {
+    const all = [];
+    for (let at; all.length < most && (at = next(all.length)) !== 0; ) all.push(text(at));
+    return all;
+  };
+
   const alarmOf = (run) => {
     if (!module._cncsub_run_alarm(run, room)) return null;
     const [numberText, cause, said, shown, cure] = [0, 4, 8, 12, 16].map((offset) => text(i32(room + offset)));
@@ -64,12 +70,7 @@ function engineOf(module) {
 
   return {
     version: () => text(module._cncsub_version()),
-    controls() {
-      const all = [];
-      for (let i = 0, at; (at = module._cncsub_control(i)) !== 0; ++i)
-        all.push({ name: text(at), title: text(module._cncsub_control_title(i)) });
-      return all;
-    },
+    controls: () => texts((i) => module._cncsub_control(i)).map((name, i) => ({ name, title: text(module._cncsub_control_title(i)) })),
 
     /** Read files, [{name, text: string or bytes}], for a control with changed rules and parameters. */
     read(files, control, changes) {
@@ -99,12 +100,6 @@ function engineOf(module) {
     readFor: (library, control, changes) =>
       made(withTexts([control, changes || ""], (name, lines) => module._cncsub_library_for(library, name, lines))),
     freeLibrary: (library) => module._cncsub_library_free(library),
-    programs(library) {
-      const all = [];
-      for (let i = 0, at; all.length < 10000 && (at = module._cncsub_library_program(library, i)) !== 0; ++i)
-        all.push(text(at));
-      return all;
-    },
     check(library) {
       module._cncsub_library_check(library);
       const found = listed((i, to) => module._cncsub_library_finding(library, i, to), (at) => ({
@@ -144,11 +139,7 @@ function engineOf(module) {
       alarm: alarmOf(run), blocks: Number(module._cncsub_run_blocks(run)), moves: module._cncsub_run_moves(run),
       steps: module._cncsub_run_steps(run), length: module._cncsub_run_length(run), time: module._cncsub_run_time(run),
     }),
-    messages(run) {
-      const all = [];
-      for (let i = 0, at; all.length < 1000 && (at = module._cncsub_run_message(run, i)) !== 0; ++i) all.push(text(at));
-      return all;
-    },
+    messages: (run) => texts((i) => module._cncsub_run_message(run, i), 1000),
     steps(run, first, last) {
       const rows = [];
       for (let i = first; i < last && module._cncsub_run_step(run, i, room); ++i)
@@ -178,11 +169,10 @@ function engineOf(module) {
       const kindAt = move + 4 * count;
       const begins = kindAt + 4 * moves;
       module._cncsub_run_write_path(run, x, y, z, move, begins);
-      const columns = (module._malloc(64) + 7) & ~7;
-      module.HEAP32.fill(0, columns >> 2, (columns >> 2) + 14);
-      module.HEAP32[(columns >> 2) + 12] = kindAt;
-      module.HEAP32[(columns >> 2) + 13] = stepAt;
-      module._cncsub_run_write_moves(run, columns);
+      module.HEAP32.fill(0, room >> 2, (room >> 2) + 14);
+      module.HEAP32[(room >> 2) + 12] = kindAt;
+      module.HEAP32[(room >> 2) + 13] = stepAt;
+      module._cncsub_run_write_moves(run, room);
       const f = (from) => module.HEAPF64.slice(from >> 3, (from >> 3) + count);
       const path = { x: f(x), y: f(y), z: f(z), begins: module.HEAPU8.slice(begins, begins + count),
         step: new Float64Array(count), kind: new Uint8Array(count) };

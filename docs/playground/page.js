@@ -41,8 +41,7 @@ async function unpacked() {
     bytes[to++] = held >> bits;
     held &= (1 << bits) - 1;
   }
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).arrayBuffer();
+  return packed(bytes, new DecompressionStream("gzip"));
 }
 
 async function start() {
@@ -66,10 +65,13 @@ const answers = {
     say(`Engine ${version}, ${controls.length} controls`);
     document.body.dataset.ready = version;
     if ($("control").length === 0) {
-      for (const { name, title } of controls) $("control").append(new Option(name, name, false, name === "fanuc-0i-f"));
       $("second").append(new Option("none", ""));
-      for (const { name } of controls) $("second").append(new Option(name, name));
-      controls.forEach(({ title }, i) => { $("control")[i].title = title; });
+      for (const { name, title } of controls) {
+        const option = new Option(name, name, false, name === "fanuc-0i-f");
+        option.title = title;
+        $("control").append(option);
+        $("second").append(new Option(name, name));
+      }
       fromLink();
     }
   },
@@ -131,7 +133,7 @@ function run() {
   const options = { main: $("main").value.trim(), record: 3, max_blocks: Number($("most").value) || 10000000 };
   if ($("start").value.trim() !== "") options.start = Number($("start").value);
   if ($("skip").checked) options.block_skip = 1;
-  asked = { files, control: $("control").value, changes: $("changes").value.trim(), options, second: $("second").value, secondChanges: "" };
+  asked = { files, control: $("control").value, changes: $("changes").value.trim(), options, second: $("second").value };
   document.body.dataset.state = "running";
   $("stop").disabled = false;
   $("alarm").hidden = $("difference").hidden = true;
@@ -167,7 +169,7 @@ function showRun() {
   $("calls").replaceChildren(callTree(calls));
   $("tab-calls").textContent = `Calls (${calls.length})`;
   clearTimeout(waiting);
-  if (summary.stop === "interrupted") { const of = ran; idle(); ran = of; }
+  if (summary.stop === "interrupted") idle();
   goTo(summary.steps);
 }
 

@@ -3,6 +3,12 @@
 
 const VIEWS = { xy: ["x", "y"], zx: ["z", "x"], yz: ["y", "z"] };
 
+/** The ends of a path's pieces up to the step `until`, of rapid moves or of the others. */
+function* pieces(path, until, isRapid) {
+  for (let i = 1; i < path.x.length && path.step[i] < until; ++i)
+    if (!path.begins[i] && (path.kind[i] === 0) === isRapid) yield i;
+}
+
 /** Draw paths, [{path, rapid, cut}], to the step `until`, in a plane. */
 function drawPlane(canvas, paths, view, until, colours) {
   const scale = window.devicePixelRatio || 1;
@@ -34,8 +40,7 @@ function drawPlane(canvas, paths, view, until, colours) {
       to.strokeStyle = isRapid ? rapid : cut;
       to.lineWidth = isRapid ? 1 : 1.6;
       to.setLineDash(isRapid ? [4, 3] : []);
-      for (let i = 1; i < path.x.length && path.step[i] < until; ++i) {
-        if (path.begins[i] || (path.kind[i] === 0) !== isRapid) continue;
+      for (const i of pieces(path, until, isRapid)) {
         to.moveTo(px(path[a][i - 1]), py(path[b][i - 1]));
         to.lineTo(px(path[a][i]), py(path[b][i]));
       }
@@ -70,10 +75,8 @@ async function drawSpace(element, paths, until, colours) {
   const Plotly = await loadPlotly();
   const lines = paths.flatMap(({ path, cut, rapid, name }) => [true, false].map((isRapid) => {
     const of = { x: [], y: [], z: [] };
-    for (let i = 1; i < path.x.length && path.step[i] < until; ++i) {
-      if (path.begins[i] || (path.kind[i] === 0) !== isRapid) continue;
+    for (const i of pieces(path, until, isRapid))
       for (const axis of ["x", "y", "z"]) of[axis].push(path[axis][i - 1], path[axis][i], null);
-    }
     return { type: "scatter3d", mode: "lines", ...of, name: `${name}: ${isRapid ? "rapid" : "feed"}`, hoverinfo: "x+y+z",
       line: { color: isRapid ? rapid : cut, width: isRapid ? 2 : 4 } };
   }));

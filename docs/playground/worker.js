@@ -42,18 +42,21 @@ async function run(job, asked) {
     held = { library, options, run: engine.soFar(machine) };
   } finally {
     if (machine !== 0) engine.freeMachine(machine);
-    if (held === null) engine.freeLibrary(library);
+    if (held === null) {
+      if (options !== 0) engine.freeOptions(options);
+      engine.freeLibrary(library);
+    }
   }
   const of = held.run;
   answer(job, "ran", {
     summary: engine.summary(of), variables: engine.variables(of), messages: engine.messages(of), path: engine.path(of, 0.05),
-    calls: engine.callsMade(of, 2000), programs: engine.programs(library),
+    calls: engine.callsMade(of, 2000),
   });
   answer(job, "checked", { findings: engine.check(library) });
   if (!asked.second) return;
   await turn();
   if (stopped >= job) return;
-  const second = engine.readFor(library, asked.second, asked.secondChanges);
+  const second = engine.readFor(library, asked.second);
   try {
     answer(job, "compared", { comparison: engine.compare(library, second, options) });
   } finally {

@@ -10,6 +10,7 @@
 #include "cncsub/dialect/library.hpp"
 #include "gil.hpp"
 #include "live.hpp"
+#include "options.hpp"
 #include "rows.hpp"
 
 namespace py = pybind11;
@@ -18,7 +19,6 @@ namespace cncsub::bindings {
 
 namespace {
 
-constexpr int kSwitches = 10;          // that skip blocks
 constexpr std::size_t kLook = 1 << 8;  // the work between two questions, in bytes
 
 Breakpoint::Kind kind_of(const std::string& name) {
@@ -63,8 +63,8 @@ std::vector<Breakpoint> breakpoints_of(const py::list& given, const Code& code,
   return list;
 }
 
-/// Run to one of the breakpoints. Return which were reached, how often each was met, and the fault
-/// of one that could not be evaluated.
+/// Run to one of the breakpoints. Return which were reached, and the fault of one that could not be
+/// evaluated.
 py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expressions) {
   const Work machine(live);
   auto list = breakpoints_of(given, machine->code(), expressions);
@@ -75,7 +75,7 @@ py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expres
   py::object faulty = py::none();
   if (const auto& fault = after->faulty())
     faulty = py::make_tuple(fault->first, fault->second.detail);
-  return py::make_tuple(py::cast(after->reached()), py::cast(after->met()), faulty);
+  return py::make_tuple(py::cast(after->reached()), faulty);
 }
 
 /// Return the last step before the present one at which a breakpoint shows a block; -1: none.
@@ -164,16 +164,14 @@ py::tuple switches(Live& live) {
   const Look machine(live);
   const Options& options = machine->options();
   py::list on;
-  for (int k = 1; k <= kSwitches; ++k)
+  for (int k = 1; k <= Options::kSwitches; ++k)
     if ((options.skips >> k & 1) != 0) on.append(k);
   return py::make_tuple(py::tuple(on), options.optional_stop);
 }
 
-void set_switches(Live& live, const std::vector<int>& on, bool stops) {
-  std::uint32_t skips = 0;
-  for (const int number : on)
-    if (number >= 1 && number <= kSwitches) skips |= 1U << static_cast<unsigned>(number);
-  Work(live)->set_switches(static_cast<std::uint16_t>(skips), stops);
+void set_switches(Live& live, const py::handle& on, bool stops) {
+  const std::uint16_t skips = switches_of(on);
+  Work(live)->set_switches(skips, stops);
 }
 
 }  // namespace

@@ -218,10 +218,8 @@ void set_signal(Live& live, std::int32_t number, double value) {
   machine->set_from_outside(number, value);
 }
 
-using Class = MachineClass;
-
 /// Add the functions that run a machine and return its position.
-void add_run(Class& machine) {
+void add_run(MachineClass& machine) {
   machine.def("run", &run)
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step, py::arg("row"))
@@ -261,7 +259,7 @@ void add_run(Class& machine) {
 }
 
 /// Add its variables and signals.
-void add_variables(Class& machine) {
+void add_variables(MachineClass& machine) {
   machine
       .def(
           "variables",
@@ -294,7 +292,7 @@ void add_variables(Class& machine) {
 }  // namespace
 
 void add_machine(py::module_& m) {
-  Class machine(m, "Machine", py::is_final());
+  MachineClass machine(m, "Machine", py::is_final());
   add_run(machine);
   add_variables(machine);
   add_debugging(machine);

@@ -159,6 +159,16 @@ Trace::Depth depth_of(const std::string& name) {
   throw py::value_error("trace must be 'none', 'calls', 'blocks' or 'moves', not '" + name + "'");
 }
 
+std::uint16_t switches_of(const py::handle& from) {
+  std::uint16_t switches = 0;
+  for (const int number : from.cast<std::vector<int>>()) {
+    if (number < 1 || number > Options::kSwitches)
+      throw py::value_error("a block-skip switch must be 1 to 10, not " + std::to_string(number));
+    switches = static_cast<std::uint16_t>(switches | (1u << number));
+  }
+  return switches;
+}
+
 namespace {
 
 std::map<std::int32_t, double> variables_of(const py::handle& from) {
@@ -166,16 +176,6 @@ std::map<std::int32_t, double> variables_of(const py::handle& from) {
   for (const auto& [number, value] : from.cast<py::dict>())
     variables[number.cast<std::int32_t>()] = number_or_vacant(value);
   return variables;
-}
-
-std::uint16_t switches_of(const py::handle& from) {
-  std::uint16_t switches = 0;
-  for (const int number : from.cast<std::vector<int>>()) {
-    if (number < 1 || number > 10)
-      throw py::value_error("a block-skip switch must be 1 to 10, not " + std::to_string(number));
-    switches = static_cast<std::uint16_t>(switches | (1u << number));
-  }
-  return switches;
 }
 
 using Take = void (*)(Options& options, const py::handle& value);

@@ -17,6 +17,8 @@ Options options_of(const pybind11::dict& from);
 Inputs inputs_of(const pybind11::dict& from);
 Setup setup_of(const pybind11::dict& from);
 Trace::Depth depth_of(const std::string& name);
+/// Return the block-skip switches of a list of their numbers, a bit each.
+std::uint16_t switches_of(const pybind11::handle& from);
 /// Return a number; None is the vacant value.
 double number_or_vacant(const pybind11::handle& value);
 

@@ -547,10 +547,8 @@ class Machine:
         """Return the value of one; a `ValueError` says why it has none."""
     def run_to(
         self, breakpoints: list[dict[str, Any]], expressions: Expressions
-    ) -> tuple[list[int], list[int], tuple[int, str] | None]:
-        """Run to a breakpoint. Return which were reached, how often each was met, and the one that
-        has no value here.
-        """
+    ) -> tuple[list[int], tuple[int, str] | None]:
+        """Run to a breakpoint. Return which were reached, and the one that has no value here."""
     def set_mode(self, mode: str, text: str) -> None:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:

@@ -9,10 +9,11 @@ from typing import Any
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
-from cncsub.files import clean
+from cncsub.files import one_line
+from cncsub.inputs import is_whole
 from cncsub.program import Block, find_program
+from cncsub.setup import AXES
 
-AXES = "XYZABCUVW"
 # fmt: off
 _MODES = (
     "motion", "plane", "distance", "feed_mode", "units", "radius", "length", "cycle", "return",
@@ -84,18 +85,13 @@ def wrong_place(given: object) -> TypeError:
     )
 
 
-def _one_line(text: str) -> str:
-    return re.sub(r"[\r\n\0]", " ", clean(text))
-
-
 def _is_place(given: object) -> bool:
     return (
         isinstance(given, tuple)
         and len(given) == 2
         and isinstance(given[0], str | int)
         and not isinstance(given[0], bool)
-        and not isinstance(given[1], bool)
-        and hasattr(given[1], "__index__")
+        and is_whole(given[1])
     )
 
 
@@ -155,7 +151,7 @@ class Compiled:
         return row
 
     def _event(self, text: str) -> dict[str, Any]:
-        word, _, rest = _one_line(text).strip().partition(" ")
+        word, _, rest = one_line(text).strip().partition(" ")
         rest = rest.strip()
         if word in ("call", "return"):
             return {"kind": word, "number": self._program(rest) if rest else -1}
@@ -221,7 +217,7 @@ def compiled(
     core: _core.Machine, texts: list[tuple[str, int]], what: list[str]
 ) -> _core.Machine.Expressions:
     """Compile expressions of the control's language; a `ValueError` says which is none, and why."""
-    cleaned = [(_one_line(text), program) for text, program in texts]
+    cleaned = [(one_line(text), program) for text, program in texts]
     expressions, faults = core.expressions(cleaned)
     for (text, _), name, fault in zip(cleaned, what, faults, strict=True):
         if fault is not None:

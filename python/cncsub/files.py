@@ -478,6 +478,11 @@ def clean(text: str) -> str:
     return text if text.isascii() else text.encode("utf-8", "replace").decode("utf-8")
 
 
+def one_line(text: str) -> str:
+    """Return the text as one line of a program: what ends a line is a blank."""
+    return re.sub(r"[\r\n\0]", " ", clean(text))
+
+
 def _legacy_encoding(data: Data) -> str:
     best, best_score = "latin-1", 0.0
     for encoding, score in (("gb18030", _gbk), ("cp932", _shift_jis), ("cp1252", _western)):

@@ -194,7 +194,7 @@ def checked_watch(numbers: object) -> list[int]:
             raise ValueError(
                 f"watch: give the number of a variable, such as 100, not its name: {number!r}"
             )
-        if not _is_whole(number):
+        if not is_whole(number):
             raise TypeError(
                 f"watch: a variable number must be a whole number such as 100, not {number!r}"
             )
@@ -216,7 +216,7 @@ def _variables(what: str, values: object) -> dict[int, float | None]:
         )
     checked: dict[int, float | None] = {}
     for number, value in values.items():
-        if not _is_whole(number):
+        if not is_whole(number):
             raise TypeError(
                 f"{what}: a variable number must be a whole number such as 100, not {number!r}"
             )
@@ -243,7 +243,7 @@ def _value(what: str, value: object) -> float | None:
     return number
 
 
-def _is_whole(number: object) -> bool:
+def is_whole(number: object) -> bool:
     """Return whether this is an integer of Python or NumPy, and not a bool."""
     return hasattr(number, "__index__") and not isinstance(number, bool)
 
@@ -257,7 +257,7 @@ def _listed(what: str, values: object) -> Sequence[Any]:
 def _write(entry: object) -> list[dict[int, float | None]]:
     if isinstance(entry, Mapping):
         return [_variables("writes", entry)]
-    if not isinstance(entry, tuple | list) or len(entry) != 2 or not _is_whole(entry[0]):
+    if not isinstance(entry, tuple | list) or len(entry) != 2 or not is_whole(entry[0]):
         raise TypeError(
             "writes must have mappings such as {500: 1} or pairs such as (3, {500: 1}),"
             f" not {entry!r}"

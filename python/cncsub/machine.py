@@ -10,6 +10,7 @@ from cncsub import _core
 from cncsub._core import Frame
 from cncsub.breakpoints import At, Breakpoint, Compiled, as_breakpoints
 from cncsub.breakpoints import compiled as compiled_expressions
+from cncsub.inputs import is_whole
 from cncsub.program import Block, Program
 from cncsub.run import Outcome, Run, Stop
 from cncsub.run_options import switches
@@ -98,28 +99,25 @@ class Machine(Outcome):
         if until is None:
             self._reached = ()
             self.core.run()
-        elif _is_number(until):
+        elif is_whole(until):
             self._run_to([], _depth(until))  # type: ignore[arg-type]
         else:
             self._run_to(as_breakpoints(until), None)
         # The machine may go on; the run is a copy and does not change.
         return None if self.core.stop is None else Run(self.core.copy())
 
-    def _run_to(self, breakpoints: list[Breakpoint], depth: int | None) -> list[int]:
-        """Run to one of the breakpoints, or until so few calls are open. Return how often each was
-        met.
-        """
+    def _run_to(self, breakpoints: list[Breakpoint], depth: int | None) -> None:
+        """Run to one of the breakpoints, or until so few calls are open."""
         compiled = Compiled(self.core, breakpoints)
         rows = compiled.rows
         if depth is not None:
             rows = [*rows, {"kind": "depth", "number": depth}]
         self._reached = ()
-        reached, met, faulty = self.core.run_to(rows, compiled.expressions)
+        reached, faulty = self.core.run_to(rows, compiled.expressions)
         self._reached = tuple(breakpoints[i] for i in reached if i < len(breakpoints))
         if faulty is not None:
             place, detail = faulty
             raise ValueError(f"{breakpoints[place]!r} has no value at {self!r}: {detail}")
-        return met
 
     @property
     def reached(self) -> tuple[Breakpoint, ...]:
@@ -167,7 +165,7 @@ class Machine(Outcome):
             if blocks == 0:
                 raise ValueError("the machine is at the head of the program: no block was executed")
             return blocks - 1
-        if _is_number(to):
+        if is_whole(to):
             step = operator.index(to)  # type: ignore[arg-type]
             if not 0 <= step <= blocks:
                 raise ValueError(f"to: the steps behind are 0 to {blocks}, not {step}")
@@ -312,10 +310,6 @@ _SETTABLE = ("block_skip", "optional_stop")
 _MAPPINGS = ("variables", "variables.named", "signals", "modal")
 _VARIABLE = re.compile(r"\s*(#|R\d|\$|[A-Za-z_]\w*\s*$)")
 _EVENT = re.compile(r"\s*(alarm|return|mode|[MTS]\d*)\s*$")
-
-
-def _is_number(given: object) -> bool:
-    return not isinstance(given, bool | str) and hasattr(given, "__index__")
 
 
 def _depth(until: int) -> int:

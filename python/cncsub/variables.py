@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import operator
-import re
 from collections.abc import Iterator, Mapping, MutableMapping
 from typing import Any
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
-from cncsub.files import clean
+from cncsub.files import one_line
 from cncsub.inputs import checked_variables
 from cncsub.pickling import NotPicklable
 
@@ -226,7 +225,7 @@ class Modes(_ByName):
         else:
             raise TypeError(f"modal[{name!r}] must be a code such as 'G91', not {value!r}")
         try:
-            self._core.set_mode(name, re.sub(r"[\r\n\0]", " ", clean(text)))
+            self._core.set_mode(name, one_line(text))
         except ValueError as error:
             raise ValueError(f"modal[{name!r}] = {value!r}: {error}") from None
         return self._core.modal[name]

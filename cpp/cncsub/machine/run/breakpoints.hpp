@@ -61,8 +61,6 @@ class Breakpoints {
 
   /// Return which breakpoints made the run pause, by their place in the list.
   const std::vector<std::size_t>& reached() const { return reached_; }
-  /// Return how often each was met since `begin`.
-  const std::vector<std::int64_t>& met() const { return met_; }
   /// Return the breakpoint whose condition or expression has no value here, and the alarm that this
   /// would be in a program.
   const std::optional<std::pair<std::size_t, Alarm>>& faulty() const { return faulty_; }
@@ -103,7 +101,7 @@ class Breakpoints {
   std::vector<Seen> seen_;
 
   std::vector<std::size_t> reached_;
-  std::vector<std::int64_t> met_;
+  std::vector<std::int64_t> met_;  // how often each was since `begin`
   std::optional<std::pair<std::size_t, Alarm>> faulty_;
 };
 

@@ -38,7 +38,8 @@ struct Options {
   bool mdi = false;         // what runs first was typed in MDI
   std::int64_t start = -1;  // the sequence number to start from; -1: the first block
   std::map<std::int32_t, double> variables;
-  std::uint16_t skips = 0;  // bit k: block-skip switch k is on
+  static constexpr int kSwitches = 10;  // that skip blocks, from 1
+  std::uint16_t skips = 0;              // bit k: block-skip switch k is on
   bool optional_stop = false;
   std::int64_t max_cycles = 1;
   std::int64_t max_blocks = 10'000'000;
