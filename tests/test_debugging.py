@@ -194,6 +194,21 @@ def test_a_wrong_place_is_refused_by_name(
     assert machine.blocks == 0
 
 
+def test_a_parameter_by_reference_changes_as_long_as_its_program_is_open() -> None:
+    text = (
+        "%_N_MAIN_MPF\nDEF REAL WIDE=1\nN10 PART(WIDE)\nN20 WIDE=7\nN30 M30\n"
+        "%_N_PART_SPF\nPROC PART(VAR REAL WID)\nN50 R1=1\nN60 WID=WID+1\nN70 M17\n"
+    )
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    machine.run(until="PART:N50")
+    machine.run(until="changes WID")
+    following = machine.next
+    assert following is not None
+    assert following.n == 70
+    machine.run(until="changes WID")  # the return and N20 change nothing that WID names here
+    assert machine.next is None
+
+
 @pytest.mark.parametrize("expression", [None, 5, True, [], b"1"])
 def test_what_is_no_text_is_no_expression(expression: object) -> None:
     machine = cncsub.loads("O1\nM30\n", control="fanuc-0i-f").machine()

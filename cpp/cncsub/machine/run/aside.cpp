@@ -77,7 +77,8 @@ bool reads_locals(const ExpressionList& list, const ExpressionList::One& one) {
   for (auto at = of.begin(); !(at == Expression::end()); ++at) {
     const Ins op = (*at).op;
     if (op == Ins::Local || op == Ins::LocalRaw || op == Ins::Indirect || op == Ins::IndirectRaw ||
-        op == Ins::Programmed || op == Ins::NamedLocal || op == Ins::Element)
+        op == Ins::Programmed || op == Ins::NamedLocal || op == Ins::Element ||
+        op == Ins::Referenced || op == Ins::ReferencedElement)
       return true;
   }
   return false;
