@@ -16,6 +16,6 @@ fi
 toolchain=$(dirname "$(readlink -f "$(command -v em++)")")/cmake/Modules/Platform/Emscripten.cmake
 [ -f "$toolchain" ] || toolchain=/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake
 cmake -S . -B $build -G Ninja -DCMAKE_TOOLCHAIN_FILE="$toolchain" -DCMAKE_BUILD_TYPE=Release \
-    -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" -DCNCSUB_PYTHON=OFF -DCNCSUB_PRECOMPILE=OFF >build/playground.log 2>&1 &&
+    -DCMAKE_CXX_FLAGS_RELEASE="-Os -DNDEBUG" -DCNCSUB_PYTHON=OFF -DCNCSUB_PRECOMPILE=OFF >build/playground.log 2>&1 &&
     cmake --build $build --target cncsub ${JOBS:+-j "$JOBS"} >>build/playground.log 2>&1 || { tail -n 30 build/playground.log; exit 1; }
 python3 tools/playground.py $build/cpp/wasm build/playground/page
