@@ -16,8 +16,7 @@ namespace {
 /// Return the name of a program whose text does not name it: that of its file, without folder and
 /// ending.
 std::string stem_of(const std::string& name) {
-  const std::size_t slash = name.find_last_of("/\\");
-  const std::string file = slash == std::string::npos ? name : name.substr(slash + 1);
+  const std::string file(last_of_path(name));
   const std::size_t dot = file.rfind('.');
   return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
 }

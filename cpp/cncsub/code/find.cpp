@@ -31,16 +31,6 @@ std::uint64_t hash_of(std::string_view name) {  // FNV-1a of the letters as capi
   return hash;
 }
 
-bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return upper(x) == upper(y); });
-}
-
-std::string_view last_part(std::string_view path) {
-  const std::size_t slash = path.find_last_of("/\\");
-  return slash == std::string_view::npos ? path : path.substr(slash + 1);
-}
-
 bool first_in_file(const Code& code, std::size_t program) {
   return program == 0 || code.programs[program - 1].file != code.programs[program].file;
 }
@@ -58,30 +48,19 @@ auto with_name(const Code& code, std::string_view name) {
   return [&code, name](std::int32_t i) {
     const auto at = static_cast<std::size_t>(i);
     const Program& program = code.programs[at];
-    return same_name(code.name_of(program), name) ||
-           (first_in_file(code, at) && same_name(last_part(code.files[program.file].name), name));
+    return same_letters(code.name_of(program), name) ||
+           (first_in_file(code, at) &&
+            same_letters(last_of_path(code.files[program.file].name), name));
   };
-}
-
-}  // namespace
-
-namespace {
-
-/// Return whether a name ends as that of a main program: SHAFT.MPF, _N_SHAFT_MPF.
-bool ends_as_main(std::string_view name, std::string_view ending) {
-  const std::size_t size = ending.size() + 1;
-  if (name.size() < size) return false;
-  const std::string_view last = name.substr(name.size() - size);
-  return (last[0] == '.' || last[0] == '_') && same_name(last.substr(1), ending);
 }
 
 bool is_main(const Code& code, const Program& program) {
   const std::string_view ending = code.spelling->main_ending;
   const SourceFile& file = code.files[program.file];
-  if (program.name_length == Program::kOfFile) return ends_as_main(file.name, ending);
+  if (program.name_length == Program::kOfFile) return ends_in(file.name, ending);
   const std::string_view text = file.text.view();
   const std::size_t end = std::size_t{program.name_at} + program.name_length;
-  return ends_as_main(text.substr(0, std::min(end + ending.size() + 1, text.size())), ending);
+  return ends_in(text.substr(0, std::min(end + ending.size() + 1, text.size())), ending);
 }
 
 /// Let the number and the name of a program lead to it, and of the first one of a file its name.
@@ -99,7 +78,7 @@ void register_program(Code& code, std::size_t i) {
                           is_main(code, program) &&
                           !is_main(code, code.programs[static_cast<std::size_t>(before)]);
   if (program.number < 0 && !other_kind) program.duplicate_of = before;
-  const std::string_view base = last_part(file.name);
+  const std::string_view base = last_of_path(file.name);
   if (first_in_file(code, i) && !base.empty())
     names.find_or_add(hash_of(base), with_name(code, base), place);
 }

@@ -32,10 +32,8 @@ struct OperatorRow {
 /// Return the operator whose letters are these, capitals or not; null where none is.
 inline const OperatorRow* operator_of_letters(std::span<const OperatorRow> rows,
                                               std::string_view letters) {
-  const auto alike = [](char a, char b) { return upper(a) == upper(b); };
   for (const OperatorRow& of : rows)
-    if (std::equal(letters.begin(), letters.end(), of.spelling.begin(), of.spelling.end(), alike))
-      return &of;
+    if (same_letters(letters, of.spelling)) return &of;
   return nullptr;
 }
 

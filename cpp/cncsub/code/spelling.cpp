@@ -1,9 +1,27 @@
 #include "cncsub/code/spelling.hpp"
 
+#include <algorithm>
+
 #include "cncsub/code/block.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
+
+bool ends_in(std::string_view name, std::string_view ending) {
+  const std::size_t size = ending.size() + 1;
+  if (name.size() < size) return false;
+  const std::string_view last = name.substr(name.size() - size);
+  return (last[0] == '.' || last[0] == '_') && same_letters(last.substr(1), ending);
+}
+
+std::string_view Spelling::bare_name(std::string_view name) const {
+  const std::string_view mark = head.before.substr(std::min<std::size_t>(head.before.size(), 1));
+  const std::size_t before = same_letters(name.substr(0, mark.size()), mark) ? mark.size() : 0;
+  std::size_t around = before;
+  for (const std::string_view ending : {main_ending, called_ending})
+    if (!ending.empty() && ends_in(name, ending)) around += ending.size() + 1;
+  return name.size() > around ? name.substr(before, name.size() - around) : name;
+}
 
 int Spelling::place_of(std::string_view address) const {
   if (address == radius) return 'R' - 'A';

@@ -61,10 +61,17 @@ struct Spelling {
                                // a run goes on without it
   bool open_comments = false;  // a comment that is not closed may be read
 
+  /// Return a program's name without what the control puts around it: _N_SHAFT_MPF is SHAFT.
+  std::string_view bare_name(std::string_view name) const;
   /// Return the place of a written address in the mask of a block; -1 where it has none.
   int place_of(std::string_view address) const;
   /// Return the address of a place in the mask as it is written.
   std::string address_of(int place) const;
 };
+
+/// What parts the names of a path that a call writes, the drive among them.
+inline constexpr std::string_view kPathSigns = "/\\:";
+/// Return whether the name of a program ends so after _ or a point: SHAFT.MPF, _N_SHAFT_MPF.
+bool ends_in(std::string_view name, std::string_view ending);
 
 }  // namespace cncsub

@@ -55,6 +55,15 @@ struct ExpressionText {
   std::int32_t program = 0;        // the program whose variables it may name
 };
 
+/// A row of the words of a language, in a file keywords.def.
+struct KeywordRow {
+  std::string_view word, does, words, causes, source{};
+
+  Keyword keyword() const {
+    return {std::string(word), "computed", std::string(does), words, causes, source};
+  }
+};
+
 struct Dialect {
   std::string_view name;
   /// The reader of the files of one library, one after the other.

@@ -7,15 +7,6 @@
 
 namespace cncsub {
 
-namespace {
-
-bool is_same_word(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return upper(x) == upper(y); });
-}
-
-}  // namespace
-
 std::vector<Keyword> keywords_of(const Control& control) {
   const Dialect* const dialect = find_dialect(control.dialect);
   return dialect == nullptr ? std::vector<Keyword>() : dialect->keywords(control);
@@ -24,7 +15,7 @@ std::vector<Keyword> keywords_of(const Control& control) {
 std::optional<CodeFacts> word_facts(const Control& control, std::string_view word) {
   const std::vector<Keyword> all = keywords_of(control);
   const auto found = std::find_if(
-      all.begin(), all.end(), [word](const Keyword& of) { return is_same_word(of.name, word); });
+      all.begin(), all.end(), [word](const Keyword& of) { return same_letters(of.name, word); });
   if (found == all.end()) return std::nullopt;
   CodeFacts facts = facts_of_row(control, {found->does, found->words, found->causes});
   facts.name = found->name;

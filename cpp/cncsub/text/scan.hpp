@@ -1,6 +1,7 @@
 // The characters of a block: gaps, digits and letters, names and numbers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -45,6 +46,17 @@ inline std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
   return text;
+}
+
+/// Return whether two texts are the same but for small letters and capitals.
+inline bool same_letters(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](char x, char y) { return upper(x) == upper(y); });
+}
+/// Return what stands after the last sign of a path that parts its names.
+inline std::string_view last_of_path(std::string_view path, std::string_view signs = "/\\") {
+  const std::size_t slash = path.find_last_of(signs);
+  return slash == std::string_view::npos ? path : path.substr(slash + 1);
 }
 
 /// A place in a block's text. The text ends where the block ends, and comments are passed over like

@@ -9,10 +9,7 @@ namespace cncsub {
 
 namespace {
 
-struct Row {
-  std::string_view word, does, words, causes;
-};
-constexpr Row kRows[] = {
+constexpr KeywordRow kRows[] = {
 #define KEYWORD(word, does, words, causes) {word, does, words, causes},
 #include "cncsub/dialect/iso/keywords.def"
 #undef KEYWORD
@@ -44,9 +41,9 @@ std::string_view statement_of(std::string_view word) {
 }
 
 /// Return a row as a control has it; nothing where it has not got the word.
-std::optional<Keyword> keyword_of(const MacroRules& rules, const Row& of) {
-  Keyword word{std::string(of.word), "computed", std::string(of.does), of.words, of.causes};
+std::optional<Keyword> keyword_of(const MacroRules& rules, const KeywordRow& of) {
   if (!is_in_forms(rules, of.word)) return std::nullopt;
+  Keyword word = of.keyword();
   if (const auto function = FunctionEntry::read(of.word)) {
     if (!rules.functions.value.has(*function)) return std::nullopt;
     word.rule = "functions";
@@ -72,7 +69,7 @@ std::optional<Keyword> keyword_of(const MacroRules& rules, const Row& of) {
 
 std::vector<Keyword> iso_keywords(const Control& control) {
   std::vector<Keyword> all;
-  for (const Row& of : kRows)
+  for (const KeywordRow& of : kRows)
     if (auto word = keyword_of(control.macros, of)) all.push_back(std::move(*word));
   return all;
 }

@@ -6,24 +6,19 @@ namespace cncsub {
 
 namespace {
 
-struct Row {
-  std::string_view word, does, words, causes;
-};
-constexpr Row kRows[] = {
-#define KEYWORD(word, does, words, causes) {word, does, words, causes},
+constexpr std::string_view kSource = "rs274 2.9";
+
+constexpr KeywordRow kRows[] = {
+#define KEYWORD(word, does, words, causes) {word, does, words, causes, kSource},
 #include "cncsub/dialect/linuxcnc/keywords.def"
 #undef KEYWORD
 };
-
-constexpr std::string_view kSource = "rs274 2.9";
 
 }  // namespace
 
 std::vector<Keyword> linuxcnc_keywords(const Control& /*control*/) {
   std::vector<Keyword> all;
-  for (const Row& of : kRows)
-    all.push_back(
-        {std::string(of.word), "computed", std::string(of.does), of.words, of.causes, kSource});
+  for (const KeywordRow& of : kRows) all.push_back(of.keyword());
   for (const std::string_view name : linuxcnc::names_of_built_ins())
     all.push_back({"#<" + std::string(name) + ">", "computed",
                    "is a parameter of the control that a run knows", "", "", kSource});

@@ -22,17 +22,6 @@ Operand operand_of(const Value& value) {
   return operand;
 }
 
-/// Return a program's name without what the control puts around it: _N_SUB_SPF is SUB. [828D p.490]
-std::string_view bare(std::string_view name) {
-  const std::string capital = capitals(name);
-  const std::size_t before = capital.starts_with("_N_") ? 3 : 0;
-  const std::string_view last =
-      std::string_view(capital).substr(capital.size() - std::min<std::size_t>(capital.size(), 4));
-  const bool ending = last == "_SPF" || last == "_MPF" || last == ".SPF" || last == ".MPF";
-  const std::size_t around = before + (ending ? 4 : 0);
-  return name.size() > around ? name.substr(before, name.size() - around) : name;
-}
-
 /// Read P3 or P=R1, where it stands here.
 bool pass_count(OpenBlock& open, Block& block, Operand& count) {
   if (open.line.peek() != 'P') return true;
@@ -84,7 +73,7 @@ CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t a
   CallExtras& named = call.extras.make();
   named.name_at = at;
   named.name_width = call.width;
-  named.name = std::string(bare(name));
+  named.name = std::string(open.to.code().spelling->bare_name(name));
   named.count = 'P';
   return call;
 }
@@ -92,8 +81,7 @@ CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t a
 /// Write the call of a program by its path, of which the last name counts.
 bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
                 std::vector<ActualParameter> given) {
-  const std::size_t slash = path.find_last_of("/\\:");
-  const std::string_view name = path.substr(slash == std::string_view::npos ? 0 : slash + 1);
+  const std::string_view name = last_of_path(path, kPathSigns);
   if (name.empty())
     return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
   CallRecord call = call_of(open, name, at);

@@ -20,10 +20,7 @@ constexpr std::string_view kKnown = "general knowledge of the SINUMERIK 840D";
 constexpr std::string_view kWithoutPath =
     "changes no path: a run reports it as dropped and goes on";
 
-struct Row {
-  std::string_view word, does, words, causes, source;
-};
-constexpr Row kRows[] = {
+constexpr KeywordRow kRows[] = {
 #define KEYWORD(word, does, words, causes, source) {word, does, words, causes, source},
 #define FUNCTION KEYWORD
 #include "cncsub/dialect/sinumerik/keywords.def"
@@ -121,9 +118,7 @@ bool is_keyword(std::string_view word) {
 std::vector<Keyword> sinumerik_keywords(const Control& control) {
   using namespace sinumerik;
   Collection all;
-  for (const Row& of : kRows)
-    all.add(
-        {std::string(of.word), "computed", std::string(of.does), of.words, of.causes, of.source});
+  for (const KeywordRow& of : kRows) all.add(of.keyword());
   add_cycles(control, all);
   for (const TreatedWords& list : kLists)
     for (const std::string_view word : list.words)

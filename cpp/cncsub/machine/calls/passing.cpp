@@ -1,6 +1,5 @@
 // What a call hands over besides values: variables and arrays of the caller; and the program that a
 // text names.
-#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -79,35 +78,12 @@ bool evaluate_references(Run& run, const CallRecord& record) {
   return true;
 }
 
-namespace {
-
-/// Return a program's name without its path and without what the control puts around it.
-std::string_view bare(const Spelling& spelling, std::string_view path) {
-  const std::size_t slash = path.find_last_of("/\\:");
-  std::string_view name = trimmed(path.substr(slash == std::string_view::npos ? 0 : slash + 1));
-  const std::string_view head = spelling.head.before;  // %_N_
-  const auto same = [](std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](char x, char y) { return upper(x) == upper(y); });
-  };
-  if (head.size() > 1 && same(name.substr(0, head.size() - 1), head.substr(1)))
-    name.remove_prefix(head.size() - 1);
-  for (const std::string_view ending : {spelling.main_ending, spelling.called_ending}) {
-    if (ending.empty() || name.size() <= ending.size() + 1) continue;
-    const std::string_view last = name.substr(name.size() - ending.size() - 1);
-    if ((last[0] == '.' || last[0] == '_') && same(last.substr(1), ending))
-      name.remove_suffix(last.size());
-  }
-  return name;
-}
-
-}  // namespace
-
 bool find_by_text(Run& run, const CallRecord& record, Target& target) {
   double value = 0;
   const Operand& text = record.name_text();
   if (!value_of(run, text, value)) return false;
-  const std::string name(bare(*run.code->spelling, text_of(run, value)));
+  const std::string_view last = trimmed(last_of_path(text_of(run, value), kPathSigns));
+  const std::string name(run.code->spelling->bare_name(last));
   target.program = run.code->find(name);
   return target.program != kNoProgram ||
          alarm(run, {Cause::NamedProgramNotFound, text.at, text.width,
