@@ -36,12 +36,17 @@ def machine() -> cncsub.Machine:
     return cncsub.loads({"job.nc": JOB}, control=CONTROL).machine()
 
 
+def at(machine: cncsub.Machine) -> int | None:
+    """Return the sequence number of the block before which the machine stands."""
+    following = machine.next
+    return None if following is None else following.n
+
+
 def stops(machine: cncsub.Machine, until: Any) -> list[int | None]:
     """Return the sequence numbers of the blocks before which the machine stops."""
     seen = []
     while machine.run(until=until) is None:
-        following = machine.next
-        seen.append(None if following is None else following.n)
+        seen.append(at(machine))
     return seen
 
 
@@ -94,7 +99,7 @@ def test_reached_names_the_breakpoints_that_were_met(machine: cncsub.Machine) ->
 @pytest.mark.parametrize("name", ["alarm", "alarm PS0076", "alarm program-not-found"])
 def test_an_alarm_is_a_breakpoint(name: str) -> None:
     machine = cncsub.loads("O1\nN10 M98 P9\n", control=CONTROL).machine()
-    assert machine.run(until=[name, "alarm 100"] if name == "x" else name) is not None
+    assert machine.run(until=name) is not None
     assert [each.at for each in machine.reached] == [name]
 
 
@@ -110,9 +115,8 @@ def test_locals_are_watched_at_the_level_where_the_machine_stood() -> None:
 @pytest.mark.parametrize(
     ("control", "text", "condition", "n"),
     [
-        ("siemens-one", {"A.MPF": "DEF INT DEPTH\nN10 DEPTH=DEPTH+1\nN20 IF DEPTH<9\nN30 GOTOB LOOP\n"
-          "N40 ENDIF\nN50 M30\nLOOP: N60 GOTOB AGAIN\n".replace("GOTOB LOOP", "R1=5").replace(
-              "LOOP: N60 GOTOB AGAIN", "N60 M30")}, "DEPTH==1", 20),
+        ("siemens-one", {"A.MPF": "DEF INT DEPTH\nN10 DEPTH=DEPTH+1\nN20 IF DEPTH<9\nN30 R1=5\n"
+          "N40 ENDIF\nN50 M30\nN60 M30\n"}, "DEPTH==1", 20),
         ("siemens-one", {"A.MPF": "N10 R1=R1+1\nN20 R2=R1\nN50 M30\n"}, "(R1>0) AND (R2==0)", 20),
         ("linuxcnc", "#<depth>=1\n#<depth>=2\nN20 G0 X1\nM2\n", "#<depth> gt 1", 20),
         ("haas-ngc", "O1\nN10 #100=1\nN20 G0 X1.\nN30 M30\n", "[#100 EQ 1] AND [#101 EQ #0]", 20),
@@ -124,9 +128,7 @@ def test_conditions_are_in_the_language_of_the_control(
     machine = cncsub.loads(text, control=control).machine()
     name = machine.next.program.name  # type: ignore[union-attr]
     assert machine.run(until=cncsub.Breakpoint((name, n), when=condition)) is None
-    following = machine.next
-    assert following is not None
-    assert following.n == n
+    assert at(machine) == n
 
 
 def test_conditions_that_are_none_are_refused_with_their_place(machine: cncsub.Machine) -> None:
@@ -202,16 +204,13 @@ def test_a_parameter_by_reference_changes_as_long_as_its_program_is_open() -> No
     machine = cncsub.loads(text, control="siemens-one").machine()
     machine.run(until="PART:N50")
     machine.run(until="changes WID")
-    following = machine.next
-    assert following is not None
-    assert following.n == 70
+    assert at(machine) == 70
     machine.run(until="changes WID")  # the return and N20 change nothing that WID names here
     assert machine.next is None
 
 
 @pytest.mark.parametrize("expression", [None, 5, True, [], b"1"])
-def test_what_is_no_text_is_no_expression(expression: object) -> None:
-    machine = cncsub.loads("O1\nM30\n", control="fanuc-0i-f").machine()
+def test_what_is_no_text_is_no_expression(machine: cncsub.Machine, expression: object) -> None:
     with pytest.raises(TypeError, match="an expression is a text"):
         machine.evaluate(expression)  # type: ignore[arg-type]
 
@@ -220,6 +219,9 @@ def test_what_is_no_text_is_no_expression(expression: object) -> None:
 def test_a_breakpoint_counts_from_one(hits: int) -> None:
     with pytest.raises(ValueError, match="hits must be 1 to"):
         cncsub.Breakpoint("M6", hits=hits)
+
+
+def test_a_breakpoint_has_a_whole_count_and_an_expression() -> None:
     with pytest.raises(TypeError, match="hits must be a whole number"):
         cncsub.Breakpoint("M6", hits=True)
     with pytest.raises(TypeError, match="when must be an expression"):
@@ -231,26 +233,23 @@ def test_next_passes_over_skipped_blocks_and_ends() -> None:
     machine = cncsub.loads(text, control=CONTROL).machine(block_skip=[1])
     seen = []
     while machine.stop is None:
-        seen.append(machine.next)
+        seen.append(at(machine))
         machine.step()
-    assert [None if block is None else block.n for block in seen] == [20, 40, None]
+    assert seen == [20, 40, None]
     alarmed = cncsub.loads("O1\nN10 M98 P9\n", control=CONTROL).machine()
     alarmed.run()
-    assert alarmed.next is not None
-    assert alarmed.next.n == 10
+    assert at(alarmed) == 10
 
 
 # ---- the way back ----
 
 
-def test_back_goes_where_it_is_told() -> None:
-    machine = cncsub.loads({"job.nc": JOB}, control=CONTROL).machine()
+def test_back_goes_where_it_is_told(machine: cncsub.Machine) -> None:
     machine.run(until="O2:N130")
     places: list[tuple[int | None, float | None]] = []
     for to in (None, "#1", "call", "M6", 0):
         machine.back(to)
-        assert machine.next is not None
-        places.append((machine.next.n, machine.variables[100]))
+        places.append((at(machine), machine.variables[100]))
     assert places == [(120, 3.0), (110, 3.0), (30, None), (10, None), (10, None)]
 
 
@@ -264,13 +263,12 @@ def test_back_to_a_place_is_the_last_time_before_it() -> None:
     machine.back(cncsub.Breakpoint("O1:N40", when="#1 EQ 3"))
     assert machine.variables[1] == 3
     machine.back("#100")
-    assert (machine.next.n, machine.variables[100]) == (40, 2.0)  # type: ignore[union-attr]
+    assert (at(machine), machine.variables[100]) == (40, 2.0)
     machine.back("O1:N10")
     assert machine.blocks == 0
 
 
-def test_where_there_is_nothing_to_go_back_to_the_machine_stays() -> None:
-    machine = cncsub.loads({"job.nc": JOB}, control=CONTROL).machine()
+def test_where_there_is_nothing_to_go_back_to_the_machine_stays(machine: cncsub.Machine) -> None:
     with pytest.raises(ValueError, match="at the head of the program"):
         machine.back()
     machine.step()
@@ -383,7 +381,7 @@ def test_modes_are_set_as_the_control_reads_them(machine: cncsub.Machine) -> Non
         ("distance", "GOTO10"), ("distance", ""), ("work", "G54\nG55"), ("motion", "M3"),
     ):  # fmt: skip
         before = dict(machine.modal)
-        with pytest.raises(ValueError, match="it does not set the mode|modal"):
+        with pytest.raises(ValueError, match="it does not set the mode"):
             machine.modal[mode] = code
         assert dict(machine.modal) == before
     with pytest.raises(KeyError, match="there is no 'distances' to be set; did you mean distance"):
@@ -422,10 +420,7 @@ def test_a_skip_switch_holds_from_where_it_is_set() -> None:
 
 
 def test_named_variables_are_set_by_their_type() -> None:
-    text = (
-        'DEF INT SIDES[2]=SET(3,4)\nDEF REAL DEPTH=5\nDEF STRING[8] NAME="A"\n'
-        "DEF BOOL ON\nDEF AXIS WHICH=AX1\nM30\n".replace("DEF AXIS WHICH=AX1\n", "")
-    )
+    text = 'DEF INT SIDES[2]=SET(3,4)\nDEF REAL DEPTH=5\nDEF STRING[8] NAME="A"\nDEF BOOL ON\nM30\n'
     machine = cncsub.loads(text, control="siemens-one").machine()
     machine.run(until="mode")
     machine.back(4)

@@ -193,7 +193,7 @@ class BlockWriter(MoveWriter):
         r = self.random
         counter = self.counter()
         first = r.randint(-2, 3)
-        low = integer(first) if first >= 0 else l.Unary("NEGATIVE", integer(-first))
+        low = self.signed(first)
         last: l.Expression = integer(max(first + r.randint(-1, 3), 0))
         opener = self.put(l.Open("FOR", low, counter, last))
         if first >= 0:

@@ -8,7 +8,7 @@ then does something else depends on the last digits of a REAL.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sinumerik_language as l
 from sinumerik_arithmetic import (
@@ -58,9 +58,6 @@ class Evaluator(Paths):
             self.define(definition, scope)
         at = 0
         while at < len(of.blocks):
-            self.blocks += 1
-            if self.blocks > MAX_BLOCKS:
-                raise UnclearError
             to = self.block(of, at, scope)
             if to is None:
                 return
@@ -83,6 +80,9 @@ class Evaluator(Paths):
 
     def block(self, program: l.Program, at: int, scope: Scope) -> int | None:
         """Run a block; return the next one, or None at the end of the program."""
+        self.blocks += 1
+        if self.blocks > MAX_BLOCKS:
+            raise UnclearError
         block = program.blocks[at]
         if block.level in self.skipped:
             return at + 1
@@ -222,8 +222,8 @@ class Evaluator(Paths):
             try:
                 self.called(callee, cells)
             except _BackError as back:
-                if back.levels > 1:
-                    raise _BackError(back.of, back.levels - 1) from None
+                if back.of.levels > 1:
+                    raise _BackError(replace(back.of, levels=back.of.levels - 1)) from None
                 return self.target(program, at, "GOTO", back.of.target) + back.of.after
         return at + 1
 
@@ -239,9 +239,6 @@ class Evaluator(Paths):
         for _ in range(of.times):
             place = first
             while first <= place <= last:
-                self.blocks += 1
-                if self.blocks > MAX_BLOCKS:
-                    raise UnclearError
                 to = self.block(program, place, scope)
                 if to is None:
                     raise UnclearError
@@ -359,6 +356,5 @@ class _EndError(Exception):
 class _BackError(Exception):
     """RET with values returns over some levels."""
 
-    def __init__(self, of: l.Back, levels: int | None = None) -> None:
+    def __init__(self, of: l.Back) -> None:
         self.of = of
-        self.levels = of.levels if levels is None else levels

@@ -79,12 +79,19 @@ class Paths:
             absolute="G90" in codes or (old.absolute and "G91" not in codes),
             rapid="G0" in codes or (old.rapid and "G1" not in codes),
         )
+        if of.words:
+            self.go(self.straight(), self.reached(of.words, scope))
+
+    def straight(self) -> str:
+        return "rapid" if self.state.rapid else "feed"
+
+    def reached(self, words: tuple[l.Word, ...], scope: Scope) -> list[float]:
+        """Return where words lead to in the frame."""
         to = list(self.local)
-        for word in of.words:
+        for word in words:
             place = AXES.index(word.axis)
             to[place] = self.coordinate(word, self.local[place], scope)
-        if of.words:
-            self.go("rapid" if self.state.rapid else "feed", to)
+        return to
 
     def coordinate(self, word: l.Word, at: float, scope: Scope) -> float:
         add = word.manner == "IC" or (word.manner == "" and not self.state.absolute)
@@ -108,7 +115,7 @@ class Paths:
         """Move to machine coordinates, with all axes: where the tool is in the frame is open."""
         self.moves.append(
             (
-                "rapid" if self.state.rapid else "feed",
+                self.straight(),
                 *(self.length(word.value, scope) for word in of.words),  # type: ignore[arg-type]
             )
         )
@@ -149,13 +156,10 @@ class Paths:
             self.angle = self.length(of.angle, scope) + add
         if self.radius < 0:
             raise UnclearError
-        to = list(self.local)
+        to = self.reached((of.along,) if of.along else (), scope)
         one, other = self.ends()
         to[one], to[other] = self.point(self.radius, self.angle)
-        if of.along:
-            place = AXES.index(of.along.axis)
-            to[place] = self.coordinate(of.along, self.local[place], scope)
-        self.go("rapid" if self.state.rapid else "feed", to)
+        self.go(self.straight(), to)
 
     # ---- arcs ----
 
@@ -168,11 +172,7 @@ class Paths:
         if max(abs(u[across]), abs(v[across])) > 1e-9:
             raise UnclearError  # the plane is tilted
         clockwise = of.clockwise == (u[one] * v[other] - u[other] * v[one] > 0)
-        to = list(self.local)
-        for word in of.to:
-            place = AXES.index(word.axis)
-            to[place] = self.coordinate(word, self.local[place], scope)
-        self.go("cw" if clockwise else "ccw", to)
+        self.go("cw" if clockwise else "ccw", self.reached(of.to, scope))
 
     # ---- frames ----
 

@@ -212,7 +212,3 @@ case(
     "EXTCALL takes a text too", **KNOWN,
     program='N5 DEF STRING[40] NAME="PART.SPF"\nN10 EXTCALL(NAME)\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 M17', runs="N5 N10 N30 N40 N20",
 )
-case(
-    "a program in ISO mode is not computed", **POLICY,
-    program='N10 ISOCALL "PART"\nN20 M30', runs="", alarm="code-not-computed", at="MAIN N10",
-)

@@ -198,7 +198,7 @@ case(
 for text, cause, number in (
     ("POS[X]=5 Y3", "code-not-computed", None), ("POS[A]=5", "code-not-computed", None), ("POS[X1]=5", "code-not-computed", None),
     ("POS[X]=5 POS[X]=6", "address-given-twice", None), ("POS[X] 5", "missing-equals", "12080"), ("POS=5", "bracket-not-opened", "12080"),
-    ("POSA[X]=5", "code-not-computed", None), ("POS[X]=5 G2 I3", "code-not-computed", None),
+    ("POS[X]=5 G2 I3", "code-not-computed", None),
 ):
     case(f"{text} is refused", **KNOWN, program=f"N10 {text}\nN20 M30", runs="", alarm=cause, number=number, at="MAIN N10")
 case(
