@@ -44,8 +44,7 @@ double seconds_of_letter(MotionView m, const NcWords& w, char letter) {
 /// Return how fast the spindle turns where the tool stands, in r/min.
 double speed_now(MotionView m) {
   const MotionState& s = m.state;
-  const double diameter = 2 * m.facts.share(0) * s.work[0];
-  return s.surface ? spindle_at(s.surface_speed, s.max_speed, diameter) : s.speed;
+  return s.surface ? spindle_at(s.surface_speed, s.max_speed, diameter_now(m)) : s.speed;
 }
 
 /// The first of the letters of G04 that a block has, 0 where it has none, and the seconds it says.

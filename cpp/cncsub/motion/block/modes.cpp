@@ -131,9 +131,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
   const bool surface = m.state.modal[at(Group::Surface)].meaning == Meaning::SurfaceSpeed;
   // G97 without S keeps the speed that there is. [TDi 25 note 4]
   if (m.state.surface && !surface && (m.state.work[0] != 0 || m.state.max_speed > 0))
-    if (const double last =
-            spindle_at(move_state(m.state), 2 * m.facts.share(0) * std::fabs(m.state.work[0]));
-        last > 0)
+    if (const double last = spindle_at(move_state(m.state), diameter_now(m)); last > 0)
       m.state.speed = last;
   m.state.surface = surface;
   m.state.unit = unit_of(m.facts, m.state.modal[at(Group::Units)].meaning);

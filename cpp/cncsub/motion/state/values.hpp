@@ -50,6 +50,8 @@ inline double number(MotionView m, const BlockWords& block, char address) {
 }
 /// Return a computed value at an address as the control takes it: rounded to the least increment.
 double rounded(MotionView m, char address, double value);
+/// Return the diameter at which the tool stands, which a surface speed is that of.
+inline double diameter_now(MotionView m) { return 2 * m.facts.share(0) * m.state.work[0]; }
 /// Return the seconds that P of a drilling cycle says.
 double dwell_in_hole(MotionView m, const NcWords& words);
 /// Return the axes that addresses (a block's mask) can move, as the columns of the moves are
