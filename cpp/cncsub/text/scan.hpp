@@ -48,6 +48,12 @@ inline std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// Return a text with capitals in place of its small letters.
+inline std::string capitals(std::string_view text) {
+  std::string capital(text);
+  for (char& c : capital) c = upper(c);
+  return capital;
+}
 /// Return whether two texts are the same but for small letters and capitals.
 inline bool same_letters(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),

@@ -120,6 +120,14 @@ bool read_part(OpenExpression& open, FramePart& part, int depth) {
   return take(open, ']', open.line.offset());
 }
 
+/// Read the same, and push that part of the frame that was read last. `at`: where this stands.
+Read push_part(OpenExpression& open, std::uint32_t at, int depth) {
+  FramePart part{};
+  if (!read_part(open, part, depth)) return std::nullopt;
+  open.to.expressions().emit({Ins::FramePart, 0, at, static_cast<double>(part)});
+  return Type::Real;
+}
+
 /// Read the index of a frame of the work systems.
 bool read_index(OpenExpression& open, int depth) {
   if (!take(open, '[', open.line.offset())) return false;
@@ -170,11 +178,7 @@ Read read_frame_function(OpenExpression& open, std::string_view name, int depth)
 Read read_frame_part(OpenExpression& open, int depth) {
   const std::uint32_t at = open.line.offset();
   open.constant.reset();
-  if (!open.line.take('[')) return Type::Frame;
-  FramePart part{};
-  if (!read_part(open, part, depth)) return std::nullopt;
-  open.to.expressions().emit({Ins::FramePart, 0, at, static_cast<double>(part)});
-  return Type::Real;
+  return open.line.take('[') ? push_part(open, at, depth) : Type::Frame;
 }
 
 bool write_frame_part(OpenExpression& open, const Instruction& frame, Value& value) {
@@ -222,11 +226,7 @@ Read read_control_frame(OpenExpression& open, std::string_view name, std::uint32
   }
   bool whole = false;
   if (!takes_part(open, of, whole, at)) return std::nullopt;
-  if (whole) return Type::Frame;
-  FramePart part{};
-  if (!read_part(open, part, depth)) return std::nullopt;
-  open.to.expressions().emit({Ins::FramePart, 0, at, static_cast<double>(part)});
-  return Type::Real;
+  return whole ? Type::Frame : push_part(open, at, depth);
 }
 
 bool assign_control_frame(OpenExpression& open, std::string_view name, std::uint32_t at,

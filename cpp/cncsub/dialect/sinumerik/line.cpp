@@ -11,12 +11,6 @@ std::string_view name_in(std::string_view text) {
   return text.substr(0, static_cast<std::size_t>(end - text.begin()));
 }
 
-std::string capitals(std::string_view name) {
-  std::string capital(name);
-  for (char& c : capital) c = upper(c);
-  return capital;
-}
-
 std::size_t before_comment(std::string_view text) {
   if (text.find(';') == std::string_view::npos) return text.size();
   bool quoted = false;

@@ -11,8 +11,8 @@ namespace cncsub::sinumerik {
 
 /// Return the name at the head of a text: letters, digits and _ that begin with no digit.
 std::string_view name_in(std::string_view text);
-/// Return a name in capitals: the language does not tell small letters from them. [SONE p.42]
-std::string capitals(std::string_view name);
+// Names are compared in capitals: the language does not tell small letters from them. [SONE p.42]
+
 /// Return how many bytes of a block stand before its comment; a ; between quotes begins none.
 std::size_t before_comment(std::string_view text);
 

@@ -53,8 +53,7 @@ Address named_block(const Run& run, const std::string& text, Statement::Search s
 bool jump_by_text(Run& run, const Statement& statement) {
   double value = 0;
   if (!evaluate(run, statement.variable, value)) return false;
-  std::string text(trimmed(text_of(run, value)));
-  for (char& c : text) c = upper(c);
+  const std::string text = capitals(trimmed(text_of(run, value)));
   const Address to = named_block(run, text, statement.search);
   const bool inside = to != kNowhere && run.code->leads_inside(run.state.pc, to);
   if (to != kNowhere && !inside) return jump_to(run, to);

@@ -52,25 +52,16 @@ ToolOffsets& OffsetTables::change_tool(int number) {
   return all[place(number)];
 }
 
-namespace {
-
-std::string in_capitals(std::string_view name) {
-  std::string capital(trimmed(name));
-  for (char& c : capital) c = upper(c);
-  return capital;
-}
-
-}  // namespace
-
 int OffsetTables::tool_of(std::string_view name) const {
-  const auto found = edges->tools.find(in_capitals(name));
+  const auto found = edges->tools.find(capitals(trimmed(name)));
   return found == edges->tools.end() ? 0 : found->second;
 }
 
 void OffsetTables::name_tool(int number, std::string_view name) {
   EdgeTables& all = edges.change();
   std::erase_if(all.tools, [number](const auto& of) { return of.second == number; });
-  if (const std::string capital = in_capitals(name); !capital.empty()) all.tools[capital] = number;
+  if (const std::string capital = capitals(trimmed(name)); !capital.empty())
+    all.tools[capital] = number;
 }
 
 Axes OffsetTables::point(int number) const {
