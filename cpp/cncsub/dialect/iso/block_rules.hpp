@@ -8,6 +8,7 @@
 #include "cncsub/code/code.hpp"
 #include "cncsub/dialect/iso/calling_codes.hpp"
 #include "cncsub/dialect/iso/expression_rules.hpp"
+#include "cncsub/dialect/plain_words.hpp"
 
 namespace cncsub {
 
@@ -26,16 +27,15 @@ struct BlockRules {
   CallingCodes calling;
   CornerLetters corners_not_with_call;  // the chamfer and corner words that M98 refuses
 
-  bool takes_point(char letter) const { return has(letter, kPoint); }
-  bool takes_minus(char letter) const { return has(letter, kMinus); }
+  bool takes_point(char letter) const { return has(letter, PlainTable::kPoint); }
+  bool takes_minus(char letter) const { return has(letter, PlainTable::kMinus); }
   /// Return whether a number of the letter without a point counts in increments, or in thousandths.
-  bool in_increments(char letter) const { return has(letter, kIncrements); }
+  bool in_increments(char letter) const { return has(letter, PlainTable::kIncrements); }
+  /// Return all that the letter takes, as the table of plain words keeps it.
+  std::uint8_t takes(char letter) const { return letters_[static_cast<unsigned char>(letter)]; }
 
  private:
-  static constexpr std::uint8_t kPoint = 1, kMinus = 2, kIncrements = 4;
-  bool has(char letter, std::uint8_t what) const {
-    return (letters_[static_cast<unsigned char>(letter)] & what) != 0;
-  }
+  bool has(char letter, std::uint8_t what) const { return (takes(letter) & what) != 0; }
 
   std::array<std::uint8_t, 256> letters_{};
 };

@@ -320,6 +320,7 @@ bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
 }
 
 bool BlockReader::read(std::string_view text, Block& block, std::string& label, Link& link) {
+  if (plain(text, block)) return true;
   open_.line.set(text, block.text);
   open_.expression.begin_block();
   if (open_.line.at_end()) return false;

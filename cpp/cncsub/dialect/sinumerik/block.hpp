@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "cncsub/dialect/plain_words.hpp"
 #include "cncsub/dialect/sinumerik/declarations.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
 
@@ -10,8 +11,7 @@ namespace cncsub::sinumerik {
 
 class BlockReader {
  public:
-  explicit BlockReader(Builder& to)
-      : open_(to), declarations_(to, open_.line, open_.expression, open_.definitions) {}
+  explicit BlockReader(Builder& to);
 
   /// Forget the variables of the program before.
   void begin_program() { open_.definitions.clear(); }
@@ -21,12 +21,15 @@ class BlockReader {
   bool read(std::string_view text, Block& block, std::string& label, Link& link);
 
  private:
+  void prepare_plain_words();
+  bool plain(std::string_view text, Block& block);
   void skip_level(Block& block);
   bool number(Block& block);
   void take_label(std::string& label);
 
   OpenBlock open_;
   DeclarationReader declarations_;
+  PlainTable plain_;
   std::uint32_t marked_at_ = 0, marked_width_ = 1;  // the slash, or the label, of the block
 };
 

@@ -1,0 +1,77 @@
+// Blocks of plain words: N10 G1 X10.5 Y-3 F200 M8.
+#include <bitset>
+#include <span>
+
+#include "cncsub/dialect/sinumerik/block.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
+
+namespace cncsub::sinumerik {
+
+BlockReader::BlockReader(Builder& to)
+    : open_(to), declarations_(to, open_.line, open_.expression, open_.definitions) {
+  if (!to.code().general_only) prepare_plain_words();
+}
+
+void BlockReader::prepare_plain_words() {
+  using Kind = PlainTable::Kind;
+  constexpr std::string_view kAxes = "ABCIJKUVWXYZ";
+  const Control& control = open_.to.control();
+  plain_.set(";", Kind::End);
+  plain_.set(kAxes, Kind::Value);
+  plain_.set("DFST", Kind::Value);
+  for (const char c : kAxes)
+    plain_.of_value[static_cast<unsigned char>(c)] = PlainTable::kPoint | PlainTable::kMinus;
+  for (const char c : {'F', 'S'})
+    plain_.of_value[static_cast<unsigned char>(c)] = PlainTable::kPoint;
+  plain_.set("G", Kind::G);
+  plain_.set("M", Kind::M);
+  plain_.set("N", Kind::N);
+  for (std::size_t g = 0; g < plain_.g.size(); ++g)
+    plain_.g[g] = control.reading.g_codes.value.has(static_cast<int>(10 * g));
+  plain_.max_digits = kMostDigits;
+  plain_.max_n = control.reading.max_sequence_number.value;
+}
+
+namespace {
+
+/// What plain words hold beside numbers.
+struct PlainLanguage {
+  const Roles& roles;
+
+  bool takes_m(int m) const {
+    const Role role = roles.of_m(m);
+    return role != Role::Return && role != Role::End;
+  }
+  static bool computed(PlainWords& /*words*/, char /*letter*/, const char*& /*at*/) {
+    return false;
+  }
+};
+
+/// Return whether two codes of one group stand in a block.
+bool shares_group(std::span<const int> codes) {
+  if (codes.size() < 2) return false;
+  std::bitset<kCodeGroups> groups;
+  for (const int code : codes) {
+    const auto group = static_cast<std::size_t>(group_of(code));
+    if (group != 0 && groups.test(group)) return true;
+    groups.set(group);
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Compile a block of plain words.
+bool BlockReader::plain(std::string_view text, Block& block) {
+  if (static_cast<std::ptrdiff_t>(text.size()) >= kLongestPlain) return false;
+  PlainWords words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+  PlainLanguage language{open_.to.control().calls.roles.value};
+  if (!PlainWordReader(plain_, language).read(text.data(), text.data() + text.size(), words) ||
+      !words.any() || shares_group(words.codes()))
+    return false;
+  block.n = words.n;
+  open_.to.plain_words(block, words.codes(), words.m, words.mask, words.extra, words.values);
+  return true;
+}
+
+}  // namespace cncsub::sinumerik
