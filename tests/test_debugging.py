@@ -512,3 +512,32 @@ def test_another_thread_sees_the_code_while_conditions_are_evaluated() -> None:
     while worker.is_alive():
         assert machine.core.code is code
     assert machine.variables[1] == 400_000
+
+
+def test_arrays_by_reference_and_characters_are_set_and_what_is_no_number_is_refused() -> None:
+    text = {
+        "A.MPF": "DEF INT ONE=3\nDEF INT WHOLE[3]\nDEF CHAR SIGN\nDEF REAL QUOTA\nN10 SUB(WHOLE,ONE)\nN30 M30\n",
+        "SUB.SPF": "PROC SUB(VAR INT VALS[], VAR INT BACK)\nN50 R1=VALS[1]+BACK\nM17\n",
+    }
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    machine.run(until="SUB:N50")
+    named = machine.variables.named
+    named["VALS"] = [4, 5, 6]
+    named["BACK"] = 7
+    machine.step()
+    assert machine.evaluate("R1") == 12
+    with pytest.raises(ValueError, match="VALS holds 3 values, not 2"):
+        named["VALS"] = [1, 2]
+    machine.run(until="A:N30")
+    named = machine.variables.named
+    assert named["WHOLE"] == [4, 5, 6]
+    named["SIGN"] = "B"
+    assert machine.variables.named["SIGN"] == 66
+    for name, wrong in (
+        ("SIGN", "BC"),
+        ("QUOTA", float("nan")),
+        ("QUOTA", float("inf")),
+        ("ONE", 2.5),
+    ):
+        with pytest.raises(ValueError, match=f"a value is none of the type of {name}"):
+            named[name] = wrong
