@@ -570,6 +570,12 @@ class Machine:
     def step_of_call(self) -> int: ...  # -1 where no call is open
     @property
     def snapshots(self) -> tuple[int, int]: ...  # how many, and their bytes
+    @property
+    def open_frames(self) -> list[dict[str, Any]]: ...  # the main program first
+    @property
+    def modal_calls(self) -> int: ...  # how many are in force
+    def assignment(self, number: int, value: float | None) -> str:
+        """Return how the control assigns a value to a variable."""
     def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:
         """Return the addresses of the blocks with a sequence number, or on a line."""
     @property
