@@ -184,6 +184,13 @@ py::list open_frames(Live& live) {
   return rows;
 }
 
+/// Return whether a variable is a clock or a date of the control.
+bool follows_time(const Live& live, std::int64_t number) {
+  const VariableKind kind = live.code->place(number).kind;
+  return kind == VariableKind::Milliseconds || kind == VariableKind::Hours ||
+         kind == VariableKind::Date || kind == VariableKind::Time;
+}
+
 /// Return how the control assigns a value to a variable: #100=5, R100=5.
 std::string assignment(const Live& live, std::int64_t number, std::optional<double> value) {
   const Code& code = *live.code;
@@ -246,6 +253,7 @@ void add_debugging(MachineClass& machine) {
       .def_property_readonly("open_frames", &open_frames)
       .def_property_readonly("modal_calls",
                              [](Live& live) { return Look(live)->state().modals.size(); })
+      .def("follows_time", &follows_time, py::arg("number"))
       .def("assignment", &assignment, py::arg("number"), py::arg("value"))
       .def("blocks_at", &blocks_at, py::arg("program"), py::arg("n") = -1, py::arg("line") = -1)
       .def_property_readonly("next_block", &next_block)

@@ -574,6 +574,7 @@ class Machine:
     def open_frames(self) -> list[dict[str, Any]]: ...  # the main program first
     @property
     def modal_calls(self) -> int: ...  # how many are in force
+    def follows_time(self, number: int) -> bool: ...  # a clock or a date
     def assignment(self, number: int, value: float | None) -> str:
         """Return how the control assigns a value to a variable."""
     def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:

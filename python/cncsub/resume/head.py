@@ -14,12 +14,17 @@ if TYPE_CHECKING:
     from cncsub.machine import Machine
 
 _INCH = 25.4
+_DIGITS = 10  # of a value of `modal`: one that has as many may have more
 _NEAR = 1e-9  # mm
 _ROTARY = "ABC"
 # Modes that a head cancels before it moves, by their codes at power-on; and those that it writes.
 _CANCELLED = ("radius", "cycle", "scaling", "rotation", "polar", "mirror")
+_BENDING = _CANCELLED[2:]
 _WRITTEN = ("units", "plane", "feed_mode")
 _WORDS = ("F", "S", "T", "H", "D")
+_DATA = (10, 10.1, 10.9, 52, 92)  # the G codes that set data
+# Modes that a block may have to say itself: where the head cannot, the proof shows whether it has.
+_SOFT = ("motion", "cycle")
 
 
 class Head:
@@ -31,8 +36,14 @@ class Head:
         self._library = library
         self._machine = machine
         self._state = state
-        self._options = {**options, "trace": "moves", "max_cycles": 1}
+        self._options = {
+            **options,
+            "trace": "moves",
+            "max_cycles": 1,
+            "start": None,
+        }
         self.lines: list[str] = []
+        self.lacks: list[str] = []  # what could not be put in force
         self.now = self._run([])
         self._power_on = dict(self.now.modal)
 
@@ -62,20 +73,20 @@ class Head:
             moves, position = len(self.now.moves), dict(self.now.position)
             if not self.add(text):
                 continue
-            if self.now.modal.get(name) == wanted and len(self.now.moves) == moves:
-                if name in ("rotation", "scaling", "mirror", "polar") or all(
-                    abs(self.now.position.get(axis, 0.0) - value) < _NEAR
-                    for axis, value in position.items()
-                ):
-                    return True
+            stays = name in _BENDING or all(
+                abs(self.now.position.get(axis, 0.0) - value) < _NEAR
+                for axis, value in position.items()
+            )
+            if self.now.modal.get(name) == wanted and len(self.now.moves) == moves and stays:
+                return True
             self.lines, self.now = before
         return False
 
     # ---- what stands in it, in its order ----
 
     def modes_before_moves(self) -> None:
-        """Write units, plane and feed mode, cancel what bends a path, and choose absolute values and
-        the work offset.
+        """Write units, plane and feed mode, cancel what bends a path, and choose absolute values
+        and the work offset.
         """
         modal = self._state.modal
         codes = [modal[name] for name in _WRITTEN if name in modal]
@@ -86,10 +97,22 @@ class Head:
         ]
         codes += ["G90"] if "distance" in modal else []
         for code in codes:
-            self.add(code)
+            self._add_if_right(code)
         self._join(codes)
         if "work" in modal:
             self.add(modal["work"])
+
+    def _add_if_right(self, code: str) -> None:
+        """Add a code, unless it changes a mode that is right without it: a control may count the
+        feed and the surface speed as one group.
+        """
+        wanted, before = self._state.modal, dict(self.now.modal)
+        left = self.lines.copy(), self.now
+        taken = self.add(code)
+        right = [name for name, mode in before.items() if mode == wanted.get(name)]
+        keep = [name for name in right if name != "distance" and name not in _CANCELLED]
+        if taken and any(self.now.modal.get(name) != wanted[name] for name in keep):
+            self.lines, self.now = left
 
     def _used(self, mode: str) -> bool:
         return self._state.modal.get(mode) != self._power_on.get(mode)
@@ -115,7 +138,7 @@ class Head:
                 value == fresh.variables[number] and (value is None or not free)
             ):
                 continue
-            if _settable(fresh, number, value):
+            if not machine.core.follows_time(number) and _settable(fresh, number, value):
                 lines.append(machine.core.assignment(number, value))
         if lines and not self.add(*lines):
             wrong = next(line for line in lines if not self.add(line))
@@ -124,7 +147,8 @@ class Head:
     def _numbers(self) -> Iterator[int]:
         known = sorted(self._machine.variables.level(0))
         yield from known
-        if not any(_sets_data(block) for block in self._executed()):
+        core = self._machine.core
+        if not any(_sets_data(core, block) for block in self._executed()):
             return
         seen = set(known)
         for number in range(1000, 20000):
@@ -253,19 +277,31 @@ class Head:
             if name not in modal or self.now.modal.get(name) == modal[name]:
                 continue
             if not self._add_for(name, self._texts_for(name, before)):
-                raise self._lacking(name, before)
+                lacking = self._lacking(name, before)
+                if name not in _SOFT:
+                    raise lacking
+                self.lacks.append(lacking.reason)
 
     def _texts_for(self, name: str, before: Before) -> Iterator[str]:
         code = self._state.modal[name]
+        found = None if name in _WORDS and len(code) < _DIGITS else before.block_that_changed(name)
         if name in _WORDS:
+            lines = before.flat_text(found[1]) if found is not None else []
+            words = [word for line in lines for word in self._words(line) if word.address == name]
+            yield from (word.text for word in words)
             yield from (f"{name}{code}", f"{name}{code}.")
             return
         yield code
-        found = before.block_that_changed(name)
         if found is None:
             return
         for line in before.flat_text(found[1]):
             yield from (line, f"{line} K0", f"{line} L0")
+
+    def _words(self, line: str) -> Iterator[Any]:
+        library = self._library.of_text(f"{line}\n", self._library.control)
+        for program in library.values():
+            for block in program.blocks:
+                yield from block.words
 
     def _lacking(self, name: str, before: Before) -> ResumeError:
         code = self._state.modal[name]
@@ -310,5 +346,11 @@ def _settable(machine: Machine, number: int, value: float | None) -> bool:
     return True
 
 
-def _sets_data(block: Any) -> bool:
-    return any(word.address == "G" and word.value in (10, 92, 52, 10.9) for word in block.words)
+def _sets_data(core: Any, block: Any) -> bool:
+    """Return whether a block may set what the control keeps: offsets, and variables of its own."""
+    if any(word.address == "G" and word.value in _DATA for word in block.words):
+        return True
+    return any(
+        not isinstance(use.variable, int) or not core.can_be_vacant(use.variable)
+        for use in block.writes
+    )

@@ -18,12 +18,13 @@ if TYPE_CHECKING:
     from cncsub.run import Run
 
 Place = At | Breakpoint | Step | int | Mapping[str, float]
+_Found = Breakpoint | Step | int | dict[str, float]
 
 _POINT = re.compile(r"([XYZABCUVW])(-?\d+\.?\d*|-?\.\d+)", re.IGNORECASE)
 _TOOL = re.compile(r"T\d{1,9}", re.IGNORECASE)
 
 
-def as_place(at: object, times: int) -> Place:
+def as_place(at: object, times: int) -> _Found:
     """Return what `at` names: a text of several axes is a place in space.
 
     Raises `TypeError` and `ValueError` for what names none.
@@ -53,7 +54,7 @@ def _length(value: Any) -> float:
     return float(value)
 
 
-def stand_at(library: Library, machine: Machine, place: Place, run: Run) -> None:
+def stand_at(library: Library, machine: Machine, place: _Found, run: Run) -> None:
     """Run the machine to the place: the block there comes next."""
     if isinstance(place, Breakpoint):
         _run_to(machine, place)

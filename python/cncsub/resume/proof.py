@@ -88,8 +88,11 @@ def _time_apart(whole: Run, rest: Run, first: tuple[int, int]) -> int | None:
 
 
 def _of_lists(whole: Part, rest: Part) -> str | None:
+    codes = whole.codes(), rest.codes()
+    if whole.run.stop == "cycles" and rest.run.stop == "end":
+        codes = (codes[0], codes[1][: len(codes[0])] if codes[1][:-1] == codes[0] else codes[1])
     pairs: tuple[tuple[list[Any], list[Any]], ...] = (
-        (whole.codes(), rest.codes()),
+        codes,
         (
             list(whole.run.messages)[whole.messages :],
             list(rest.run.messages)[rest.messages :],
@@ -98,7 +101,9 @@ def _of_lists(whole: Part, rest: Part) -> str | None:
     for what, (a, b) in zip(("code", "message"), pairs, strict=True):
         if a == b:
             continue
-        at = next((i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b)))
+        at = next(
+            (i for i, (x, y) in enumerate(zip(a, b, strict=False)) if x != y), min(len(a), len(b))
+        )
         told = [_entry(each[at]) if at < len(each) else "none" for each in (a, b)]
         return f"{what} {at} of the rest is {told[0]} in the program and {told[1]} in the restart"
     return None

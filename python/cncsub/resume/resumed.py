@@ -22,7 +22,6 @@ from cncsub.writing import write_whole
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.machine import Machine
-    from cncsub.run import Run
 
 
 class Resume(NotPicklable):
@@ -88,7 +87,11 @@ class Resume(NotPicklable):
             raise AssertionError(differs)
 
     def __repr__(self) -> str:
-        n = f"line {self.state.block.line}" if self.state.block.n is None else f"N{self.state.block.n}"
+        n = (
+            f"line {self.state.block.line}"
+            if self.state.block.n is None
+            else f"N{self.state.block.n}"
+        )
         count = len(self.files)
         programs = f"{count} program{'s' if count != 1 else ''}"
         return f"<Resume at {self.state.block.program.name} {n}: {programs}, {self.form}>"
@@ -98,7 +101,7 @@ class _Work:
     """What a restart program is made from."""
 
     def __init__(
-        self, library: Library, main: str | int | None, at: Place, options: dict[str, Any]
+        self, library: Library, main: str | int | None, at: Any, options: dict[str, Any]
     ) -> None:
         self.library, self.main, self.options = library, main, options
         self.whole = uninterrupted(library.run(main, **options))
@@ -138,7 +141,9 @@ class _Work:
         head.modes_after_moves(self.before)
         return head
 
-    def differs(self, head: Head, library: Library, main: str | None, *, variables: bool) -> str | None:
+    def differs(
+        self, head: Head, library: Library, main: str | None, *, variables: bool
+    ) -> str | None:
         options = {**self.options, "start": None, "max_cycles": 1}
         run = uninterrupted(library.run(main, **options))
         return parting(
@@ -150,7 +155,7 @@ class _Work:
 
 def _of_calls(work: _Work, approach: Any) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
-    tails = Tails(work.library, work.machine)
+    tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
     head = work.head(approach, data=False)
     name = f"O{tails.number}"
     lines = [name, *head.lines, *tails.main_lines()]
@@ -162,10 +167,13 @@ def _of_calls(work: _Work, approach: Any) -> Resume:
     def differs() -> str | None:
         return work.differs(head, library, name, variables=True)
 
-    told = differs()
-    if told is not None:
-        raise NoTailsError(told)
+    _prove(head, differs())
     return Resume(work.state, _named(files), "calls", (), differs)
+
+
+def _prove(head: Head, told: str | None) -> None:
+    if told is not None:
+        raise NoTailsError("; ".join([*head.lacks, told]))
 
 
 def _flat(work: _Work, approach: Any) -> Resume:
@@ -174,7 +182,7 @@ def _flat(work: _Work, approach: Any) -> Resume:
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
     lines = [*head.lines, *rest.lines]
-    if lines[-1].strip() == "M99":
+    if work.whole.stop == "cycles" and lines[-1].strip() == "M99":
         lines[-1] = "M30"
     name = _free_name(work.library)
     text = "".join(f"{line}\n" for line in ([name] if name else []) + lines)
@@ -183,9 +191,7 @@ def _flat(work: _Work, approach: Any) -> Resume:
     def differs() -> str | None:
         return work.differs(head, library, None, variables=False)
 
-    told = differs()
-    if told is not None:
-        raise NoTailsError(told)
+    _prove(head, differs())
     notes = ("the rest stands without calls and loops; it sets no variables",)
     return Resume(work.state, _named({name or "RESTART": text}), "flat", notes, differs)
 
@@ -194,8 +200,8 @@ def _free_name(library: Library) -> str:
     """Return the name of a program that the memory has not; empty where a program has none."""
     for number in range(9001, 9999):
         name = f"O{number}"
-        main = library.of_text(f"{name}\nM30\n", library.control).main
-        if main is None or main.name != name:
+        alone = library.of_text(f"{name}\nM30\n", library.control)
+        if alone.main is None or alone.main.name != name or alone.run().stop != "end":
             return ""
         if name not in library:
             return name

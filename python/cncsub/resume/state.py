@@ -80,7 +80,7 @@ def _shown(value: Any) -> str:
 def state_of(machine: Machine, block: Block) -> RestartState:
     """Return the state of a machine that stands before a block."""
     tool, spindle, coolant = _switched(machine)
-    named: dict[int | str, Any] = dict(machine.variables)
+    named: dict[int | str, Any] = {**machine.variables}  # type: ignore[dict-item]
     named.update(machine.variables.named)
     modal = dict(machine.modal)
     return RestartState(
@@ -101,7 +101,9 @@ def state_of(machine: Machine, block: Block) -> RestartState:
 def _switched(machine: Machine) -> tuple[int | None, str | None, tuple[str, ...]]:
     """Return the tool, the code of the spindle and those of the coolant, as codes were sent."""
     roles = roles_of(machine)
-    turns = {code for role in ("spindle-forward", "spindle-backward") for code in roles.get(role, ())}
+    turns = {
+        code for role in ("spindle-forward", "spindle-backward") for code in roles.get(role, ())
+    }
     stops = set(roles.get("spindle-stop", ()))
     changes = set(roles.get("tool-change", ()))
     chosen = tool = spindle = None

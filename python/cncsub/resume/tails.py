@@ -27,7 +27,8 @@ class Tails:
     program after the head, and `programs`, the texts of those that it calls, by name.
     """
 
-    def __init__(self, library: Library, machine: Machine) -> None:
+    def __init__(self, library: Library, machine: Machine, *, starts_over: bool) -> None:
+        self._starts_over = starts_over
         self._library = library
         self._machine = machine
         self._frames = machine.core.open_frames
@@ -88,7 +89,7 @@ class Tails:
         lines += [block.text for block in pieces]
         if not pieces or not _ends(pieces[-1]):
             lines.append("M99" if index else "M30")
-        elif index == 0 and _ends(pieces[-1], 99):
+        elif index == 0 and self._starts_over and _ends(pieces[-1], 99):
             lines[-1] = re.sub(r"M0*99", "M30", lines[-1])
         if self._goes_before(pieces, contiguous):
             lines += [block.text for block in blocks]
@@ -141,10 +142,10 @@ class Tails:
         code = self._machine.core.code
         program, place = code.place_of(frame["called_at"])
         block = Program(code.program(program), program).blocks[place]
-        calls = [call for call in block.calls if isinstance(call.repeats, int)]
-        if len(calls) != 1:
+        if len(block.calls) != 1 or not isinstance(block.calls[0].repeats, int):
             raise NoTailsError("the count of a call is computed")
-        call = calls[0]
+        call = block.calls[0]
+        assert isinstance(call.repeats, int)
         for text in _with_count(block, call.repeats, left):
             alone = self._library.of_text(f"O1\n{text}\nM30\n", code.control)
             read = [each for known in alone.values() for row in known.blocks for each in row.calls]
