@@ -116,8 +116,8 @@ def of_rows(restarts: Restarts, rows: Iterable[Row]) -> None:
         restarts.of(library, **options)
 
 
-def of_examples(restarts: Restarts) -> None:
-    for path, control in _examples():
+def of_examples(restarts: Restarts, every: int = 1) -> None:
+    for path, control in list(_examples())[::every]:
         library = cncsub.load(path, control=control)
         for name in library:
             restarts.of(library, name, max_blocks=_BLOCKS)

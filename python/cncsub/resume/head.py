@@ -23,6 +23,8 @@ _BENDING = _CANCELLED[2:]
 _WRITTEN = ("units", "plane", "feed_mode")
 _WORDS = ("F", "S", "T", "H", "D")
 _DATA = (10, 10.1, 10.9, 52, 92)  # the G codes that set data
+_CLAMPS = (50, 92)  # those that set the highest speed of the spindle beside S
+_PLANES = {"G17": "XY", "G18": "ZX", "G19": "YZ"}  # [ISO 6983-1]
 # Modes that a block may have to say itself: where the head cannot, the proof shows whether it has.
 _SOFT = ("motion", "cycle")
 
@@ -70,17 +72,20 @@ class Head:
         wanted = self._state.modal[name]
         for text in texts:
             before = self.lines.copy(), self.now
-            moves, position = len(self.now.moves), dict(self.now.position)
             if not self.add(text):
                 continue
-            stays = name in _BENDING or all(
-                abs(self.now.position.get(axis, 0.0) - value) < _NEAR
-                for axis, value in position.items()
-            )
-            if self.now.modal.get(name) == wanted and len(self.now.moves) == moves and stays:
+            if self.now.modal.get(name) == wanted and (name in _BENDING or self._stays(before[1])):
                 return True
             self.lines, self.now = before
         return False
+
+    def _stays(self, before: Machine) -> bool:
+        """Return whether the tool stands where it stood, and went nowhere on the way."""
+        here = before.position
+        if any(abs(self.now.position.get(a, 0.0) - value) > _NEAR for a, value in here.items()):
+            return False
+        moves = self.now.moves
+        return all(moves[i].length < _NEAR for i in range(len(before.moves), len(moves)))
 
     # ---- what stands in it, in its order ----
 
@@ -169,7 +174,7 @@ class Head:
             used = [code for code in changes if code in self._machine.m_codes]
             change = f" M{used[0]:02d}" if used else ""
             if not self.add(f"{word}{change}") and not self.add(word, change.strip()):
-                raise refused(f"the control takes no block {word}{change!r}", state.block)
+                raise refused(f"the control takes no block '{word}{change}' here", state.block)
         chosen = state.modal.get("T")
         if chosen is not None and self.now.modal.get("T") != chosen:
             self.add(f"T{chosen}")
@@ -260,6 +265,15 @@ class Head:
             for word in block.words
         )
 
+    def repeat(self, lines: Iterable[str]) -> bool:
+        """Add blocks of the run that the next one may depend on, where they make no move."""
+        left = self.lines.copy(), self.now
+        lines = list(lines)
+        if lines and self.add(*lines) and self._stays(left[1]):
+            return True
+        self.lines, self.now = left
+        return False
+
     def _shifts(self, line: str) -> bool:
         left = self.lines.copy(), self.now
         if self.add(line) and len(self.now.moves) == len(left[1].moves):
@@ -268,6 +282,14 @@ class Head:
                 return True
         self.lines, self.now = left
         return False
+
+    def clamp(self, before: Before) -> None:
+        """Write the highest speed of the spindle that the program has set last."""
+        found = before.last_executed(_sets_clamp)
+        if found is not None:
+            words = [word for line in before.flat_text(found) for word in self._words(line)]
+            wanted = [w.text for w in words if w.address == "S" or w.value in _CLAMPS]
+            self.repeat([" ".join(wanted)])
 
     def modes_after_moves(self, before: Before) -> None:
         """Put in force what the run has in force; raise `ResumeError` where that cannot be."""
@@ -291,11 +313,24 @@ class Head:
             yield from (word.text for word in words)
             yield from (f"{name}{code}", f"{name}{code}.")
             return
+        if name == "cycle" and found is not None:
+            data = self._cycle_data(before.flat_text(found[1], self._state.step))
+            yield from (f"{data} K0", f"{data} L0")
+            return
         yield code
         if found is None:
             return
         for line in before.flat_text(found[1]):
-            yield from (line, f"{line} K0", f"{line} L0")
+            yield line
+
+    def _cycle_data(self, lines: list[str]) -> str:
+        """Return the words of the blocks of a cycle that stay in force, the last of each address."""
+        of_place = _PLANES.get(self._state.modal.get("plane", ""), "")
+        kept: dict[str, str] = {}
+        for word in (word for line in lines for word in self._words(line)):
+            if word.address not in ("G", "N", "O", "K", "L", "M", "T", "S", *of_place):
+                kept[word.address] = word.text
+        return " ".join([self._state.modal["cycle"], *kept.values()])
 
     def _words(self, line: str) -> Iterator[Any]:
         library = self._library.of_text(f"{line}\n", self._library.control)
@@ -344,6 +379,13 @@ def _settable(machine: Machine, number: int, value: float | None) -> bool:
     except (KeyError, ValueError):
         return False
     return True
+
+
+def _sets_clamp(block: Any) -> bool:
+    words = block.words
+    return any(w.address == "S" for w in words) and any(
+        w.address == "G" and w.value in _CLAMPS for w in words
+    )
 
 
 def _sets_data(core: Any, block: Any) -> bool:

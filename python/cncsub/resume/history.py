@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
@@ -34,11 +35,27 @@ class Before:
         block = machine.next
         return None if block is None else (block, machine.blocks)
 
-    def flat_text(self, step: int) -> list[str]:
-        """Return what a flat program has of a block that was executed, none where it has nothing or
-        cannot be written.
+    def last_executed(self, asked: Callable[[Block], bool]) -> int | None:
+        """Return the step of the last block of this kind, `None` where none was executed."""
+        places = {
+            (program.name, block.line)
+            for program in self._library.values()
+            for block in program.blocks
+            if asked(block)
+        }
+        steps = self._machine.steps
+        if not places:
+            return None
+        return next(
+            (i for i in reversed(range(len(steps))) if (steps[i].program, steps[i].line) in places),
+            None,
+        )
+
+    def flat_text(self, step: int, end: int | None = None) -> list[str]:
+        """Return what a flat program has of a block that was executed, or of those before the step
+        `end`; none where it has nothing or cannot be written.
         """
-        options = {**self._options, "max_blocks": step + 1}
+        options = {**self._options, "max_blocks": step + 1 if end is None else end}
         machine = self._library.machine(self._main, **options)
         machine.run()
         machine.back(step)

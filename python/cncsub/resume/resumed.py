@@ -130,7 +130,8 @@ class _Work:
             self.state.block,
         )
 
-    def head(self, approach: tuple[float | None, tuple[str, ...] | None], data: bool) -> Head:
+    def head(self, approach: Any, *, data: bool, repeats: bool) -> Head:
+        """Return the head; `repeats`: with the block before the place, where it makes no move."""
         head = Head(self.library, self.machine, self.state, self.options)
         head.modes_before_moves()
         head.variables(commons=not data)
@@ -138,8 +139,14 @@ class _Work:
         head.spindle()
         head.approach(*approach)
         head.shift()
+        head.clamp(self.before)
         head.modes_after_moves(self.before)
+        if repeats and not (self.state.step and self._repeat(head)):
+            raise NoTailsError("the block before it moves")
         return head
+
+    def _repeat(self, head: Head) -> bool:
+        return head.repeat(self.before.flat_text(self.state.step - 1))
 
     def differs(
         self, head: Head, library: Library, main: str | None, *, variables: bool
@@ -153,10 +160,10 @@ class _Work:
         )
 
 
-def _of_calls(work: _Work, approach: Any) -> Resume:
+def _of_calls(work: _Work, approach: Any, repeats: bool) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
     tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
-    head = work.head(approach, data=False)
+    head = work.head(approach, data=False, repeats=repeats)
     name = f"O{tails.number}"
     lines = [name, *head.lines, *tails.main_lines()]
     files = {name: "".join(f"{line}\n" for line in lines), **tails.programs}
@@ -176,8 +183,8 @@ def _prove(head: Head, told: str | None) -> None:
         raise NoTailsError("; ".join([*head.lacks, told]))
 
 
-def _flat(work: _Work, approach: Any) -> Resume:
-    head = work.head(approach, data=True)
+def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
+    head = work.head(approach, data=True, repeats=repeats)
     rest = flat_lines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
@@ -231,9 +238,9 @@ def resume(
     work = _Work(library, main, place, dict(options))
     approach = safe_height, None if order is None else tuple(order)
     reasons = []
-    for form in (_of_calls, _flat):
+    for form, repeats in ((_of_calls, False), (_flat, False), (_of_calls, True), (_flat, True)):
         try:
-            return form(work, approach)
+            return form(work, approach, repeats)
         except NoTailsError as error:
             reasons.append(str(error))
     raise refused(
