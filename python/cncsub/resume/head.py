@@ -320,11 +320,10 @@ class Head:
         yield code
         if found is None:
             return
-        for line in before.flat_text(found[1]):
-            yield line
+        yield from before.flat_text(found[1])
 
     def _cycle_data(self, lines: list[str]) -> str:
-        """Return the words of the blocks of a cycle that stay in force, the last of each address."""
+        """Return the words of a cycle's blocks that stay in force, the last of each address."""
         of_place = _PLANES.get(self._state.modal.get("plane", ""), "")
         kept: dict[str, str] = {}
         for word in (word for line in lines for word in self._words(line)):
