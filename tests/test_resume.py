@@ -219,7 +219,7 @@ def test_the_safe_height_and_the_order_of_axes_are_chosen(job: cncsub.Library) -
 @pytest.mark.parametrize(
     ("control", "text", "at"),
     [
-        ("linuxcnc", "o1 sub\nG91 G0 X1\no1 endsub\nG0 Z5\nN20 o1 call\nN30 G90 X#1\nM2\n", "MAIN:N30"),
+        ("linuxcnc", "o1 sub\nG91 G0 X1\no1 endsub\nG0 Z5\nN20 o1 call\nN30 G90 X5\no1 call\nM2\n", "MAIN:N30"),
         (CONTROL, "O1\nN10 G66 P2 A1.\nN20 G0 X5.\nN30 X6.\nN40 G67\nN50 M30\nO2\nG91 Z#1\nG90\nM99\n", "O1:N30"),
     ],
 )  # fmt: skip
@@ -277,6 +277,19 @@ def test_the_command_prints_the_state_and_writes_the_program(tmp_path: Path) -> 
     assert wrong.exit_code == 2
     assert "no block N999 in O2" in wrong.stderr
     assert CliRunner().invoke(app, line[:4]).exit_code == 2
+
+
+def test_a_main_program_with_a_name_goes_on_with_its_calls_and_loops() -> None:
+    text = "F100 R1=1\nWHILE R1<4\nN20 SUB\nR1=R1+1\nN30 G0 X=R1\nENDWHILE\nM30\n"
+    job = {"A.MPF": text, "SUB.SPF": "G91 Z1\nG90\nM17\n"}
+    resumed = cncsub.loads(job, control="siemens-one").resume(at="A:N30", times=2)
+    assert resumed.form == "calls"
+    assert resumed.files == {
+        "RESTART.MPF": "G71 G17 G40 G90\nG54\nR1=3\nG00 Z2.\nG00 X2. Y0.\nF100\nN30 G0 X=R1\n"
+        "WHILE R1<4\nN20 SUB\nR1=R1+1\nN30 G0 X=R1\nENDWHILE\nM30\n"
+    }
+    inside = cncsub.loads(job, control="siemens-one").resume(at="SUB:2")
+    assert inside.form == "flat"
 
 
 # ---- laws ----

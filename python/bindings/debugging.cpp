@@ -146,15 +146,14 @@ py::object evaluate(Live& live, const ExpressionList& expressions, std::size_t i
 /// Return the first and the last block of the loops that a frame has open, the outermost first.
 py::list open_loops(const Code& code, const State& s, std::size_t frame) {
   py::list loops;
-  const std::size_t end =
-      frame + 1 < s.frames.size() ? s.frames[frame + 1].loops : s.loops.size();
+  const std::size_t end = frame + 1 < s.frames.size() ? s.frames[frame + 1].loops : s.loops.size();
   for (std::size_t i = s.frames[frame].loops; i < end; ++i) {
     const Address start = s.loops[i].start;
     const Block& block = code.blocks[start];
     const bool known = block.op == Op::While || block.op == Op::Do || block.op == Op::For;
     const Address last = known ? code.statements[block.aux].end : kNowhere;
-    loops.append(py::make_tuple(start, last == kNowhere ? py::object(py::none())
-                                                        : py::object(py::int_(last))));
+    loops.append(py::make_tuple(
+        start, last == kNowhere ? py::object(py::none()) : py::object(py::int_(last))));
   }
   return loops;
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
@@ -164,18 +165,27 @@ def _of_calls(work: _Work, approach: Any, repeats: bool) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
     tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
     head = work.head(approach, data=False, repeats=repeats)
-    name = f"O{tails.number}"
-    lines = [name, *head.lines, *tails.main_lines()]
-    files = {name: "".join(f"{line}\n" for line in lines), **tails.programs}
+    name = f"O{tails.number}" if tails.number else _free_name(work.library, "RESTART{}")
+    lines = [*([name] if tails.number else []), *head.lines, *tails.main]
+    files = _named(work, {name: "".join(f"{line}\n" for line in lines), **tails.programs})
     library = work.library
-    for text in files.values():
-        library = library.with_program(text)
+    for file, text in files.items():
+        library = _with(library, text, None if tails.number else file)
+    if name not in library:
+        raise NoTailsError(f"the control does not read {name} as the name of a program")
 
     def differs() -> str | None:
         return work.differs(head, library, name, variables=True)
 
     _prove(head, differs())
-    return Resume(work.state, _named(files), "calls", (), differs)
+    return Resume(work.state, files, "calls", (), differs)
+
+
+def _with(library: Library, text: str, file: str | None) -> Library:
+    try:
+        return library.with_program(text, name=file)
+    except ValueError as error:
+        raise NoTailsError(str(error)) from None
 
 
 def _prove(head: Head, told: str | None) -> None:
@@ -191,8 +201,9 @@ def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
     lines = [*head.lines, *rest.lines]
     if work.whole.stop == "cycles" and lines[-1].strip() == "M99":
         lines[-1] = "M30"
-    name = _free_name(work.library)
-    text = "".join(f"{line}\n" for line in ([name] if name else []) + lines)
+    name = _free_name(work.library, "O{}")
+    headed = _is_head(work.library, name)
+    text = "".join(f"{line}\n" for line in ([name] if headed else []) + lines)
     library = work.library.of_text(text, work.library.control)
 
     def differs() -> str | None:
@@ -200,23 +211,27 @@ def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
 
     _prove(head, differs())
     notes = ("the rest stands without calls and loops; it sets no variables",)
-    return Resume(work.state, _named({name or "RESTART": text}), "flat", notes, differs)
+    name = name if headed else _free_name(work.library, "RESTART{}")
+    return Resume(work.state, _named(work, {name: text}), "flat", notes, differs)
 
 
-def _free_name(library: Library) -> str:
-    """Return the name of a program that the memory has not; empty where a program has none."""
-    for number in range(9001, 9999):
-        name = f"O{number}"
-        alone = library.of_text(f"{name}\nM30\n", library.control)
-        if alone.main is None or alone.main.name != name or alone.run().stop != "end":
-            return ""
-        if name not in library:
-            return name
-    return ""
+def _free_name(library: Library, form: str) -> str:
+    """Return a name that no program of the memory has."""
+    numbers = range(9001, 99999) if form.startswith("O") else itertools.chain([""], range(2, 99999))
+    return next(name for n in numbers if (name := form.format(n)) not in library)
 
 
-def _named(programs: Mapping[str, str]) -> dict[str, str]:
-    return {f"{name}.nc": text for name, text in programs.items()}
+def _is_head(library: Library, name: str) -> bool:
+    """Return whether the control reads the name at the head of a program."""
+    alone = library.of_text(f"{name}\nM30\n", library.control)
+    return alone.main is not None and alone.main.name == name and alone.run().stop == "end"
+
+
+def _named(work: _Work, programs: Mapping[str, str]) -> dict[str, str]:
+    """Return the programs by the names of their files, which end as that of the main one does."""
+    main = work.library.main if work.main is None else work.library[work.main]
+    suffix = Path(main.file).suffix if main is not None else ""
+    return {f"{name}{suffix or '.nc'}": text for name, text in programs.items()}
 
 
 @takes(FlattenOptions)

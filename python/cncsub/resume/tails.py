@@ -24,7 +24,8 @@ class NoTailsError(Exception):
 
 class Tails:
     """The rest of the programs that are open where a machine stands: `main`, the blocks of the main
-    program after the head, and `programs`, the texts of those that it calls, by name.
+    program after the head, and `programs`, the texts of those that it calls, by name. `number`: of
+    the main program, `None` where it has its name from its file.
     """
 
     def __init__(self, library: Library, machine: Machine, *, starts_over: bool) -> None:
@@ -35,13 +36,10 @@ class Tails:
         self._refuse()
         taken = {number for name in library if (number := _number(name)) is not None}
         free = (n for n in itertools.count(_free_from(library)) if n not in taken)
-        self.number = next(free)
-        self._numbers = [self.number, *(next(free) for _ in self._frames[1:])]
+        self._numbers = [next(free) for _ in self._frames]
+        self.number = self._numbers[0] if _number(self._program_of(self._frames[0]).name) else None
         self.main = self._rest(0)
         self.programs = {f"O{self._numbers[i]}": self._program(i) for i in self._deeper()}
-
-    def main_lines(self) -> list[str]:
-        return self.main
 
     def _deeper(self) -> range:
         return range(1, len(self._frames))
@@ -52,8 +50,10 @@ class Tails:
         if any(frame["modal"] or frame["part"] for frame in self._frames):
             raise NoTailsError("a modal call or a repeated part of a program is open")
         named = [self._program_of(frame).name for frame in self._frames]
-        if not all(map(_number, named)):
-            raise NoTailsError("the programs are not called by their number")
+        if not all(map(_number, named)) and len(named) > 1:
+            raise NoTailsError("the programs that are open are not called by their number")
+        if self._machine.variables.named:
+            raise NoTailsError("variables that the program defines have values")
 
     def _program_of(self, frame: dict[str, Any]) -> Program:
         return Program(self._machine.core.code.program(frame["program"]), frame["program"])
@@ -70,9 +70,7 @@ class Tails:
         core = self._machine.core
         level = sum(frame["own_locals"] for frame in self._frames[1 : index + 1])
         values = self._machine.variables.level(level)
-        other = self._machine.variables.level(level - 1)
         own = [n for n in values if values[n] is not None and _is_local(core, n, level)]
-        del other
         return [core.assignment(number, values[number]) for number in own]
 
     def _rest(self, index: int) -> list[str]:
