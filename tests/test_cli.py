@@ -590,6 +590,7 @@ OVERWRITING = [
     "coverage job --lcov job/O0002.nc",
     "coverage job --html x.html --cobertura ./x.html",
     "flatten job -o job/O0001.nc",
+    "resume job --at O0002:2 --out job/O0001.nc",
     "check job --output job/O0002.nc",
     "report job/O0001.nc -o job/O0002.nc",
     "run job/O0001.nc --format csv -o job/O0002.nc",

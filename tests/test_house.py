@@ -121,16 +121,17 @@ MAY_IMPORT = {
     "coverage": {"base"},
     "analysis": {"base", "tables"},
     "drawing": {"base", "tables"},
-    "face": {"base", "tables", "coverage", "analysis", "drawing"},
+    "resume": {"base", "tables", "analysis"},
+    "face": {"base", "tables", "coverage", "analysis", "drawing", "resume"},
     "comparison": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
-    | {"archive"},
+    | {"archive", "resume"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "package"},
+    | {"archive", "package", "resume"},
 }
 
 

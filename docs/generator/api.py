@@ -91,13 +91,16 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
         ["CheckRule", "Finding", "Edit"],
     ),
     "comparing": (
-        "Flattening, comparing, translating",
-        "One program without calls, two controls, two versions.",
+        "Flattening, starting again, comparing, translating",
+        "One program without calls, the rest of a run, two controls, two versions.",
         [
             "flatten",
             "Flat",
             "FlattenError",
             "Origin",
+            "Resume",
+            "RestartState",
+            "ResumeError",
             "compare",
             "Comparison",
             "Difference",

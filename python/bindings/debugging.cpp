@@ -8,6 +8,7 @@
 
 #include "bindings.hpp"
 #include "cncsub/dialect/library.hpp"
+#include "cncsub/flat/numbers.hpp"
 #include "gil.hpp"
 #include "live.hpp"
 #include "options.hpp"
@@ -63,19 +64,19 @@ std::vector<Breakpoint> breakpoints_of(const py::list& given, const Code& code,
   return list;
 }
 
-/// Run to one of the breakpoints. Return which were reached, and the fault of one that could not be
-/// evaluated.
+/// Run to one of the breakpoints. Return which were reached, the fault of one that could not be
+/// evaluated, and whether another thread wanted a pause.
 py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expressions) {
   const Work machine(live);
   auto list = breakpoints_of(given, machine->code(), expressions);
   std::optional<Breakpoints> after;
-  with_signals([&](const auto& interrupted) {
+  const bool paused = with_signals(live, [&](const auto& interrupted) {
     after.emplace(machine->run(interrupted, std::move(list), expressions));
   });
   py::object faulty = py::none();
   if (const auto& fault = after->faulty())
     faulty = py::make_tuple(fault->first, fault->second.detail);
-  return py::make_tuple(py::cast(after->reached()), faulty);
+  return py::make_tuple(py::cast(after->reached()), faulty, paused);
 }
 
 /// Return the last step before the present one at which a breakpoint shows a block; -1: none.
@@ -142,6 +143,60 @@ py::object evaluate(Live& live, const ExpressionList& expressions, std::size_t i
   return value_or_none(value);
 }
 
+/// Return the first and the last block of the loops that a frame has open, the outermost first.
+py::list open_loops(const Code& code, const State& s, std::size_t frame) {
+  py::list loops;
+  const std::size_t end = frame + 1 < s.frames.size() ? s.frames[frame + 1].loops : s.loops.size();
+  for (std::size_t i = s.frames[frame].loops; i < end; ++i) {
+    const Address start = s.loops[i].start;
+    const Block& block = code.blocks[start];
+    const bool known = block.op == Op::While || block.op == Op::Do || block.op == Op::For;
+    const Address last = known ? code.statements[block.aux].end : kNowhere;
+    loops.append(py::make_tuple(
+        start, last == kNowhere ? py::object(py::none()) : py::object(py::int_(last))));
+  }
+  return loops;
+}
+
+/// Return the programs that are open, the main program first.
+py::list open_frames(Live& live) {
+  const Look machine(live);
+  const State& s = machine->state();
+  py::list rows;
+  for (std::size_t i = 0; i < s.frames.size(); ++i) {
+    const OpenFrame& of = s.frames[i];
+    py::dict row;
+    row["program"] = of.program;
+    row["kind"] = std::string(to_string(of.kind));
+    row["called_at"] = of.called_at;
+    row["return_to"] = of.return_to;
+    row["restart"] = of.restart;
+    row["repeat"] = of.repeat;
+    row["repeats"] = of.repeats;
+    row["macro"] = of.macro;
+    row["own_locals"] = of.own_locals;
+    row["modal"] = of.modal >= 0 || of.interrupts;
+    row["part"] = of.part_end != kNowhere;
+    row["loops"] = open_loops(machine->code(), s, i);
+    rows.append(row);
+  }
+  return rows;
+}
+
+/// Return whether a variable is a clock or a date of the control.
+bool follows_time(const Live& live, std::int64_t number) {
+  const VariableKind kind = live.code->place(number).kind;
+  return kind == VariableKind::Milliseconds || kind == VariableKind::Hours ||
+         kind == VariableKind::Date || kind == VariableKind::Time;
+}
+
+/// Return how the control assigns a value to a variable: #100=5, R100=5.
+std::string assignment(const Live& live, std::int64_t number, std::optional<double> value) {
+  const Code& code = *live.code;
+  return std::string(code.spelling->variable) + std::to_string(number) + "=" +
+         value_text(value.value_or(kVacant), code);
+}
+
 /// Raise the reason why something cannot be set.
 void raise_refused(const std::optional<std::string>& refused) {
   if (refused) throw py::value_error(*refused);
@@ -194,6 +249,11 @@ void add_debugging(MachineClass& machine) {
                                if (history == nullptr) return py::make_tuple(0, 0);
                                return py::make_tuple(history->snapshots(), history->bytes());
                              })
+      .def_property_readonly("open_frames", &open_frames)
+      .def_property_readonly("modal_calls",
+                             [](Live& live) { return Look(live)->state().modals.size(); })
+      .def("follows_time", &follows_time, py::arg("number"))
+      .def("assignment", &assignment, py::arg("number"), py::arg("value"))
       .def("blocks_at", &blocks_at, py::arg("program"), py::arg("n") = -1, py::arg("line") = -1)
       .def_property_readonly("next_block", &next_block)
       .def_property_readonly("address", [](Live& live) { return Look(live)->state().pc; })

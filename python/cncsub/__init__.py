@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from cncsub.comparison.translate import Translation, translate
     from cncsub.references import CallGraph, CallTo, Computed, Edge, JumpTo, VariableUse
     from cncsub.reports.report import report
+    from cncsub.resume import RestartState, Resume, ResumeError
     from cncsub.tables.polyline import Polyline
     from cncsub.variables_file import read_variables
 
@@ -70,6 +71,7 @@ _LATER = {
         "tables.polyline": "Polyline",
         "references": "CallGraph CallTo Computed Edge JumpTo VariableUse",
         "reports.report": "report",
+        "resume": "RestartState Resume ResumeError",
         "comparison.rewriting": "TranslateError",
         "comparison.translate": "Translation translate",
         "variables_file": "read_variables",
@@ -134,6 +136,9 @@ __all__ = [
     "Plane",
     "Polyline",
     "Program",
+    "RestartState",
+    "Resume",
+    "ResumeError",
     "Run",
     "RunOptions",
     "SentCode",

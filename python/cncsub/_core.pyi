@@ -531,8 +531,10 @@ class Machine:
     """One run of one program, whole or step by step. One thread uses it at a time: any other call
     while a thread runs it raises `RuntimeError`.
     """
-    def run(self) -> None:
-        """Run on. Ctrl-C stops it as interrupted."""
+    def run(self) -> bool:
+        """Run on. Ctrl-C stops it as interrupted. Return whether `pause` did."""
+    def pause(self) -> None:
+        """Stop the run that another thread is at, or the next one, as Ctrl-C does."""
     @final
     class Expressions:
         """Expressions that were compiled beside the programs."""
@@ -547,8 +549,10 @@ class Machine:
         """Return the value of one; a `ValueError` says why it has none."""
     def run_to(
         self, breakpoints: list[dict[str, Any]], expressions: Expressions
-    ) -> tuple[list[int], tuple[int, str] | None]:
-        """Run to a breakpoint. Return which were reached, and the one that has no value here."""
+    ) -> tuple[list[int], tuple[int, str] | None, bool]:
+        """Run to a breakpoint. Return which were reached, the one that has no value here, and
+        whether `pause` stopped it.
+        """
     def set_mode(self, mode: str, text: str) -> None:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
@@ -566,6 +570,13 @@ class Machine:
     def step_of_call(self) -> int: ...  # -1 where no call is open
     @property
     def snapshots(self) -> tuple[int, int]: ...  # how many, and their bytes
+    @property
+    def open_frames(self) -> list[dict[str, Any]]: ...  # the main program first
+    @property
+    def modal_calls(self) -> int: ...  # how many are in force
+    def follows_time(self, number: int) -> bool: ...  # a clock or a date
+    def assignment(self, number: int, value: float | None) -> str:
+        """Return how the control assigns a value to a variable."""
     def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:
         """Return the addresses of the blocks with a sequence number, or on a line."""
     @property
@@ -650,4 +661,5 @@ class Flattening:
     def program_names(self) -> list[str]: ...
 
 def flattening(machine: Machine, comments: bool, other: Machine | None = None) -> Flattening: ...
+def mode_names() -> list[str]: ...  # that `modal` may show
 def machine(code: Code, main: int, **options: Any) -> Machine: ...

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, Unpack
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
-from cncsub.controls import Named, control_of, did_you_mean
+from cncsub.controls import Named, control_of
 from cncsub.files import TEXT, CoreFile, clean, cut, shown_and_stem, text_pieces
 from cncsub.machine import Machine
-from cncsub.program import Program, find_program, named_like
+from cncsub.program import Program, find_program, named_like, place_of_program
 from cncsub.run import Run
 from cncsub.run_options import (
     FlattenOptions,
@@ -33,11 +33,11 @@ if TYPE_CHECKING:
     from cncsub.analysis.notes import Note
     from cncsub.checking import Finding, Flow
     from cncsub.references import CallGraph
+    from cncsub.resume import Resume
+    from cncsub.resume.place import Place
 
 # A file of the memory: its name, its stem, its text in UTF-8, and whether it is external.
 _Source = tuple[str, str, bytes, bool]
-
-_NEAR = 5000  # names that are compared with an unknown one
 
 
 class Library(Mapping[str, Program]):
@@ -127,13 +127,9 @@ class Library(Mapping[str, Program]):
 
     def _find(self, name: object) -> int:
         try:
-            index = find_program(self.code, name)
+            return place_of_program(self.code, name)
         except TypeError as error:
             raise KeyError(str(error)) from None
-        if index >= 0:
-            return index
-        known = did_you_mean(name, self._names[:_NEAR], _listing(self._names))
-        raise KeyError(f"no program {name} in the memory{known}")
 
     @property
     def control(self) -> Control:
@@ -386,6 +382,53 @@ class Library(Mapping[str, Program]):
 
         return flatten(self, main, control=control, comments=comments, **options)
 
+    @takes(FlattenOptions)
+    def resume(
+        self,
+        main: str | int | None = None,
+        *,
+        at: Place,
+        times: int = 1,
+        safe_height: float | None = None,
+        order: Iterable[str] | None = None,
+        **options: Unpack[FlattenOptions],
+    ) -> Resume:
+        """Start a run of `main` again in the middle: return the state there, and a restart program
+        for the control that goes on from it. See `Resume`.
+
+        `at`: the block that comes next, a `Block` or a place as for a breakpoint (`"O2:N30"`,
+        `"job.nc:12"`), `times` the so manieth time that the run comes to it; the number of a move;
+        `"T3"`, the block that calls a tool; or a place in space (`"X10 Y5 Z-2"`, or a mapping; work
+        coordinates, mm), the block whose move comes nearest. `safe_height`: the Z (work
+        coordinates, mm) to which the head goes first, the highest of the run without it. `order`:
+        the axes in the order in which the head goes to the place, one block each, such as
+        `("XY", "Z")`. `options`: those of `run`.
+
+        The text is proved: it is run on the control, and what it does after its head is compared
+        with the whole run. Raises `ResumeError`, a `ValueError` with the reason and the block,
+        where no restart program does the same, and what `run` and `machine.run` raise.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G0 Z5.\\nN20 M98 P2 L3\\nN30 M30\\nO2\\nN40 G91 X5.\\nN50 M99\\n"
+        >>> library = cncsub.loads(text, control="fanuc-0i-f")
+        >>> resume = library.resume(at="O2:N40", times=2)
+        >>> resume.state.stack
+        (<Frame O2 called from O1 N20 (M98, pass 2 of 3)>,)
+        >>> list(resume.files)
+        ['O9001.nc', 'O9002.nc']
+        """
+        from cncsub.resume import resume  # it runs libraries
+
+        return resume(
+            self,
+            main,
+            at=at,
+            times=times,
+            safe_height=safe_height,
+            order=order,
+            **options,
+        )
+
     # Running.
 
     @takes(RunOptions, told=True)
@@ -487,12 +530,6 @@ def _one_program(code: _core.Code, *, named: bool) -> _core.ProgramData:
             "with_program needs a program with a name: begin it with O1000, or give name="
         )
     return whole[0]
-
-
-def _listing(names: Sequence[str]) -> str:
-    if not names:
-        return ", which is empty"
-    return f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
 
 
 def _finished(core: _core.Machine) -> Run:

@@ -129,8 +129,10 @@ class FlattenOptions(TypedDict, total=False):
         Option(
             None,
             _none_or(_whole("start, a sequence number,", 0)),
-            "The sequence number to start at.",
-            asked="The sequence number to start at.",
+            "The sequence number to start at, in the modes of power-on: `Library.resume` starts in"
+            " those of the run.",
+            asked="The sequence number to start at, in the modes of power-on (`cncsub resume`"
+            " starts in those of the run).",
         ),
     ]
     variables: Annotated[

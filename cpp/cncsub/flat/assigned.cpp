@@ -6,11 +6,6 @@ namespace cncsub {
 
 namespace {
 
-/// Return the text of a value that is assigned to a variable.
-std::string value_text(const Code& code, double value) {
-  return is_vacant(value) ? "#0" : expression_text(value, code);
-}
-
 /// Return whether the value of a variable is seen from outside the program.
 bool has_effect(const Code& code, std::int64_t number) {
   const VariablePlace place = code.place(number);
@@ -58,7 +53,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
     if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
         there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
       return refuse(name + " gets a value, and the control has no statement that assigns a number");
-    text += name + "=" + value_text(there, of.value);
+    text += name + "=" + value_text(of.value, there);
     const VariableKind kind = code.place(of.number).kind;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";
@@ -86,7 +81,7 @@ bool FlatRun::print_fields(std::string& text, FlatOrigins& origins, std::string&
     if (!code.place(local).is_local())
       return refuse("what is printed has more values than there are local variables");
     const std::string name = "#" + std::to_string(local);
-    text += name + "=" + value_text(code, value);
+    text += name + "=" + value_text(value, code);
     end_line(text, origins);
     const int digits = field.whole_digits * 10 + field.decimals;
     statement += name + "[" + (digits < 10 && !observer_.print->binary ? "0" : "") +

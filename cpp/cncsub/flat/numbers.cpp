@@ -67,6 +67,10 @@ std::string expression_text(double value, const Code& code) {
              : expression_text(value, code.control->macros.max_constant_digits.value);
 }
 
+std::string value_text(double value, const Code& code) {
+  return is_vacant(value) ? "#0" : expression_text(value, code);
+}
+
 WordWriter::WordWriter(const Machine& machine, const Machine& to)
     : machine_(machine),
       code_(to.code()),

@@ -33,6 +33,9 @@ std::string expression_text(double value, int most_digits);
 /// Return the same by the rule of a control or its language.
 std::string expression_text(double value, const Code& code);
 
+/// Return the value that an assignment has of a variable: a number, or the vacant one.
+std::string value_text(double value, const Code& code);
+
 /// Writes words by the rules of a control. A value is written as a plain number where the control
 /// takes that for the same; where it would not (a value between two increments where it does not
 /// round, a sign or a point that the address takes from a variable only) as a value in brackets.

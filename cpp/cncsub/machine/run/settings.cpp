@@ -46,6 +46,7 @@ bool sets(const NcWords& words, const std::string& mode) {
 std::optional<double> held_value(Run& run, DefinedVariable::Type type, const NamedValue& value) {
   const auto* const text = std::get_if<std::string>(&value);
   const double number = text == nullptr ? std::get<double>(value) : 0;
+  if (!std::isfinite(number)) return std::nullopt;
   const bool whole = text == nullptr && number == std::trunc(number);
   switch (type) {
     case DefinedVariable::Type::Real:
@@ -53,6 +54,8 @@ std::optional<double> held_value(Run& run, DefinedVariable::Type type, const Nam
     case DefinedVariable::Type::Int:
       return whole && std::fabs(number) < 0x1p31 ? std::optional(number) : std::nullopt;
     case DefinedVariable::Type::Char:
+      if (text != nullptr && text->size() == 1)
+        return static_cast<double>(static_cast<unsigned char>((*text)[0]));
       return whole && number >= 0 && number < 0x1p8 ? std::optional(number) : std::nullopt;
     case DefinedVariable::Type::Bool:
       return text == nullptr ? std::optional<double>(number != 0 ? 1 : 0) : std::nullopt;
@@ -100,8 +103,10 @@ std::optional<std::string> set_named(Run& run, int level, const std::string& nam
   const auto found = named_variable(run, level, name);
   if (!found) return "there is no variable " + name + " here";
   const DefinedVariable& of = *found->variable;
-  if (values.size() != static_cast<std::size_t>(of.size()))
-    return name + " holds " + std::to_string(of.size()) + " values, not " +
+  std::size_t size = 1;
+  for (const std::int32_t extent : found->extents) size *= static_cast<std::size_t>(extent);
+  if (values.size() != size)
+    return name + " holds " + std::to_string(size) + " values, not " +
            std::to_string(values.size());
   std::vector<double> held;
   for (const NamedValue& value : values) {

@@ -1,0 +1,93 @@
+"""Blocks of the run before a restart, and what they were in its words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from cncsub import _core
+from cncsub.program import Block
+
+if TYPE_CHECKING:
+    from cncsub.library import Library
+    from cncsub.machine import Machine
+
+
+class Before:
+    """The run up to a restart."""
+
+    def __init__(
+        self, library: Library, main: str | int | None, machine: Machine, options: dict[str, Any]
+    ) -> None:
+        self._library = library
+        self._main = main
+        self._machine = machine
+        self._options = options
+
+    def block_that_changed(self, mode: str) -> tuple[Block, int] | None:
+        """Return the block that put a mode in force, and its step; `None` where none did."""
+        machine = self._machine.copy()
+        machine.core.remember()
+        try:
+            machine.back(f"mode {mode}")
+        except ValueError:
+            return None
+        block = machine.next
+        return None if block is None else (block, machine.blocks)
+
+    def last_executed(self, asked: Callable[[Block], bool]) -> int | None:
+        """Return the step of the last block of this kind, `None` where none was executed."""
+        places = {
+            (program.name, block.line)
+            for program in self._library.values()
+            for block in program.blocks
+            if asked(block)
+        }
+        steps = self._machine.steps
+        if not places:
+            return None
+        return next(
+            (i for i in reversed(range(len(steps))) if (steps[i].program, steps[i].line) in places),
+            None,
+        )
+
+    def flat_text(self, step: int, end: int | None = None) -> list[str]:
+        """Return what a flat program has of a block that was executed, or of those before the step
+        `end`; none where it has nothing or cannot be written.
+        """
+        options = {**self._options, "max_blocks": step + 1 if end is None else end}
+        machine = self._library.machine(self._main, **options)
+        machine.run()
+        machine.back(step)
+        return flat_lines(machine.core.copy()).lines
+
+
+class FlatLines:
+    """The rest of a run as blocks without calls: `lines`, and how it ends."""
+
+    def __init__(self, core: _core.Machine) -> None:
+        flattening = _core.flattening(core, False, None)
+        text, count = "", 0
+        while (piece := flattening.next()) is not None:
+            text += piece[0].decode(errors="surrogateescape")
+            count += len(piece[1]["n"])
+        lines = text.split("\n")[:-1]
+        taped = lines[:1] == ["%"]
+        if taped:
+            lines = lines[1 : len(lines) - (lines[-1] == "%")]
+        self.refusal = flattening.refusal
+        self.ends = flattening.ends
+        # The last block may be an end that no block of the program wrote.
+        self.lines = lines[1:] if _is_head(core, lines) else lines
+
+
+def _is_head(core: _core.Machine, lines: list[str]) -> bool:
+    """Return whether the first line is the name of the program."""
+    if not lines:
+        return False
+    alone = _core.compile(core.code.control, [("<text>", "", [lines[0] + "\n"], False)], False)
+    return alone.program(0).blocks == 0 if len(alone) else False
+
+
+def flat_lines(core: _core.Machine) -> FlatLines:
+    return FlatLines(core)

@@ -1,0 +1,186 @@
+"""Start rows, examples and generated programs again in the middle.
+
+    python tests/differential/restart_programs.py --rows --examples --programs 1000
+
+A restart program is proved when it is made; what is refused is counted by its reason.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections import Counter
+from collections.abc import Iterable
+from random import Random
+from typing import Any
+
+import cncsub
+import o_words
+from cncsub.resume import ResumeError
+from cncsub.testing.cases import Row
+from cncsub.testing.outcome import MAX_BLOCKS, load
+from comparison import Comparison
+from flat_programs import EXAMPLES, SEED, _examples
+from machines import OTHER_LANGUAGES
+from macros import program
+from programs import MILLING, generate
+from spelling import SiemensSpeller, Speller, Style
+
+_BLOCKS = 20_000
+PLACES = 3  # of each program
+
+
+class Restarts:
+    """How many restarts of programs were made, by their form, and why others were refused."""
+
+    def __init__(self, seed: object = SEED) -> None:
+        self.random = Random(f"restarts {seed}")
+        self.made: Counter[str] = Counter()
+        self.refused: Counter[str] = Counter()
+        self.shown: dict[str, str] = {}
+
+    def of(self, library: cncsub.Library, main: str | None = None, **options: Any) -> None:
+        """Start a program again at several steps, if it ends."""
+        run = library.run(main, **options)
+        if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES) or not len(run.steps):
+            return
+        count = len(run.steps)
+        for step in sorted(self.random.sample(range(count), min(count, PLACES))):
+            self._at(library, main, run, step, options)
+
+    def _at(
+        self,
+        library: cncsub.Library,
+        main: str | None,
+        run: cncsub.Run,
+        step: int,
+        options: dict[str, Any],
+    ) -> None:
+        try:
+            resumed = library.resume(main, at=run.steps[step], **options)
+        except ResumeError as error:
+            reason = shape(error.reason)
+            self.refused[reason] += 1
+            self.shown.setdefault(
+                reason, f"{library.control.name} step {step}: {error}\n{_texts(library)}"
+            )
+            return
+        except Exception as error:
+            error.add_note(f"{library.control.name} step {step}\n{_texts(library)}")
+            raise
+        self.made[resumed.form] += 1
+
+    @property
+    def share_refused(self) -> float:
+        refused = sum(self.refused.values())
+        return refused / max(1, refused + sum(self.made.values()))
+
+    def report(self, shows: bool = False) -> str:
+        forms = ", ".join(f"{count:,} {form}" for form, count in sorted(self.made.items()))
+        lines = [f"{forms}; {sum(self.refused.values()):,} refused ({self.share_refused:.1%})"]
+        for reason, count in self.refused.most_common():
+            lines.append(f"  {count}: {reason}")
+            if shows:
+                lines.append("    " + self.shown[reason].replace("\n", "\n    "))
+        return "\n".join(lines)
+
+
+def _texts(library: cncsub.Library) -> str:
+    return "\n".join(each.text for each in library.values())
+
+
+def shape(reason: str) -> str:
+    """Return a reason without what is of one program: the part that differs is named."""
+    differs = re.findall(r"differs in (\w+)|(code|message) \d+ of the rest|(#)\d+ is", reason)
+    what = ["".join(each) for each in differs]
+    first = reason.splitlines()[0]
+    first = re.sub(r"\b[A-Z]*\d[\d.]*\b", "_", first)
+    return f"{first}: {', '.join(what)}" if what else first
+
+
+def of_rows(restarts: Restarts, rows: Iterable[Row]) -> None:
+    for case, control in rows:
+        options: dict[str, Any] = {"max_blocks": MAX_BLOCKS, **case.options}
+        if case.mdi is not None or options.pop("mode", "auto") == "mdi":
+            continue
+        if case.setup is not None:
+            options["setup"] = cncsub.Setup(**case.setup)
+        for name in ("trace", "watch", "conditions"):
+            options.pop(name, None)
+        try:
+            library = load(case, cncsub.controls[control])
+            library.run(**options)
+        except (ValueError, KeyError):
+            continue
+        restarts.of(library, **options)
+
+
+def of_examples(restarts: Restarts, every: int = 1) -> None:
+    for path, control in list(_examples())[::every]:
+        library = cncsub.load(path, control=control)
+        for name in library:
+            restarts.of(library, name, max_blocks=_BLOCKS)
+
+
+def of_calls(restarts: Restarts, places: Iterable[int]) -> None:
+    comparison = Comparison(SEED)
+    for place in places:
+        meant = comparison.program(place)
+        for station in comparison.on(place):
+            text = comparison.text(place, meant, station)
+            restarts.of(cncsub.loads(text, control=station.control), setup=station.setup)
+
+
+def of_other_languages(restarts: Restarts, places: Iterable[int]) -> None:
+    comparison = Comparison(SEED)
+    for place in places:
+        random = comparison.random(place, "another language")
+        meant = generate(random, MILLING)
+        speller = Speller(Style(), random)
+        behind = [line for below in meant.called() for line in speller.below(below)]
+        linuxcnc = "\n".join([*speller.body(meant), "M30", *behind]) + "\n"
+        siemens = SiemensSpeller(Style(), random).write(meant)
+        restarts.of(cncsub.loads(linuxcnc, control="linuxcnc"))
+        restarts.of(cncsub.loads(siemens, control="siemens-one"))
+        o_word = cncsub.loads(o_words.generate(SEED, place), control="linuxcnc")
+        restarts.of(o_word, max_blocks=_BLOCKS)
+
+
+def of_macros(restarts: Restarts, places: Iterable[int]) -> None:
+    controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
+    for place in places:
+        text = program(Random(f"{SEED} {place}"))
+        for control in controls:
+            restarts.of(cncsub.loads(text, control=control), max_blocks=_BLOCKS)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rows", type=int, default=0, help="every so manieth row of the tables")
+    parser.add_argument("--examples", action="store_true", help="every example")
+    parser.add_argument("--programs", type=int, default=0, help="so many generated programs")
+    parser.add_argument("--from", type=int, default=0, dest="first", help="the first of them")
+    parser.add_argument("--show", action="store_true", help="a program for each reason")
+    asked = parser.parse_args()
+    if asked.rows:
+        sys.path.insert(0, str(EXAMPLES.parent / "tests" / "conformance"))
+        from conformance import rows
+
+        restarts = Restarts()
+        of_rows(restarts, rows()[:: asked.rows])
+        print("rows:", restarts.report(asked.show))
+    if asked.examples:
+        restarts = Restarts()
+        of_examples(restarts)
+        print("examples:", restarts.report(asked.show))
+    places = range(asked.first, asked.first + asked.programs)
+    for made in (of_calls, of_macros, of_other_languages) if asked.programs else ():
+        restarts = Restarts(asked.first)
+        made(restarts, places)
+        print(f"{made.__name__}:", restarts.report(asked.show), flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
