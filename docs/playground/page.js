@@ -91,6 +91,7 @@ const answers = {
     if (told.job !== running) return;
     [ran, compared, at, shown] = [told, null, told.summary.steps, told.job];
     showRun();
+    performance.mark("answered");
   },
   checked({ job: of, findings }) {
     if (of !== shown) return;

@@ -46,6 +46,9 @@ function mark(place, column, word) {
   const from = Array.from(line).slice(0, Math.max(0, column - 1)).join("").length;
   const length = word && line.startsWith(word, from) ? word.length : line.length - from;
   $("text").setSelectionRange(begin + from, begin + from + length);
+  // A selection is seen in a field that has the focus; it is not taken from who chooses among controls by the keyboard.
+  const free = [document.body, $("run")].includes(document.activeElement) && matchMedia("(pointer: fine)").matches;
+  if (free) $("text").focus({ preventScroll: true });
   const high = parseFloat(getComputedStyle($("text")).lineHeight);
   $("text").scrollTop = Math.max(0, (place.line - 4) * high);
 }
