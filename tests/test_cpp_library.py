@@ -286,6 +286,7 @@ def face(folder: Path) -> ctypes.CDLL:
     c = library_of(folder)
     texts = ["version", "error", "control", "library_program", "run_stop", "machine_stop"]
     texts += ["control_title", "library_hint", "run_message", "run_waiting_for", "comparison_what"]
+    texts += ["run_alarm_word"]
     handles = ["library_new", "options_new", "library_run", "library_machine", "machine_so_far"]
     handles += ["library_for", "compare", "comparison_run"]
     doubles = ["run_variable", "machine_variable", "machine_position", "run_length", "run_time"]
@@ -345,6 +346,51 @@ def test_the_structs_are_laid_out_as_every_compiler_of_c_lays_them_out(
     for name, struct in STRUCTS.items():
         offsets = [getattr(struct, field[0]).offset for field in struct._fields_]
         assert told[name] == [ctypes.sizeof(struct), *offsets]
+
+
+def declared() -> list[str]:
+    """Return what the header declares: each function, each struct with its fields, each constant."""
+    text = re.sub(r"/\*.*?\*/", "", (INCLUDE / "cncsub.h").read_text(), flags=re.DOTALL)
+    text = " ".join(re.sub(r"^#.*$", "", text, flags=re.MULTILINE).split())
+    structs = re.findall(r"typedef struct \w+ {[^}]*} \w+;", text)
+    functions = re.findall(r"CNCSUB_C ([^;]*;)", text)
+    return [re.sub(r" ?([*(){},;\[\]]) ?", r"\1", one) for one in [*structs, *functions]]
+
+
+def test_what_abi_1_has_is_there_as_it_was() -> None:
+    """A function or a struct that was published never changes. A new one is recorded with the
+    others: by a line of its own in the file, which only grows.
+    """
+    recorded = (INCLUDE.parent.parent / "abi_1.txt").read_text().splitlines()
+    now = declared()
+    assert [line for line in recorded if line not in now] == [], "was published otherwise"
+    assert [line for line in now if line not in recorded] == [], "is not recorded"
+    assert "#define CNCSUB_ABI 1\n" in (INCLUDE / "cncsub.h").read_text()
+
+
+@pytest.mark.parametrize(
+    ("compiler", "language"), [("cc", "c99"), ("cc", "c11"), ("c++", "c++11"), ("c++", "c++20")]
+)
+def test_the_c_header_is_c_and_cpp(compiler: str, language: str, tmp_path: Path) -> None:
+    """The page's program in C, which is C++ too but for nothing."""
+    if shutil.which(compiler) is None:
+        pytest.skip(f"no {compiler}")
+    snippet = re.search(r"```c\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    assert snippet is not None
+    file = tmp_path / ("program.c" if compiler == "cc" else "program.cpp")
+    file.write_text(snippet[1])
+    flags = ("-Wall", "-Wextra", "-Wpedantic", "-Werror", f"-I{INCLUDE.parent}")
+    done(compiler, f"-std={language}", *flags, "-fsyntax-only", file)
+
+
+def test_a_vacant_variable_is_no_error(installed: Path) -> None:
+    c = face(installed)
+    run = ctypes.c_void_p(c.cncsub_library_run(read(c, "fanuc-0i-f", MOVING), None))
+    for number, refused in ((999_999, True), (100, False), (999_999, True)):
+        value = c.cncsub_run_variable(run, ctypes.c_int64(number))
+        assert value != value
+        assert bool(c.cncsub_error()) == refused
+    c.cncsub_run_free(run)
 
 
 def test_a_run_through_c_is_the_run_of_python(installed: Path) -> None:
@@ -416,6 +462,7 @@ def test_an_alarm_through_c(installed: Path) -> None:
         b"O2",
         60,
     )
+    assert c.cncsub_run_alarm_word(run) == b"#3000=1(BAD)"
     assert c.cncsub_run_alarm_call(run, ctypes.c_size_t(0), ctypes.byref(caller)) == 1
     assert (caller.kind, caller.called, caller.at.n) == (b"G65", b"O2", 20)
     assert c.cncsub_run_alarm_call(run, ctypes.c_size_t(1), ctypes.byref(caller)) == 0

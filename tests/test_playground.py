@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -98,6 +99,85 @@ def test_an_alarm_is_shown_as_on_the_command_line_and_marked(page: Any) -> None:
     assert page.text_content("#calls").startswith("G65 O2")
 
 
+def test_the_first_answer_comes_within_a_second(context: Any) -> None:
+    """The best of some starts; a machine with more to do than it has cores is given longer."""
+    best = float(SECONDS)
+    for _ in range(6):
+        page = context.new_page()
+        page.goto(PAGE.as_uri())
+        page.wait_for_selector("body[data-stop]")
+        told = "performance.getEntriesByName('answered')[0].startTime"
+        best = min(best, page.evaluate(told))
+        page.close()
+    busy = max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))
+    assert best < 1000 * busy
+
+
+def test_several_files_are_shown_each_and_the_alarm_opens_its_own(page: Any) -> None:
+    files = {
+        "MAIN.MPF": "N10 R1=2\nPART\nN30 M30\n",
+        "PART.SPF": "N10 G0 X1 ;äöü 🙂\nN20 G0 X=SIN(\nM17\n",
+    }
+    page.select_option("#control", "siemens-one")
+    idle(page)
+    page.set_input_files(
+        "#files",
+        [{"name": n, "mimeType": "", "buffer": t.encode()} for n, t in files.items()],
+    )
+    page.wait_for_selector("body[data-stop=alarm][data-state=idle]")
+    alarm = cncsub.loads(files, control="siemens-one").run().alarm
+    assert page.text_content("#alarm").startswith(str(alarm))
+    assert page.eval_on_selector_all("#file option", "all => all.map(one => one.text)") == [*files]
+    assert page.input_value("#text") == files["PART.SPF"]
+    page.select_option("#file", "0")
+    assert page.input_value("#text") == files["MAIN.MPF"]
+    page.fill("#text", "N10 R1=2\nN30 M30\n")
+    page.keyboard.press("Control+Enter")
+    page.wait_for_selector("body[data-stop=end][data-state=idle]")
+    page.click("#link")
+    assert "one file" in page.text_content("#status")
+
+
+def test_what_is_refused_leaves_no_results_of_before(page: Any) -> None:
+    run(page, ALARMING)
+    page.click("#more summary")
+    page.fill("#most", "many")
+    page.click("#run")
+    page.wait_for_function("$('alarm').textContent.includes('many is no whole number')")
+    assert page.evaluate("ran") is None
+    assert page.text_content("#calls") == ""
+    page.click("#back")  # and nothing happens
+    page.fill("#most", "1000")
+    page.click("#run")
+    page.wait_for_selector("body[data-stop=alarm][data-state=idle]")
+
+
+def test_steps_stop_at_the_first_block(page: Any) -> None:
+    run(page, "O1\nN10 #100=1\nN20 M30\n")
+    for _ in range(4):
+        page.keyboard.press("Alt+ArrowLeft")
+    assert page.evaluate("at") == 0
+    page.keyboard.press("Alt+End")
+    assert page.evaluate("at") == 2
+
+
+def test_tabs_are_gone_through_by_arrows(page: Any) -> None:
+    page.focus("#tab-path")
+    page.keyboard.press("ArrowRight")
+    assert page.is_visible("#trace")
+    page.keyboard.press("ArrowLeft")
+    page.keyboard.press("ArrowLeft")
+    assert page.evaluate("!$('messages').hidden && $('path').hidden")
+    selected = page.eval_on_selector_all("[role=tab][aria-selected=true]", "all => all.length")
+    assert selected == 1
+
+
+@pytest.mark.parametrize("link", ["%%%", "AAAA", "eJwDAAAAAAE"])
+def test_a_broken_link_says_so(page: Any, link: str) -> None:
+    page.evaluate("link => { location.hash = link; }", link)
+    page.wait_for_function("$('status').textContent.includes('This link is broken')")
+
+
 def test_two_controls_part_by_the_rule_that_python_finds(page: Any) -> None:
     run(page, PARTING, "fanuc-0i-f", "mitsubishi-m700")
     compared = cncsub.compare(
@@ -134,7 +214,7 @@ def test_steps_go_forward_and_back_with_the_variables_of_the_place(page: Any) ->
 def test_a_link_carries_program_controls_and_parameters(page: Any) -> None:
     page.click("#more summary")
     page.fill("#changes", "max_nesting=1")
-    deep = "O1\nM98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n"
+    deep = "O1 (Tiefe äöü 深さ 🙂)\nM98 P2\nM30\nO2\nM98 P3\nM99\nO3\nM99\n"
     run(page, deep, "fanuc-0i-f", "mitsubishi-m700")
     assert page.evaluate("ran.summary.alarm.cause") == "nesting-too-deep"
     page.wait_for_function("location.hash.length > 20")

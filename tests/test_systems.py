@@ -8,6 +8,7 @@ import ast
 import io
 import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -326,3 +327,18 @@ def test_a_pipe_is_refused_and_nobody_waits_for_it(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "O1.nc")
     with pytest.raises(ValueError, match="not a regular file"):
         cncsub.load(tmp_path / "O1.nc", control="fanuc-0i-f")
+
+
+def test_the_rows_of_the_self_test_can_be_written(tmp_path: Path) -> None:
+    """What another system is held to; the options that a row has no word for are few."""
+    file = tmp_path / "some.rows"
+    tool = ROOT / "tools" / "selftest_rows.py"
+    told = subprocess.run(
+        [sys.executable, tool, "--every", "211", file], capture_output=True, text=True, check=False
+    )
+    assert told.returncode == 0, told.stderr[-2000:]
+    written = int(re.search(r": (\d+) rows", told.stdout)[1])
+    left_out = sum(map(int, re.findall(r"left out: (\d+)", told.stdout)))
+    assert written > 50
+    assert left_out < written / 20, told.stdout
+    assert file.read_text(encoding="utf-8").count("\nend\n") == written

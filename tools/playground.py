@@ -15,10 +15,11 @@ import shutil
 import sys
 from pathlib import Path
 
+import javascript
+
 ROOT = Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs" / "playground"
 _COMMAND = re.compile(r"cncsub run examples/\S+ -c ([a-z0-9-]+)")
-_OF_WORKER = ("engine.js", "worker.js")
 
 
 def examples() -> list[dict[str, str]]:
@@ -50,8 +51,7 @@ def seven_bits(data: bytes) -> str:
 
 
 def made(build: Path) -> str:
-    worker = [(build / "cncsub.js").read_text(encoding="utf-8")]
-    worker += [(PAGE / name).read_text(encoding="utf-8") for name in _OF_WORKER]
+    worker = [javascript.engine(build), (PAGE / "worker.js").read_text(encoding="utf-8")]
     packed = gzip.compress((build / "cncsub.wasm").read_bytes(), 9, mtime=0)
     told = {
         "worker": "\n".join(worker),
@@ -65,7 +65,7 @@ def made(build: Path) -> str:
 def write(build: Path, folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for file in PAGE.iterdir():
-        if file.name not in _OF_WORKER and file.suffix in (".html", ".css", ".js"):
+        if file.name != "worker.js" and file.suffix in (".html", ".css", ".js"):
             shutil.copy(file, folder)
     (folder / "made.js").write_bytes(made(build).encode())
     plotly = importlib.util.find_spec("plotly")

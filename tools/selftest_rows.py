@@ -109,6 +109,8 @@ def setup_lines(setup: Mapping[str, Any] | None) -> Iterator[str]:
         elif key in ("work_offsets", "reference", "tools"):
             for name, axes in value.items():
                 for axis, number in axes.items():
+                    if isinstance(number, str):
+                        raise LeftOutError(f"a text in a setup's {key}")
                     yield line(key, name, axis, float(number))
         else:
             raise LeftOutError(f"a setup with {key}")
@@ -145,10 +147,12 @@ def inputs_lines(inputs: Mapping[str, Any] | None) -> Iterator[str]:
 def option_lines(main: int, options: Mapping[str, Any]) -> Iterator[str]:
     yield line("main", main)
     for key, value in options.items():
-        if key in ("inputs", "setup") or value is None:
+        if key in ("inputs", "setup", "conditions") or value is None:
             continue
-        if key in ("mdi", "optional_stop", "start", "max_cycles", "max_blocks", "trace"):
+        if key in ("optional_stop", "start", "max_cycles", "max_blocks", "trace"):
             yield line(key, value)
+        elif key == "mode":
+            yield line("mdi", value == "mdi")
         elif key == "variables":
             for number, now in value.items():
                 yield line("given", number, now)
@@ -210,13 +214,13 @@ class Told:
         _core.compile = self.compile
         _core.machine = self.machine
 
-    def compile(self, control: Any, files: list[Any], device: bool) -> Any:
+    def compile(self, control: Any, files: list[Any], device: bool, **how: Any) -> Any:
         kept = [
             (name.replace(self.scratch, "job").replace(f"{ROOT}/", ""), stem, [text], outside)
             for name, stem, text, outside in one_by_one(files)
         ]
         self.lines = [*control_lines(control), *file_lines(kept, device)]
-        return self._compile(control, kept, device)
+        return self._compile(control, kept, device, **how)
 
     def machine(self, code: Any, main: int, **options: Any) -> Any:
         options["trace"] = "moves"  # a row that asks for less is compared in full too
@@ -233,8 +237,8 @@ def row_lines(told: Told, name: str, library: Any, mdi: str | None, run: Any) ->
     return [*made, *told.begun, *outcome_lines(run), line("end")]
 
 
-def table_rows(told: Told, left_out: Counter[str]) -> Iterator[list[str]]:
-    for case, name in rows():
+def table_rows(told: Told, left_out: Counter[str], every: int) -> Iterator[list[str]]:
+    for case, name in rows()[::every]:
         try:
             library = outcome.load(case, cncsub.controls[name])
             run = outcome.execute(case, library)
@@ -245,20 +249,24 @@ def table_rows(told: Told, left_out: Counter[str]) -> Iterator[list[str]]:
             left_out["a text that is no UTF-8"] += 1
 
 
-def example_rows(told: Told) -> Iterator[list[str]]:
+def example_rows(told: Told, every: int) -> Iterator[list[str]]:
     """Each shipped program on every control: most alarm on most, and that is an outcome too."""
-    for file in sorted((ROOT / "examples").rglob("*.nc")):
-        for control in cncsub.controls:
-            library = cncsub.load(file, control=control)
-            run = library.run(max_blocks=2000)
-            name = f"{file.relative_to(ROOT).as_posix()} [{control}]"
-            yield row_lines(told, name, library, None, run)
+    files = sorted((ROOT / "examples").rglob("*.nc"))
+    for file, control in [(file, control) for file in files for control in cncsub.controls][
+        ::every
+    ]:
+        library = cncsub.load(file, control=control)
+        run = library.run(max_blocks=2000)
+        name = f"{file.relative_to(ROOT).as_posix()} [{control}]"
+        yield row_lines(told, name, library, None, run)
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("output", type=Path, help="the file to write, such as selftest.rows")
-    output = parser.parse_args().output
+    parser.add_argument("--every", type=int, default=1, help="only each so many-th row")
+    arguments = parser.parse_args()
+    output, every = arguments.output, arguments.every
     left_out: Counter[str] = Counter()
     told = Told(str(outcome.scratch()))
     written_rows = 0
@@ -266,7 +274,7 @@ def main() -> int:
     begun = output.with_name(f"{output.name}.begun")  # what is cut off is no set of rows
     with begun.open("w", encoding="utf-8", newline="\n") as file:
         file.write(line("cncsub-selftest", FORMAT) + "\n")
-        for source in (table_rows(told, left_out), example_rows(told)):
+        for source in (table_rows(told, left_out, every), example_rows(told, every)):
             for lines in source:
                 file.write("\n".join(lines) + "\n")
                 written_rows += 1

@@ -45,13 +45,24 @@ const std::vector<nc::Control>& all_controls() {
   return all;
 }
 
+const char* told_of_control(size_t index, const std::string nc::Control::* of) {
+  return guarded<const char*>(nullptr, [&]() -> const char* {
+    return index < all_controls().size() ? (all_controls()[index].*of).c_str() : nullptr;
+  });
+}
+
+/// Return the value of a variable; NaN, with no error, where it is vacant.
+double value_or_none(const nc::Result<std::optional<double>>& value) {
+  if (!value) return refused(value.error().message, kNone);
+  last_error().clear();
+  return value->value_or(kNone);
+}
+
 }  // namespace
 
-const char* cncsub_control(size_t index) {
-  return index < all_controls().size() ? all_controls()[index].name.c_str() : nullptr;
-}
+const char* cncsub_control(size_t index) { return told_of_control(index, &nc::Control::name); }
 const char* cncsub_control_title(size_t index) {
-  return index < all_controls().size() ? all_controls()[index].title.c_str() : nullptr;
+  return told_of_control(index, &nc::Control::title);
 }
 
 cncsub_library* cncsub_library_new(const char* control, size_t count, const char* const* names,
@@ -159,6 +170,22 @@ int32_t cncsub_options_length_offset(cncsub_options* options, int32_t number, do
   });
 }
 
+int32_t cncsub_options_radius_offset(cncsub_options* options, int32_t number, double value) {
+  if (missing(options)) return 0;
+  return guarded<int32_t>(0, [&] {
+    options->options.setup.radius_offsets[number] = value;
+    return 1;
+  });
+}
+
+int32_t cncsub_options_start_position(cncsub_options* options, char axis, double value) {
+  if (missing(options)) return 0;
+  return guarded<int32_t>(0, [&] {
+    options->options.setup.start[axis] = value;
+    return 1;
+  });
+}
+
 cncsub_run* cncsub_library_run(const cncsub_library* library, const cncsub_options* options) {
   if (missing(library)) return nullptr;
   return guarded<cncsub_run*>(nullptr, [&]() -> cncsub_run* {
@@ -182,6 +209,11 @@ int32_t cncsub_run_alarm(const cncsub_run* run, cncsub_alarm* to) {
   return 1;
 }
 
+const char* cncsub_run_alarm_word(const cncsub_run* run) {
+  if (missing(run)) return "";
+  return run->alarm ? run->alarm->word.c_str() : "";
+}
+
 int32_t cncsub_run_alarm_call(const cncsub_run* run, size_t index, cncsub_call* to) {
   if (missing(run, to)) return 0;
   if (!run->alarm || index >= run->alarm->stack.size()) return 0;
@@ -196,11 +228,7 @@ int64_t cncsub_run_blocks(const cncsub_run* run) {
 
 double cncsub_run_variable(const cncsub_run* run, int64_t number) {
   if (missing(run)) return kNone;
-  return guarded<double>(kNone, [&] {
-    const auto value = run->run.variable(number);
-    if (!value) return refused(value.error().message, kNone);
-    return value->value_or(kNone);
-  });
+  return guarded<double>(kNone, [&] { return value_or_none(run->run.variable(number)); });
 }
 
 size_t cncsub_run_moves(const cncsub_run* run) {
@@ -286,11 +314,7 @@ double cncsub_machine_position(const cncsub_machine* machine, char axis) {
 
 double cncsub_machine_variable(const cncsub_machine* machine, int64_t number) {
   if (missing(machine)) return kNone;
-  return guarded<double>(kNone, [&] {
-    const auto value = machine->machine.variable(number);
-    if (!value) return refused(value.error().message, kNone);
-    return value->value_or(kNone);
-  });
+  return guarded<double>(kNone, [&] { return value_or_none(machine->machine.variable(number)); });
 }
 
 int32_t cncsub_machine_set_variable(cncsub_machine* machine, int64_t number, double value) {

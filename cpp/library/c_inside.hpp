@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,6 +58,8 @@ template <class Value, class Work>
 Value guarded(Value otherwise, const Work& work) {
   try {
     return work();
+  } catch (const std::bad_alloc&) {
+    return refused("there is no memory left", otherwise);
   } catch (const std::exception& error) {
     return refused(error.what(), otherwise);
   } catch (...) {

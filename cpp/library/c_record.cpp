@@ -118,7 +118,7 @@ int32_t cncsub_run_variable_at(const cncsub_run* run, size_t index, cncsub_varia
 const char* cncsub_run_message(cncsub_run* run, size_t index) {
   if (missing(run)) return nullptr;
   return guarded<const char*>(nullptr, [&] {
-    if (index == 0) run->messages = run->run.messages();
+    if (run->messages.empty()) run->messages = run->run.messages();
     return index < run->messages.size() ? run->messages[index].c_str() : nullptr;
   });
 }

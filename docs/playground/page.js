@@ -3,16 +3,14 @@
 
 const $ = (id) => document.getElementById(id);
 const TABS = { path: "Path", trace: "Blocks", calls: "Calls", variables: "Variables", findings: "Findings", messages: "Messages" };
-const MOST_SHOWN = 1000000; // characters of a program in the field; a larger one is only run
 const SHOWN_STEPS = 60;
 
 let worker = null;
 let wasm = null;
 let job = 0;
 let running = 0; // the job that runs
+let shown = 0; // the job whose results are shown
 let waiting = null; // ends a worker that does not answer
-let files = [{ name: "program.nc", text: "" }];
-let whole = true; // the field holds the program
 let asked = null;
 let ran = null;
 let compared = null;
@@ -52,11 +50,24 @@ async function start() {
   post("start", { wasm });
 }
 
+/** Begin with a new engine, which knows nothing of what was run. */
 function restart() {
   worker.terminate();
-  running = 0;
-  ran = null;
-  start();
+  clear();
+  idle();
+  begin();
+}
+
+/** Show no results: those that are there belong to no program that the engine still has. */
+function clear() {
+  [ran, compared, at, shown] = [null, null, 0, 0];
+  $("alarm").hidden = $("difference").hidden = true;
+  for (const id of ["steps", "calls", "variables", "findings", "messages"]) $(id).replaceChildren();
+  for (const [id, title] of Object.entries(TABS)) $(`tab-${id}`).textContent = title;
+  $("at").max = $("at").value = "0";
+  $("where").textContent = $("drawn").textContent = "";
+  delete document.body.dataset.stop;
+  draw();
 }
 
 const answers = {
@@ -78,23 +89,15 @@ const answers = {
   progress({ job: of, blocks }) { if (of === running) say(`${blocks.toLocaleString("en")} blocks`); },
   ran(told) {
     if (told.job !== running) return;
-    ran = told;
-    compared = null;
-    at = told.summary.steps;
+    [ran, compared, at, shown] = [told, null, told.summary.steps, told.job];
     showRun();
+    performance.mark("answered");
   },
   checked({ job: of, findings }) {
-    if (of !== running) return;
-    const list = made("ul");
-    for (const one of findings) {
-      const item = made("li");
-      item.append(made("span", `${one.rule} ${one.severity}`, one.severity), ` ${visible(one.at.program)}, line ${one.at.line}: `, visible(one.message));
-      if (one.hint) item.append(made("div", one.hint, "where"));
-      list.append(item);
-    }
-    $("findings").replaceChildren(findings.length ? list : made("p", "check finds nothing."));
-    $("tab-findings").textContent = `Findings (${findings.length})`;
+    if (of !== shown) return;
+    showFindings(findings);
     if (!asked.second) idle();
+    else if (of === running) compares();
   },
   compared({ job: of, comparison }) {
     if (of !== running) return;
@@ -110,7 +113,9 @@ const answers = {
     const open = calls.map((one) => `${one.kind} ${one.called}${one.repeats > 1 ? `, pass ${one.repeat} of ${one.repeats}` : ""}`);
     $("where").textContent = `${at} of ${ran.summary.steps}${open.length ? `, in ${visible(open.join(" < "))}` : ""}`;
   },
-  refused({ message }) {
+  refused({ job: of, message }) {
+    if (of !== running && of < shown) return;
+    clear();
     idle();
     $("alarm").hidden = false;
     $("alarm").textContent = visible(message);
@@ -127,20 +132,37 @@ function idle() {
 
 // ---- asking ----
 
+/** Return the whole number in a field, `otherwise` where it is empty. */
+function wholeOf(id, otherwise) {
+  const text = $(id).value.trim();
+  if (text === "") return otherwise;
+  if (/^\d{1,15}$/.test(text)) return Number(text);
+  throw new Error(`${$(id).parentElement.textContent.trim()}: ${text} is no whole number`);
+}
+
+function options() {
+  const of = { maxBlocks: wholeOf("most", 10000000), start: wholeOf("start", undefined) };
+  if ($("main").value.trim() !== "") of.main = $("main").value.trim();
+  if ($("skip").checked) of.blockSkip = true;
+  return of;
+}
+
 function run() {
   if (running) stop();
-  if (whole) files[0].text = $("text").value;
-  const options = { main: $("main").value.trim(), record: 3, max_blocks: Number($("most").value) || 10000000 };
-  if ($("start").value.trim() !== "") options.start = Number($("start").value);
-  if ($("skip").checked) options.block_skip = 1;
-  asked = { files, control: $("control").value, changes: $("changes").value.trim(), options, second: $("second").value };
+  keep();
+  try {
+    asked = { files, control: $("control").value, changes: $("changes").value.trim(), options: options(), second: $("second").value };
+  } catch (error) {
+    answers.refused({ job, message: error.message });
+    return;
+  }
   document.body.dataset.state = "running";
   $("stop").disabled = false;
   $("alarm").hidden = $("difference").hidden = true;
   say("Running");
   post("run", asked);
   running = job;
-  if (whole) writeLink();
+  if (linkable()) writeLink();
 }
 
 /** Ask the worker to stop; end it where it does not answer, as it cannot while it reads or compares. */
@@ -161,7 +183,7 @@ function showRun() {
   $("alarm").hidden = alarm === null;
   if (alarm) {
     $("alarm").textContent = alarm.shown.split("\n").map(visible).join("\n") + (alarm.cure ? `\ncure: ${alarm.cure}` : "");
-    mark(alarm);
+    mark(alarm.at, alarm.column, alarm.word);
   }
   $("at").max = String(summary.steps);
   $("tab-messages").textContent = `Messages (${messages.length})`;
@@ -170,30 +192,35 @@ function showRun() {
   $("tab-calls").textContent = `Calls (${calls.length})`;
   clearTimeout(waiting);
   if (summary.stop === "interrupted") idle();
+  $("programs").replaceChildren(...ran.programs.map((name) => new Option(name)));
   goTo(summary.steps);
 }
 
-/** Select the word that an alarm names, where the field holds its file. */
-function mark({ at: place, column }) {
-  if (!whole || place.file !== files[0].name) return;
-  const lines = $("text").value.split("\n");
-  const begin = lines.slice(0, place.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
-  const line = lines[place.line - 1] || "";
-  $("text").setSelectionRange(begin + Math.max(0, column - 1), begin + line.length);
-  const high = parseFloat(getComputedStyle($("text")).lineHeight);
-  $("text").scrollTop = Math.max(0, (place.line - 4) * high);
+function showFindings(findings) {
+  const list = made("ul");
+  for (const one of findings) {
+    const item = made("li");
+    const go = made("button", `${one.at.program}, line ${one.at.line}`, "link");
+    go.onclick = () => { mark(one.at, one.column, ""); $("text").focus(); };
+    item.append(made("span", `${one.rule} ${one.severity}`, one.severity), " ", go, ` ${visible(one.message)}`);
+    if (one.hint) item.append(made("div", one.hint, "where"));
+    list.append(item);
+  }
+  $("findings").replaceChildren(findings.length ? list : made("p", "check finds nothing."));
+  $("tab-findings").textContent = `Findings (${findings.length})`;
 }
 
 function callTree(calls) {
   const root = made("ul");
-  const inside = new Map([[-1, root]]);
+  const inside = new Map([[null, root]]);
   calls.forEach((one, i) => {
-    const item = made("li", `${one.kind} ${one.called}${one.start < 0 ? "" : ` from N${one.start}`}${one.repeats === 1 ? "" : `, ${one.repeats} passes`}`);
-    item.append(made("span", one.last < 0 ? " not ended" : ` ${one.last - one.first + 1} blocks`, "where"));
+    const item = made("li", `${one.kind} ${one.called}${one.startN === null ? "" : ` from N${one.startN}`}${one.repeats === 1 ? "" : `, ${one.repeats} passes`}`);
+    const go = made("button", item.textContent, "link");
+    item.replaceChildren(go);
+    item.append(made("span", one.lastStep === null ? " not ended" : ` ${one.lastStep - one.firstStep + 1} blocks`, "where"));
     const list = made("ul");
     item.append(list);
-    item.tabIndex = 0;
-    item.onclick = (event) => { event.stopPropagation(); goTo(one.caller + 1); };
+    go.onclick = () => goTo(one.callerStep + 1);
     (inside.get(one.parent) || root).append(item);
     inside.set(i, list);
   });
@@ -237,9 +264,14 @@ function goTo(count) {
   draw();
 }
 
+function compares() {
+  $("difference").hidden = false;
+  $("difference").className = "same";
+  $("difference").replaceChildren(made("span", `Running on ${asked.second}, and looking for the rules that make a difference`));
+}
+
 function showComparison() {
   const box = $("difference");
-  box.hidden = false;
   box.className = compared.what ? "" : "same";
   if (!compared.what) {
     box.replaceChildren(made("strong", `${asked.control} and ${asked.second} do the same.`));
@@ -264,7 +296,10 @@ function showComparison() {
 }
 
 function draw() {
-  if (ran === null) return;
+  if (ran === null) {
+    drawPlane($("canvas"), [], "xy", 0, {});
+    return;
+  }
   const style = getComputedStyle(document.documentElement);
   const colours = Object.fromEntries(["front", "back", "cut", "rapid", "other", "mark"].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
   const paths = [{ path: ran.path, cut: colours.cut, rapid: colours.rapid, name: asked.control }];
@@ -277,111 +312,52 @@ function draw() {
   else drawSpace($("space"), paths, at, colours).catch((error) => say(error.message));
 }
 
-// ---- files, examples and links ----
-
-function show(of) {
-  files = of;
-  whole = typeof files[0].text === "string" && files[0].text.length <= MOST_SHOWN;
-  $("text").value = whole ? files[0].text : "";
-  $("text").readOnly = !whole;
-  $("text").placeholder = whole ? "" : `${files[0].name} is too long to be shown; it is run as it is.`;
-  $("file").textContent = files.map((one) => one.name).join(", ");
-}
-
-async function take(list) {
-  const taken = [];
-  for (const one of list) {
-    const bytes = new Uint8Array(await one.arrayBuffer());
-    let text = bytes;
-    if (bytes.length <= MOST_SHOWN && list.length === 1)
-      try { text = new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes); } catch { text = bytes; }
-    taken.push({ name: one.name, text });
-  }
-  if (taken.length) { show(taken); run(); }
-}
-
-async function packed(text, how) {
-  const stream = new Blob([text]).stream().pipeThrough(how);
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
-async function writeLink() {
-  const told = { t: files[0].text, f: files[0].name, c: asked.control, s: asked.second, p: asked.changes, m: $("main").value, n: $("start").value, k: $("skip").checked, b: $("most").value };
-  if (told.t.length > 200000 || files.length > 1) return "";
-  const bytes = await packed(JSON.stringify(told), new CompressionStream("deflate-raw"));
-  let words = "";
-  for (const one of bytes) words += String.fromCharCode(one);
-  history.replaceState(null, "", `#${btoa(words).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`);
-  return location.href;
-}
-async function fromLink() {
-  const words = location.hash.slice(1);
-  if (words === "") { choose(0); return; }
-  try {
-    const bytes = Uint8Array.from(atob(words.replaceAll("-", "+").replaceAll("_", "/")), (one) => one.charCodeAt(0));
-    const told = JSON.parse(new TextDecoder().decode(await packed(bytes, new DecompressionStream("deflate-raw"))));
-    $("control").value = told.c; $("second").value = told.s; $("changes").value = told.p; $("main").value = told.m;
-    $("start").value = told.n; $("skip").checked = told.k; $("most").value = told.b;
-    $("more").open = Boolean(told.p || told.m || told.n || told.k);
-    show([{ name: told.f, text: told.t }]);
-    run();
-  } catch {
-    say("This link is broken");
-  }
-}
-function choose(index) {
-  const example = PLAYGROUND.examples[index];
-  $("control").value = example.control;
-  $("main").value = $("start").value = "";
-  show([{ name: example.name, text: example.text }]);
-  run();
-}
-
 // ---- keys ----
+
+function openTab(id) {
+  for (const other of Object.keys(TABS)) {
+    $(other).hidden = other !== id;
+    $(`tab-${other}`).setAttribute("aria-selected", String(other === id));
+    $(`tab-${other}`).tabIndex = other === id ? 0 : -1;
+  }
+  if (id === "path") draw();
+}
 
 for (const [id, title] of Object.entries(TABS)) {
   const tab = made("button", title);
   tab.id = `tab-${id}`;
   tab.setAttribute("role", "tab");
   tab.setAttribute("aria-controls", id);
-  tab.onclick = () => {
-    for (const other of Object.keys(TABS)) {
-      $(other).hidden = other !== id;
-      $(`tab-${other}`).setAttribute("aria-selected", String(other === id));
-    }
-    if (id === "path") draw();
+  $(id).setAttribute("aria-labelledby", tab.id);
+  tab.onclick = () => openTab(id);
+  tab.onkeydown = (event) => {
+    const names = Object.keys(TABS);
+    const way = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (way === undefined || event.altKey) return;
+    const next = names[(names.indexOf(id) + way + names.length) % names.length];
+    openTab(next);
+    $(`tab-${next}`).focus();
+    event.preventDefault();
   };
   $("tabs").append(tab);
 }
-$("tab-path").setAttribute("aria-selected", "true");
-PLAYGROUND.examples.forEach(({ name }, i) => $("example").append(new Option(name, String(i))));
-$("example").onchange = () => choose(Number($("example").value));
+openTab("path");
 $("run").onclick = run;
 $("stop").onclick = stop;
 $("control").onchange = $("second").onchange = run;
 $("view").onchange = draw;
 $("at").oninput = () => goTo(Number($("at").value));
-$("first").onclick = () => goTo(0);
-$("back").onclick = () => goTo(at - 1);
-$("next").onclick = () => goTo(at + 1);
-$("last").onclick = () => goTo(Infinity);
-$("open").onclick = () => $("files").click();
-$("files").onchange = () => take([...$("files").files]);
-$("link").onclick = async () => {
-  if (whole) files[0].text = $("text").value;
-  const link = whole && asked ? await writeLink() : "";
-  if (link === "") { say("This program is too long for a link"); return; }
-  await navigator.clipboard.writeText(link).then(() => say("The link is copied"), () => say("The link is in the address bar"));
-};
+const STEPS = { first: () => 0, back: () => at - 1, next: () => at + 1, last: () => Infinity };
+for (const [id, to] of Object.entries(STEPS)) $(id).onclick = () => goTo(to());
+const KEYS = { Home: "first", ArrowLeft: "back", ArrowRight: "next", End: "last" };
 document.addEventListener("keydown", (event) => {
-  if (event.key === "Enter" && event.ctrlKey) run();
+  if (event.key === "Enter" && (event.ctrlKey || event.metaKey)) run();
   else if (event.key === "Escape" && running) stop();
-  else if (event.altKey && event.key === "ArrowRight") goTo(at + 1);
-  else if (event.altKey && event.key === "ArrowLeft") goTo(at - 1);
+  else if (event.altKey && KEYS[event.key]) $(KEYS[event.key]).click();
   else return;
   event.preventDefault();
 });
-document.addEventListener("dragover", (event) => event.preventDefault());
-document.addEventListener("drop", (event) => { event.preventDefault(); take([...event.dataTransfer.files]); });
 window.addEventListener("resize", draw);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", draw);
-start().catch((error) => say(`The engine does not start: ${error.message}`));
+const begin = () => start().catch((error) => say(`The engine does not start: ${error.message}`));
+document.addEventListener("DOMContentLoaded", begin); // when the other scripts are there

@@ -27,7 +27,7 @@ function drawPlane(canvas, paths, view, until, colours) {
       low = Math.min(low, path[b][i]);
       high = Math.max(high, path[b][i]);
     }
-  if (!(left <= right)) return;
+  if (!(left <= right)) return; // nothing is drawn
   const size = Math.min((width - 60) / Math.max(right - left, 1e-6), (height - 50) / Math.max(high - low, 1e-6));
   const px = (value) => width / 2 + (value - (left + right) / 2) * size;
   const py = (value) => height / 2 - (value - (low + high) / 2) * size;

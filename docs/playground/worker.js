@@ -4,7 +4,7 @@
 const SLICE = 200000; // blocks
 let engine = null;
 let stopped = 0; // the number of the newest job that is to stop
-let held = null; // {library, options, run}: what steps are asked of
+let held = null; // {library, run}: what steps are asked of
 
 const answer = (job, kind, told) => postMessage({ job, kind, ...told });
 const turn = () => new Promise((done) => {
@@ -15,83 +15,88 @@ const turn = () => new Promise((done) => {
 
 function forget() {
   if (held === null) return;
-  engine.freeRun(held.run);
-  engine.freeOptions(held.options);
-  engine.freeLibrary(held.library);
+  held.run.free();
+  held.library.free();
   held = null;
 }
 
+/** Return the path as the page draws it: points, and the steps and kinds of their moves. */
+function pathOf(run) {
+  const { x, y, z, move, begins, count } = run.path(0.05);
+  const moves = run.moves();
+  const step = new Float64Array(count);
+  const kind = new Uint8Array(count);
+  for (let i = 0; i < count; ++i) [step[i], kind[i]] = [moves.step[move[i]], moves.kind[move[i]]];
+  return { x, y, z, begins, step, kind };
+}
+
+const summaryOf = (run) => ({
+  stop: run.stop, waiting: run.waitingFor, alarm: run.alarm, blocks: run.blocks, moves: run.moveCount, steps: run.stepCount,
+  length: run.length, time: run.time,
+});
+
 async function run(job, asked) {
   forget();
-  const library = engine.read(asked.files, asked.control, asked.changes);
-  let options = 0;
-  let machine = 0;
+  const library = engine.load(asked.files, asked.control, asked.changes);
   try {
-    options = engine.options(asked.options);
-    machine = engine.machine(library, options);
+    const machine = library.machine(asked.options);
     let blocks = 0;
-    while (engine.runBlocks(machine, SLICE)) {
+    while (machine.run(SLICE)) {
       blocks += SLICE;
       answer(job, "progress", { blocks });
       await turn();
       if (stopped >= job) {
-        engine.interrupt(machine);
+        machine.interrupt();
         break;
       }
     }
-    held = { library, options, run: engine.soFar(machine) };
+    held = { library, run: machine.soFar() };
+    machine.free();
   } finally {
-    if (machine !== 0) engine.freeMachine(machine);
-    if (held === null) {
-      if (options !== 0) engine.freeOptions(options);
-      engine.freeLibrary(library);
-    }
+    if (held === null) library.free();
   }
   const of = held.run;
   answer(job, "ran", {
-    summary: engine.summary(of), variables: engine.variables(of), messages: engine.messages(of), path: engine.path(of, 0.05),
-    calls: engine.callsMade(of, 2000),
+    summary: summaryOf(of), variables: of.variables(5000), messages: of.messages.slice(0, 1000), path: pathOf(of),
+    calls: of.calls(2000), programs: library.programs.slice(0, 2000),
   });
-  answer(job, "checked", { findings: engine.check(library) });
+  answer(job, "checked", { findings: library.check(2000) });
   if (!asked.second) return;
   await turn();
   if (stopped >= job) return;
-  const second = engine.readFor(library, asked.second);
-  try {
-    answer(job, "compared", { comparison: engine.compare(library, second, options) });
-  } finally {
-    engine.freeLibrary(second);
-  }
+  const second = library.for(asked.second);
+  const compared = engine.compare(library, second, asked.options);
+  const { what, rules, steps } = compared;
+  answer(job, "compared", { comparison: { what, rules, steps, path: pathOf(compared.run(1)) } });
+  compared.free();
+  second.free();
 }
 
-/** Return the state after `count` blocks: what comes next is in the steps, the rest a machine finds by running there. */
-function stateAt(job, asked) {
+/** Tell the state after `count` blocks: what comes next is in the steps, the rest a machine finds by running there. */
+function tellState(job, asked) {
   if (held === null) return;
-  const options = engine.options({ ...asked.options, record: 0 });
-  const machine = engine.machine(held.library, options);
-  if (asked.count > 0) engine.runBlocks(machine, asked.count);
-  const so = engine.soFar(machine);
-  answer(job, "state", { count: asked.count, variables: engine.variables(so), calls: engine.calls(machine) });
-  engine.freeRun(so);
-  engine.freeMachine(machine);
-  engine.freeOptions(options);
+  const machine = held.library.machine({ ...asked.options, record: "nothing" });
+  if (asked.count > 0) machine.run(asked.count);
+  const so = machine.soFar();
+  answer(job, "state", { count: asked.count, variables: so.variables(5000), calls: machine.stack(1000) });
+  so.free();
+  machine.free();
 }
 
 onmessage = async ({ data }) => {
   const { job, kind } = data;
   try {
     if (kind === "start") {
-      const module = await cncsubModule({ wasmBinary: data.wasm });
-      engine = engineOf(module);
-      answer(job, "ready", { controls: engine.controls(), version: engine.version() });
+      engine = new Engine(await cncsubModule({ wasmBinary: data.wasm }));
+      answer(job, "ready", { controls: engine.controls, version: engine.version });
     } else if (kind === "stop") {
       stopped = Math.max(stopped, data.of);
     } else if (kind === "run") {
       await run(job, data);
     } else if (kind === "steps" && held !== null) {
-      answer(job, "steps", { first: data.first, rows: engine.steps(held.run, data.first, data.last) });
+      answer(job, "steps", { first: data.first, rows: held.run.steps(data.first, data.last) });
     } else if (kind === "state") {
-      stateAt(job, data);
+      tellState(job, data);
     }
   } catch (error) {
     answer(job, "refused", { message: String((error && error.message) || error) });

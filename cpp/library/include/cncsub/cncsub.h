@@ -9,8 +9,9 @@
  * machine by one at a time, and so is every handle that a function takes without const; the text
  * of an error belongs to the thread.
  *
- * Structs only grow at their end, and functions only come: what was compiled for CNCSUB_ABI 1 runs
- * on. */
+ * A struct and a function never change: what comes later comes as a function, or a struct, of its
+ * own. So what was compiled for CNCSUB_ABI 1 runs on, and where that is ever broken the number
+ * grows; compare it with cncsub_abi() where the library is loaded at run time. */
 #ifndef CNCSUB_H
 #define CNCSUB_H
 
@@ -145,6 +146,10 @@ CNCSUB_C int32_t cncsub_options_work_offset(cncsub_options* options, const char*
                                             double value);
 CNCSUB_C int32_t cncsub_options_length_offset(cncsub_options* options, int32_t number,
                                               double value);
+CNCSUB_C int32_t cncsub_options_radius_offset(cncsub_options* options, int32_t number,
+                                              double value);
+/* Where the tool stands at the start, work coordinates; else at the machine's zero. */
+CNCSUB_C int32_t cncsub_options_start_position(cncsub_options* options, char axis, double value);
 
 /* `options` may be NULL. */
 CNCSUB_C cncsub_run* cncsub_library_run(const cncsub_library* library,
@@ -154,8 +159,11 @@ CNCSUB_C void cncsub_run_free(cncsub_run* run);
 CNCSUB_C const char* cncsub_run_stop(const cncsub_run* run);
 /* Return 0 where the run had none. */
 CNCSUB_C int32_t cncsub_run_alarm(const cncsub_run* run, cncsub_alarm* to);
+/* The word that the alarm names; "" where it is of the whole block, or there was none. */
+CNCSUB_C const char* cncsub_run_alarm_word(const cncsub_run* run);
 CNCSUB_C int32_t cncsub_run_alarm_call(const cncsub_run* run, size_t index, cncsub_call* to);
 CNCSUB_C int64_t cncsub_run_blocks(const cncsub_run* run);
+/* NaN: the variable is vacant, and `cncsub_error` is empty; or it was refused. */
 CNCSUB_C double cncsub_run_variable(const cncsub_run* run, int64_t number);
 CNCSUB_C size_t cncsub_run_moves(const cncsub_run* run);
 CNCSUB_C int32_t cncsub_run_write_moves(const cncsub_run* run, const cncsub_columns* columns);
@@ -207,6 +215,7 @@ CNCSUB_C void cncsub_machine_next(cncsub_machine* machine, cncsub_place* to);
 /* An open call, innermost first; return 0 after the last one. */
 CNCSUB_C int32_t cncsub_machine_call(cncsub_machine* machine, size_t index, cncsub_call* to);
 CNCSUB_C double cncsub_machine_position(const cncsub_machine* machine, char axis);
+/* NaN as in `cncsub_run_variable`; the locals are those of the present level. */
 CNCSUB_C double cncsub_machine_variable(const cncsub_machine* machine, int64_t number);
 CNCSUB_C int32_t cncsub_machine_set_variable(cncsub_machine* machine, int64_t number, double value);
 /* What has happened so far. */
