@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `plot`, `batch`, `controls`, `explain`.
+`flatten`, `renumber`, `format`, `report`, `plot`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -36,6 +36,8 @@ COMMANDS = {
     "compare": ("cli.compare.compare", "Compare two controls: where they differ, and why."),
     "diff": ("cli.compare.diff", "Compare two versions: what the new one does differently."),
     "flatten": ("cli.flatten.flatten", "Write one program without calls."),
+    "renumber": ("cli.editing.renumber", "Give blocks new numbers, with all that names them."),
+    "format": ("cli.editing.format_files", "Lay out blocks alike: blanks, loops, capitals."),
     "coverage": ("cli.coverage.coverage", "Show which blocks and branches ran."),
     "report": ("cli.report.report", "Write a run as one page of HTML."),
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),

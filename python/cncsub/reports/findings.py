@@ -11,6 +11,7 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from cncsub._core import Frame, __version__
+from cncsub.byte_edits import place_in
 from cncsub.checking import Edit, Finding, Place, all_rules
 from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
@@ -233,16 +234,14 @@ class Mended:
             self._new[edit.file] = list(self._old[edit.file])
         lines = self._new[edit.file]
         line, old = lines[edit.line - 1], edit.old.encode()
-        at = edit.column - 1
         if not old:
             lines[edit.line - 1] = self._lengthened(line, lines[0], edit.new.encode())
             return
-        if not line[:at].isascii() or not line.startswith(old, at):
-            if line.count(old) != 1:
-                self._left.add(edit)
-                return
-            at = line.index(old)
-        lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
+        place = place_in(line, edit)
+        if place is None:
+            self._left.add(edit)
+            return
+        lines[edit.line - 1] = line[:place] + edit.new.encode() + line[place + len(old) :]
 
     @staticmethod
     def _lengthened(line: bytes, first: bytes, new: bytes) -> bytes:
