@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `renumber`, `format`, `report`, `plot`, `batch`, `controls`, `explain`.
+`flatten`, `renumber`, `format`, `report`, `plot`, `controls`, `explain`, `batch`, `gate`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -44,6 +44,7 @@ COMMANDS = {
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
+    "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
 LOOK: dict[str, Any] = {

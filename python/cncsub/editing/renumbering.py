@@ -224,7 +224,7 @@ class _Renumbering:
                 causes.append(
                     (m.program, m.block, f"N{m.number} is written so that it cannot be changed")
                 )
-            elif n is not None and (new := _like(m.text, n)) != m.text:
+            elif (new := _like(m.text, n)) != m.text:
                 yield Edit(m.file, m.line, m.column, m.text, new)
         if causes:
             raise refusal(self._library, causes)
