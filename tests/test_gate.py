@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import re
+import subprocess
+import sys
+import textwrap
 import time
 from pathlib import Path
 from xml.etree import ElementTree
@@ -96,6 +101,14 @@ def test_an_allow_list_lets_pass_what_it_names_and_tells_what_is_unused(output: 
     assert done.stderr.count("lets nothing pass") == 1
 
 
+def test_a_dry_run_goes_on_after_a_block_that_is_allowed(output: Path) -> None:
+    text = GOOD.replace("G0 Z10.", "G987 P2\nG2 X30. R0.1")
+    (output / "code.nc").write_text(text)
+    done = gate([output / "code.nc"], MILL, allow=[Allowed("G987", "*", 1)])
+    assert [(f.name, f.line) for f in done.files[0].findings] == [("dry-run-alarm", 8)]
+    assert [f.word for f in done.files[0].allowed] == ["G987"]
+
+
 def test_an_entry_for_other_files_lets_nothing_pass(output: Path) -> None:
     done = gate([output / "code.nc"], MILL, allow=[Allowed("G987", "other*", 1)])
     assert not done.files[0].passes()
@@ -163,3 +176,63 @@ def test_a_thousand_files_are_quick(output: Path) -> None:
     assert len(done.files) == 1000
     assert all(file.passes() for file in done.files)
     assert time.perf_counter() - began < 60  # two seconds where nothing else runs
+
+
+# ---- the action ----
+
+ACTION = Path(__file__).parent.parent / ".github" / "actions" / "gate" / "action.yml"
+
+
+def script_of_the_action() -> tuple[str, dict[str, str]]:
+    """Return the script of the last step, and its variables: each names the input it is given."""
+    text = ACTION.read_text(encoding="utf-8")
+    step = text[text.rindex("- shell: bash") :]
+    env, script = step.split("run: |\n")
+    names = dict(re.findall(r"^ +([A-Z_]+): \$\{\{ inputs\.([a-z-]+) \}\}$", env, re.MULTILINE))
+    return textwrap.dedent(script), names
+
+
+def test_the_inputs_of_the_action_are_those_of_its_page() -> None:
+    text = ACTION.read_text(encoding="utf-8")
+    inputs = re.findall(r"^  ([a-z-]+):$", text[: text.index("runs:")], re.MULTILINE)
+    used = set(re.findall(r"inputs\.([a-z-]+)", text))
+    assert set(inputs) == used
+    page = ACTION.with_name("README.md").read_text(encoding="utf-8")
+    assert all(f"`{name}`" in page for name in inputs)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the action runs bash")
+@pytest.mark.parametrize(("strict", "status"), [("false", 1), ("true", 1)])
+def test_the_action_marks_lines_and_fails(output: Path, strict: str, status: int) -> None:
+    script, names = script_of_the_action()
+    assert set(names.values()) == {"paths", "control", "allow", "setup", "strict"}
+    command = output.parent / "bin" / "cncsub"
+    command.parent.mkdir()
+    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m cncsub "$@"\n')
+    command.chmod(0o755)
+    (output / "with blank.nc").write_text(GOOD)
+    (output.parent / "allow.txt").write_text("head-missing\n")
+    summary = output.parent / "summary"
+    given = {
+        "PATHS": "out/with blank.nc\nout/head.nc\nout/code.nc\n",
+        "CNCSUB_CONTROL": MILL,
+        "ALLOW": "allow.txt",
+        "SETUP": "",
+        "STRICT": strict,
+        "GITHUB_STEP_SUMMARY": str(summary),
+        "PATH": f"{command.parent}{os.pathsep}{os.environ['PATH']}",
+    }
+    done = subprocess.run(
+        ["bash", "-e", "-c", script],
+        env={**os.environ, **given},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert done.returncode == status, done.stderr
+    assert "::error file=out/code.nc,line=7" in done.stdout
+    lines = summary.read_text().splitlines()
+    assert lines[0] == "passed out/with blank.nc"
+    assert lines[1] == "passed out/head.nc"
+    assert lines[2].startswith("FAILED out/code.nc")

@@ -3,43 +3,21 @@
 from __future__ import annotations
 
 import contextlib
-import fnmatch
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from pathlib import Path, PurePath
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from cncsub._core import Control
-from cncsub.archive.gating import gate_finding
+from cncsub.archive.gating import ONLY_OF_GATE, Allowed, gate_finding
 from cncsub.archive.many import LIMITS, Crew, Paths, jobs_of, task_of
 from cncsub.archive.work import do_chunk
 from cncsub.checking import Finding
 from cncsub.files import StrPath
 from cncsub.loading import loads
 from cncsub.setup import Setup
-
-
-class Allowed(NamedTuple):
-    """An entry of an allow list: what may be found, and in which files.
-
-    `what`: a word such as `G187`, the number or the name of a rule, the number of an alarm, or `*`.
-    `files`: a pattern that the path of a file, or its name, matches. `line`: of the list.
-    """
-
-    what: str
-    files: str
-    line: int
-
-    def allows(self, path: str, finding: Finding) -> bool:
-        """Return whether the entry lets a finding in a file pass."""
-        name = PurePath(path)
-        if not any(fnmatch.fnmatch(each, self.files) for each in (name.as_posix(), name.name)):
-            return False
-        number = finding.alarm.number if finding.alarm is not None else None
-        told = (finding.rule, finding.name, finding.word.strip(), number or "", "*")
-        return self.what.upper() in (each.upper() for each in told)
 
 
 def read_allow_list(path: StrPath) -> tuple[Allowed, ...]:
@@ -112,7 +90,8 @@ def gate(
     """Check and run every program file of some files and folders: refused and not computed codes,
     missing heads and ends, the alarm of a dry run, and with limits in `setup` the ends of travel.
 
-    `allow`: an allow list, or the file of one: see `read_allow_list`. `rules` and `entry` are those
+    `allow`: an allow list, or the file of one: see `read_allow_list`. A block with a code that it
+    allows is left out of the dry run, which would stop there. `rules` and `entry` are those
     of `Library.check`; `each`, `external`, `encoding`, `executor` and `jobs` are as for `run_many`;
     `limits` are options of `Library.run`, without which a run may take 1,000,000 blocks, 10 seconds
     and 512 MiB. What `check` tells as not computed is an error here.
@@ -128,14 +107,19 @@ def gate(
     [('CS102', 'G987')]
     """
     options: dict[str, Any] = {**LIMITS, **limits}
-    asked = {"rules": rules, "setup": setup, "entry": tuple(entry) or None}
+    entries = read_allow_list(allow) if isinstance(allow, str | os.PathLike) else tuple(allow)
+    asked = {
+        "rules": rules,
+        "setup": setup,
+        "entry": tuple(entry) or None,
+        "allow": entries or None,
+    }
     options.update({name: value for name, value in asked.items() if value is not None})
     task = task_of("gate", control, each, external, encoding, options)
-    running = {name: value for name, value in options.items() if name not in ("rules", "entry")}
+    running = {name: value for name, value in options.items() if name not in ONLY_OF_GATE}
     library = loads("", control=task.control, external=external)
     library.check(rules=rules, setup=setup, entry=entry)  # wrong options are told now
     library.run(**running)
-    entries = read_allow_list(allow) if isinstance(allow, str | os.PathLike) else tuple(allow)
     skipped: dict[str, int] = {}
     rows: dict[int, list[tuple[str, list[Any]]]] = {}
     with contextlib.closing(Crew(executor, jobs)) as crew:

@@ -4,9 +4,11 @@ alarm of a dry run.
 
 from __future__ import annotations
 
+import fnmatch
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
-from typing import Any
+from pathlib import PurePath
+from typing import Any, NamedTuple
 
 from cncsub.checking import CheckRule, Finding
 from cncsub.interrupts import uninterrupted
@@ -75,6 +77,31 @@ _BY_NAME = {rule.name: rule for rule in RULES}
 _NOT_COMPUTED = "not-computed"  # a rule of `check`: what cncsub cannot compute, nobody has proved
 
 
+class Allowed(NamedTuple):
+    """An entry of an allow list: what may be found, and in which files.
+
+    `what`: a word such as `G187`, the number or the name of a rule, the number of an alarm, or `*`.
+    `files`: a pattern that the path of a file, or its name, matches. `line`: of the list.
+    """
+
+    what: str
+    files: str
+    line: int
+
+    def allows(self, path: str, finding: Finding) -> bool:
+        """Return whether the entry lets a finding in a file pass."""
+        name = PurePath(path)
+        if not any(fnmatch.fnmatch(each, self.files) for each in (name.as_posix(), name.name)):
+            return False
+        number = finding.alarm.number if finding.alarm is not None else None
+        told = (finding.rule, finding.name, finding.word.strip(), number or "", "*")
+        return self.what.upper() in (each.upper() for each in told)
+
+
+# Options that a run has not.
+ONLY_OF_GATE = ("rules", "entry", "allow")
+
+
 def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) -> list[Finding]:
     """Return what a gate finds in a memory, in these files of it: what `Library.check` finds, the
     form of the files, and the alarm of a run. `options`: `setup`, `rules`, `entry` of `check`, and
@@ -85,8 +112,8 @@ def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) ->
     found = [finding for finding in library.check(**asked) if finding.file in own]
     found = [_in_earnest(finding) for finding in found]
     found += [finding for name in own for finding in _form(library, name)]
-    limits = {name: value for name, value in options.items() if name not in ("rules", "entry")}
-    run = uninterrupted(library.run(**limits))
+    limits = {name: value for name, value in options.items() if name not in ONLY_OF_GATE}
+    run = uninterrupted(_without_allowed(library, found, options).run(**limits))
     found += [finding for finding in _stopped(library, run) if not _known(finding, found)]
     return sorted(found, key=lambda finding: (finding.file, finding.line, finding.column))
 
@@ -94,6 +121,35 @@ def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) ->
 def _in_earnest(finding: Finding) -> Finding:
     """Make an error of what is not computed: a gate lets nothing pass that nobody looked at."""
     return replace(finding, severity="error") if finding.name == _NOT_COMPUTED else finding
+
+
+def _without_allowed(
+    library: Library, found: Iterable[Finding], options: Mapping[str, Any]
+) -> Library:
+    """Return the memory with blanks for the blocks that have a code the allow list lets pass: the
+    machine knows what they do, and a run would stop there.
+    """
+    allowed = {
+        at
+        for finding in found
+        if any(entry.allows(finding.file, finding) for entry in options.get("allow", ()))
+        and (finding.alarm is not None or finding.name == _NOT_COMPUTED)
+        for at in ((finding.file, finding.line), *((p.file, p.line) for p in finding.places))
+    }
+    if not allowed:
+        return library
+    texts: dict[str, list[str]] = {}
+    for name, _, data, _ in library.code.sources:
+        texts[name] = data.decode("utf-8", "surrogateescape").split("\n")
+    for program in library.values():
+        for block in program.blocks:
+            if (program.file, block.line) in allowed:
+                lines = texts[program.file]
+                left_out = lines[block.line - 1].replace(block.text, " " * len(block.text), 1)
+                lines[block.line - 1] = left_out
+    return library.with_texts(
+        library.control, {name: "\n".join(lines) for name, lines in texts.items()}
+    )
 
 
 def _known(finding: Finding, found: Iterable[Finding]) -> bool:

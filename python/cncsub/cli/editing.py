@@ -161,9 +161,9 @@ def _edit(
         except EditError as error:
             _refused(error, library, options)
             raise typer.Exit(1) from None
+        _finish(made, proof, own, options)
         if options["format"] is Format.TEXT:
             _tell(made, proof)
-        _finish(made, proof, own, options)
     shows = options["check"] or options["diff"]
     raise typer.Exit(1 if shows and not made.empty else 0)
 
