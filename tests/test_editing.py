@@ -214,6 +214,13 @@ RENAMED = [
         "WIDE",
         'DEF REAL WIDE=3\nWIDE=WIDE*2\nMSG("LENG")\nR1=WIDE ; LENG\nM17\n',
     ),
+    (
+        "%1\nN1 M98 P2\nM30\n%2\nM99\n",
+        "hnc-21m",
+        "O2",
+        9,
+        "%1\nN1 M98 P9\nM30\n%9\nM99\n",
+    ),
     ("R1=2\nR2=R1*R11\nM17\n", "siemens-one", "R1", "R5", "R5=2\nR2=R5*R11\nM17\n"),
     (
         "o<ab> sub\n#<x>=1\n(debug, #<x>)\no<ab> endsub\no<ab> call [1]\nm2\n",
@@ -272,6 +279,9 @@ NOT_RENAMED = [
     ("O1\n#1=2\n#5=1\nM30\n", MILL, "#1", 5, "#5 stands here already"),
     ("O1\n#1=2\nM30\n", MILL, "#1", 100, "#1 is local and #100 is common"),
     ("O1\nG65 P2 A1.\nM30\nO2\n#3=#1\nM99\n", MILL, ("<text>", 5, 5), 5, "A1. means #1"),
+    ("O1\nM98 P2\nM30\nO2\nM99\n", "gsk-928te", "O2", 300, "the control has numbers to 254"),
+    ("N1 CYCLE84(5,0,1,-5,,,,3,,1)\nM30\n", "siemens-one", ("<text>", 1, 5), "NEWER", "a program of the control"),
+    ("#1=#<_x>\nM2\n", "linuxcnc", ("<text>", 1, 7), "new", "_x means"),
     ("O1\nN1 GOTO20\nN20 M30\n", "fanuc-16i", "N20", 100000, "the control has numbers to 99999"),
 ]
 

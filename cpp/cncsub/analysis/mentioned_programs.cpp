@@ -108,9 +108,12 @@ void MentionReader::head() {
   const Program& program = own();
   at_ = kNowhere;
   const bool of_file = program.name_length == Program::kOfFile;
-  Mention& mention =
-      add(Mention::Kind::Program,
-          of_file ? TextPlace{program.text, 0} : TextPlace{program.name_at, program.name_length});
+  TextPlace place{program.text, 0};
+  if (!of_file) place = {program.name_at, program.name_length};
+  // The sign of a number, as of %1, is no part of it.
+  if (!of_file && program.number >= 0)
+    place = digits_in(text(), place, program.number).value_or(place);
+  Mention& mention = add(Mention::Kind::Program, place);
   mention.defines = true;
   mention.fixed = of_file;
   mention.number = program.number;
@@ -153,7 +156,8 @@ void MentionReader::o_word(const OWord& own_word) {
   mention.fixed = !place;
   mention.name = label;
   mention.number = of_program ? number_in(label) : -1;
-  mention.to_program = program_;
+  const bool own_label = !of_program || same_letters(code_.name_of(program_), label);
+  mention.to_program = own_label ? program_ : code_.find(label);
 }
 
 }  // namespace cncsub

@@ -48,7 +48,13 @@ void MentionReader::variable(const NamePiece& piece, std::string_view text, std:
     const auto named =
         std::find_if(code_.named_variables.begin(), code_.named_variables.end(),
                      [&](const NamedVariable& of) { return same_letters(of.name, name); });
-    added(named == code_.named_variables.end() || named->common).name = name;
+    const bool own_name = named != code_.named_variables.end();
+    const bool known =
+        own_name || std::any_of(code_.names.begin(), code_.names.end(),
+                                [&](const std::string& of) { return same_letters(of, name); });
+    Mention& mention = added(!own_name || named->common);
+    mention.name = name;
+    mention.fixed = !known;  // one of the control
     return;
   }
   if (has(defined_by(code_, own()), name))

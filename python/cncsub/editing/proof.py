@@ -73,7 +73,9 @@ class _EditedPair(Pair):
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
         def stop(run: Run, library: Library) -> tuple[object, ...]:
             alarm = run.alarm
-            told = (run.stop, run.waiting_for, len(run.steps))
+            # What a run waits for may name a variable.
+            waits = run.waiting_for if not self._edits.variables else None
+            told = (run.stop, waits, len(run.steps))
             if alarm is None:
                 return told
             return (*told, alarm.cause, self._told_apart(alarm.program, library), alarm.line)

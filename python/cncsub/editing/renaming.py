@@ -118,6 +118,8 @@ def _plain(library: Library, m: Mention, new: str | int) -> str:
         if not (text.isascii() and text.isdecimal() and len(text) <= 15):
             raise ValueError(f"{m.shown} has a number: {new!r} is none")
         return str(int(text))
+    if m.kind in ("label", "program") and m.name.isdecimal() != text.isdecimal():
+        raise ValueError(f"{m.shown} and {new!r} have to be two numbers, or two names")
     plain = text.replace("_", "").replace("-", "").replace(".", "")
     if not (
         plain.isascii() and plain.isalnum() and text[0].isascii() and not text[0].isdecimal()
@@ -209,6 +211,8 @@ class _Renaming:
             near = m.kind == "program" or m.to_program in places
             if near and called.upper() == new.upper():
                 raise self._refused(m, f"{m.shown} stands here already")
+        if found.kind == "program" and self._is_of_control():
+            raise self._refused(found, f"{found.shown} is a program of the control")
         if found.kind == "program" and self._taken_program():
             raise self._refused(found, f"there is a program {new} already")
         if found.kind == "variable" and found.number is not None:
@@ -216,6 +220,10 @@ class _Renaming:
 
     def _refused(self, at: Mention, why: str) -> EditError:
         return refusal(self._library, [(at.program, at.block, why)])
+
+    def _is_of_control(self) -> bool:
+        to = self._found.to_program
+        return to is not None and self._library.code.program(to).system
 
     def _taken_program(self) -> bool:
         other = find_program(
@@ -289,14 +297,14 @@ class _Renaming:
             raise refusal(self._library, causes)
 
     def _refuse_too_large(self, own: Sequence[Mention]) -> None:
-        if self._found.kind != "number":
-            return
-        for name in ("max_sequence_number", "max_jump_number"):
+        rules = {
+            "number": ("max_sequence_number", "max_jump_number"),
+            "program": ("max_program_number",),
+        }
+        for name in rules.get(self._found.kind, ()):
             most = rule(self._library.control, name)
-            if isinstance(most, int) and int(self._new) > most:
-                first = own[0]
-                why = f"the control has numbers to {most}"
-                raise refusal(self._library, [(first.program, first.block, why)])
+            if self._new.isdecimal() and isinstance(most, int) and int(self._new) > most:
+                raise self._refused(own[0], f"the control has numbers to {most}")
 
     # ---- names of programs and files ----
 
@@ -305,7 +313,8 @@ class _Renaming:
             return Edits(self._library, edits, variables={self._found.number: int(self._new)})
         if self._found.kind != "program" or self._found.to_program is None:
             return Edits(self._library, edits)
-        data = self._library.code.program(self._found.to_program)
+        at = self._found.to_program
+        data = self._library.code.program(at)
         files, notes = {}, []
         old = data.name
         if not data.has_head:
@@ -313,7 +322,8 @@ class _Renaming:
             notes.append(f"{old}: its file has to be called {Path(files[data.file]).name}")
         new = f"O{self._new}" if self._found.number is not None else self._new
         made = Edits(self._library, edits, tuple(notes), files)
-        name = made.after.code.program(self._found.to_program).name
+        code = made.after.code
+        name = code.program(at).name if at < len(code) else ""  # the proof finds that it is gone
         return Edits(self._library, edits, tuple(notes), files, {name or new: old})
 
     def _file_named(self, file: str, old: str) -> str:
