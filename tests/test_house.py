@@ -124,14 +124,15 @@ MAY_IMPORT = {
     "resume": {"base", "tables", "analysis"},
     "face": {"base", "tables", "coverage", "analysis", "drawing", "resume"},
     "comparison": {"base", "tables", "analysis", "face"},
+    "editing": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive", "resume"},
     "testing": {"base", "analysis", "face", "package"},
-    "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "package", "resume"},
+    "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
+    | {"reports", "archive", "package", "resume"},
 }
 
 

@@ -1,5 +1,4 @@
-"""The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `resume`, `report`, `plot`, `batch`, `controls`, `explain`.
+"""The command line: `cncsub` and a command, of which `COMMANDS` is the list.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -37,12 +36,15 @@ COMMANDS = {
     "diff": ("cli.compare.diff", "Compare two versions: what the new one does differently."),
     "flatten": ("cli.flatten.flatten", "Write one program without calls."),
     "resume": ("cli.resume.resume", "Start a run again in the middle."),
+    "renumber": ("cli.editing.renumber", "Give blocks new numbers, with all that names them."),
+    "format": ("cli.editing.format_files", "Lay out blocks alike: blanks, loops, capitals."),
     "coverage": ("cli.coverage.coverage", "Show which blocks and branches ran."),
     "report": ("cli.report.report", "Write a run as one page of HTML."),
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
+    "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
 LOOK: dict[str, Any] = {
