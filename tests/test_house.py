@@ -125,12 +125,13 @@ MAY_IMPORT = {
     "comparison": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
+    "debugging": {"base", "tables", "face", "reports"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "package"},
+    | {"archive", "debugging", "package"},
 }
 
 
