@@ -88,6 +88,17 @@ def test_a_machine_stops_at_breakpoints(
     assert machine.reached == ()
 
 
+def test_a_cycle_that_is_a_program_of_the_control_is_called_and_left() -> None:
+    text = "N10 G0 X5 Z10 F100\nN20 CYCLE81(10,0,2,-5)\nN30 M30\n"
+    machine = cncsub.loads({"A.MPF": text}, control="siemens-one").machine()
+    assert machine.run(until="call CYCLE81") is None
+    assert [frame.called for frame in machine.stack] == ["CYCLE81"]
+    assert machine.run(until="return CYCLE81") is None
+    assert at(machine) == 30
+    with pytest.raises(KeyError, match="no program CYCLE81"):
+        machine.run(until="CYCLE81:N10")
+
+
 def test_reached_names_the_breakpoints_that_were_met(machine: cncsub.Machine) -> None:
     given = [cncsub.Breakpoint("M6"), cncsub.Breakpoint("T"), "O1:N70"]
     assert machine.run(until=given) is None
@@ -132,7 +143,9 @@ def test_conditions_are_in_the_language_of_the_control(
 
 
 def test_conditions_that_are_none_are_refused_with_their_place(machine: cncsub.Machine) -> None:
-    with pytest.raises(ValueError, match=r"when: .* on fanuc-0i-f\n  #1 GTT 3\n      \^") as error:
+    with pytest.raises(
+        ValueError, match=r"when: .* on fanuc-0i-f\n  #1 GTT 3\n     \^\^\^"
+    ) as error:
         machine.run(until=cncsub.Breakpoint("O2:N110", when="#1 GTT 3"))
     assert machine.blocks == 0
     with pytest.raises(ValueError, match="changes: "):
@@ -157,6 +170,43 @@ def test_a_condition_without_a_value_stops_before_its_block() -> None:
     finished = machine.run()
     assert finished is not None
     assert finished.stop == "end"
+
+
+@pytest.mark.parametrize("trace", ["none", "calls", "blocks", "moves"])
+def test_moves_inside_a_cycle_pass_a_value_whatever_is_recorded(trace: str) -> None:
+    text = "O1\nN10 G90 G0 Z5.\nN20 G81 X10. Z-8. R2. F100\nN30 G80 Z20.\nN40 M30\n"
+    machine = cncsub.loads(text, control=CONTROL).machine(trace=trace)
+    assert stops(machine, "passes Z -5") == [30]
+    assert len(machine.moves) == (6 if trace == "moves" else 0)
+    machine.back("passes Z -5")
+    assert at(machine) == 20
+
+
+def test_another_thread_pauses_a_run() -> None:
+    machine = cncsub.loads("O1\nN10 #1=1\nN20 GOTO10\n", control=CONTROL).machine(
+        max_blocks=10**15, trace="none"
+    )
+    for until in (None, -1, "M6"):
+        timer = threading.Timer(0.05, machine.pause)
+        timer.start()
+        before = machine.blocks
+        assert machine.run(until=until) is None
+        timer.join()
+        assert machine.stop == "interrupted"
+        assert machine.reached == ()
+        assert machine.blocks > before
+    machine.pause()  # no run is under way: the next one is meant
+    assert machine.run() is None
+    assert machine.run(until="O1:N10") is None
+    assert machine.stop is None
+    assert at(machine) == 10
+
+
+def test_modes_are_named_as_the_machine_shows_them(machine: cncsub.Machine) -> None:
+    machine.run(until="O1:N70")
+    for name in machine.modal:
+        assert machine.run(until=["O1:N70", f"mode {name}"]) is not None
+        machine.back("O1:N70")
 
 
 def test_evaluating_changes_nothing() -> None:
@@ -283,18 +333,29 @@ def test_where_there_is_nothing_to_go_back_to_the_machine_stays(machine: cncsub.
     assert machine.blocks == 1
 
 
-def test_an_alarm_is_gone_where_the_machine_goes_back() -> None:
+@pytest.mark.parametrize(
+    "to",
+    [
+        "alarm PS0076",
+        "alarm",
+        cncsub.Breakpoint("alarm"),
+        ["alarm"],
+        ["O1:N10", "alarm program-not-found"],
+        cncsub.Breakpoint("alarm", when="#100 EQ 9"),
+    ],
+)
+def test_an_alarm_is_gone_where_the_machine_goes_back(to: Any) -> None:
     text = "O1\nN10 #100=9\nN20 M98 P#100\nN30 M30\nO2\nN40 M99\n"
     machine = cncsub.loads(text, control=CONTROL).machine()
     machine.run()
     assert machine.alarm is not None
-    with pytest.raises(ValueError, match="did not stop with 'alarm PS0077'"):
+    with pytest.raises(ValueError, match="'alarm PS0077' was not met in the 1 blocks before"):
         machine.back("alarm PS0077")
-    machine.back("alarm PS0076")
+    machine.back(to)
     assert machine.alarm is None
     assert machine.next is not None
     assert machine.next.n == 20
-    with pytest.raises(ValueError, match="did not stop with 'alarm'"):
+    with pytest.raises(ValueError, match="'alarm' was not met"):
         machine.back("alarm")
     machine.variables[100] = 2
     finished = machine.run()

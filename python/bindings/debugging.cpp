@@ -63,19 +63,19 @@ std::vector<Breakpoint> breakpoints_of(const py::list& given, const Code& code,
   return list;
 }
 
-/// Run to one of the breakpoints. Return which were reached, and the fault of one that could not be
-/// evaluated.
+/// Run to one of the breakpoints. Return which were reached, the fault of one that could not be
+/// evaluated, and whether another thread wanted a pause.
 py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expressions) {
   const Work machine(live);
   auto list = breakpoints_of(given, machine->code(), expressions);
   std::optional<Breakpoints> after;
-  with_signals([&](const auto& interrupted) {
+  const bool paused = with_signals(live, [&](const auto& interrupted) {
     after.emplace(machine->run(interrupted, std::move(list), expressions));
   });
   py::object faulty = py::none();
   if (const auto& fault = after->faulty())
     faulty = py::make_tuple(fault->first, fault->second.detail);
-  return py::make_tuple(py::cast(after->reached()), faulty);
+  return py::make_tuple(py::cast(after->reached()), faulty, paused);
 }
 
 /// Return the last step before the present one at which a breakpoint shows a block; -1: none.

@@ -23,6 +23,8 @@ struct Live {
   const std::shared_ptr<const Code> code = machine.shared_code();
   std::atomic<int> lookers = 0;  // how many read the machine; kAtWork: it changes
   static constexpr int kAtWork = -1;
+  // Another thread asked the run that is under way, or the next one, to pause.
+  std::atomic<bool> pause = false;
 };
 
 /// Exclusive access to the machine, to change it.
@@ -66,14 +68,17 @@ class Look {
   Live& live_;
 };
 
-/// Do a job without the GIL. What it gets takes the GIL now and then to let Ctrl-C in, which ends
-/// the job. An exception that another signal's handler raises is passed on.
+/// Run a machine without the GIL. What the job gets takes the GIL now and then to let Ctrl-C in,
+/// which ends the job, and asks whether another thread wants it to pause. An exception that another
+/// signal's handler raises is passed on. Return whether it was to pause.
 template <class Job>
-void with_signals(Job&& job) {
+bool with_signals(Live& live, Job&& job) {
   std::optional<pybind11::error_already_set> other;
+  bool paused = false;
   {
     GilRelease away;
-    const auto interrupted = [&other] {
+    const auto interrupted = [&] {
+      if (live.pause.exchange(false)) return paused = true;
       if (PyErr_CheckSignals() == 0) return false;
       if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
         PyErr_Clear();
@@ -84,6 +89,7 @@ void with_signals(Job&& job) {
     std::forward<Job>(job)(std::function<bool()>([&] { return away.ask(interrupted); }));
   }
   if (other) throw std::move(*other);
+  return paused;
 }
 
 using MachineClass = pybind11::class_<Live, std::shared_ptr<Live>>;

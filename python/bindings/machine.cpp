@@ -52,9 +52,9 @@ std::shared_ptr<Live> make_machine(const std::shared_ptr<Code>& code, std::int32
   return live;
 }
 
-void run(Live& live) {
+bool run(Live& live) {
   const Work machine(live);
-  with_signals([&](const auto& interrupted) { machine->run(interrupted); });
+  return with_signals(live, [&](const auto& interrupted) { machine->run(interrupted); });
 }
 
 /// Execute a step and return it; None where the run has stopped.
@@ -70,7 +70,7 @@ py::object step(Live& live, const py::type& row) {
 
 void run_blocks(Live& live, std::int64_t blocks) {
   const Work machine(live);
-  with_signals([&](const auto& interrupted) { machine->run(interrupted, blocks); });
+  with_signals(live, [&](const auto& interrupted) { machine->run(interrupted, blocks); });
 }
 
 py::object stop_of(Live& live) {
@@ -224,6 +224,7 @@ void add_run(MachineClass& machine) {
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step, py::arg("row"))
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
+      .def("pause", [](Live& live) { live.pause = true; })
       .def("interrupt", [](Live& live) { Work(live)->interrupt(); })
       .def("take",
            [](Live& live) {
@@ -296,6 +297,7 @@ void add_machine(py::module_& m) {
   add_run(machine);
   add_variables(machine);
   add_debugging(machine);
+  m.def("mode_names", &mode_names);
   m.def("machine", &make_machine, py::arg("code"), py::arg("main"));
 }
 

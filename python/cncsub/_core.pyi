@@ -537,8 +537,10 @@ class Machine:
     """One run of one program, whole or step by step. One thread uses it at a time: any other call
     while a thread runs it raises `RuntimeError`.
     """
-    def run(self) -> None:
-        """Run on. Ctrl-C stops it as interrupted."""
+    def run(self) -> bool:
+        """Run on. Ctrl-C stops it as interrupted. Return whether `pause` did."""
+    def pause(self) -> None:
+        """Stop the run that another thread is at, or the next one, as Ctrl-C does."""
     @final
     class Expressions:
         """Expressions that were compiled beside the programs."""
@@ -553,8 +555,10 @@ class Machine:
         """Return the value of one; a `ValueError` says why it has none."""
     def run_to(
         self, breakpoints: list[dict[str, Any]], expressions: Expressions
-    ) -> tuple[list[int], tuple[int, str] | None]:
-        """Run to a breakpoint. Return which were reached, and the one that has no value here."""
+    ) -> tuple[list[int], tuple[int, str] | None, bool]:
+        """Run to a breakpoint. Return which were reached, the one that has no value here, and
+        whether `pause` stopped it.
+        """
     def set_mode(self, mode: str, text: str) -> None:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
@@ -656,4 +660,5 @@ class Flattening:
     def program_names(self) -> list[str]: ...
 
 def flattening(machine: Machine, comments: bool, other: Machine | None = None) -> Flattening: ...
+def mode_names() -> list[str]: ...  # that `modal` may show
 def machine(code: Code, main: int, **options: Any) -> Machine: ...

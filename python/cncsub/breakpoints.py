@@ -11,16 +11,9 @@ from cncsub import _core
 from cncsub.controls import did_you_mean
 from cncsub.files import one_line
 from cncsub.inputs import is_whole
-from cncsub.program import Block, find_program
+from cncsub.program import Block, find_program, place_of_program
 from cncsub.setup import AXES
 
-# fmt: off
-_MODES = (
-    "motion", "plane", "distance", "feed_mode", "units", "radius", "length", "cycle", "return",
-    "scaling", "surface", "work", "path", "rotation", "polar", "mirror", "stroke",
-    "F", "S", "T", "H", "D",
-)
-# fmt: on
 _FORMS = (
     "'O2:N30' (program and sequence number), 'job.nc:12' (file or program and line), 'call',"
     " 'call O2', 'return', 'return O2', 'alarm', 'alarm 078', 'M6', 'T3', 'M', 'T',"
@@ -129,16 +122,8 @@ class Compiled:
     def _blocks(self, program: int, n: int = -1, line: int = -1) -> dict[str, Any]:
         return {"kind": "block", "blocks": self._core.blocks_at(program, n, line)}
 
-    def _program(self, name: str | int) -> int:
-        code = self._core.code
-        index = find_program(code, name)
-        if index < 0:
-            known = did_you_mean(name, code.names())
-            raise KeyError(f"no program {name} in the memory{known}")
-        return index
-
     def _numbered(self, name: str | int, n: int) -> dict[str, Any]:
-        index = self._program(name)
+        index = place_of_program(self._core.code, name)
         row = self._blocks(index, n=n if 0 <= n < 2**31 else 2**31)
         if not row["blocks"]:
             program = self._core.code.program(index)
@@ -154,7 +139,8 @@ class Compiled:
         word, _, rest = one_line(text).strip().partition(" ")
         rest = rest.strip()
         if word in ("call", "return"):
-            return {"kind": word, "number": self._program(rest) if rest else -1}
+            called = place_of_program(self._core.code, rest, of_control=True) if rest else -1
+            return {"kind": word, "number": called}
         if word == "alarm":
             return {"kind": word, "name": self._alarm(rest)}
         if word == "changes" and rest:
@@ -162,8 +148,8 @@ class Compiled:
         if word == "passes":
             return self._axis(rest)
         if word == "mode":
-            if rest and rest not in _MODES:
-                raise ValueError(f"no mode is called {rest!r}; there are {', '.join(_MODES)}")
+            if rest and rest not in (modes := _core.mode_names()):
+                raise ValueError(f"no mode is called {rest!r}; there are {', '.join(modes)}")
             return {"kind": word, "name": rest}
         if code := re.fullmatch(r"([MTS])(\d{0,9})", text.strip()):
             return {"kind": "code", "letter": code[1], "number": int(code[2] or -1)}

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any, Unpack
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.collectors import tell
-from cncsub.controls import Named, control_of, did_you_mean
+from cncsub.controls import Named, control_of
 from cncsub.files import TEXT, CoreFile, clean, cut, shown_and_stem, text_pieces
 from cncsub.machine import Machine
-from cncsub.program import Program, find_program, named_like
+from cncsub.program import Program, find_program, named_like, place_of_program
 from cncsub.run import Run
 from cncsub.run_options import (
     FlattenOptions,
@@ -36,8 +36,6 @@ if TYPE_CHECKING:
 
 # A file of the memory: its name, its stem, its text in UTF-8, and whether it is external.
 _Source = tuple[str, str, bytes, bool]
-
-_NEAR = 5000  # names that are compared with an unknown one
 
 
 class Library(Mapping[str, Program]):
@@ -127,13 +125,9 @@ class Library(Mapping[str, Program]):
 
     def _find(self, name: object) -> int:
         try:
-            index = find_program(self.code, name)
+            return place_of_program(self.code, name)
         except TypeError as error:
             raise KeyError(str(error)) from None
-        if index >= 0:
-            return index
-        known = did_you_mean(name, self._names[:_NEAR], _listing(self._names))
-        raise KeyError(f"no program {name} in the memory{known}")
 
     @property
     def control(self) -> Control:
@@ -487,12 +481,6 @@ def _one_program(code: _core.Code, *, named: bool) -> _core.ProgramData:
             "with_program needs a program with a name: begin it with O1000, or give name="
         )
     return whole[0]
-
-
-def _listing(names: Sequence[str]) -> str:
-    if not names:
-        return ", which is empty"
-    return f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
 
 
 def _finished(core: _core.Machine) -> Run:

@@ -79,7 +79,8 @@ class Machine(Outcome):
         `("O2", 30)` stop before that block; a text or a `Breakpoint` is as described there. A whole
         number stops where no more than that many calls are open:
         `machine.run(until=len(machine.stack) - 1)` steps out, of the main program to its end (-1).
-        Returns `None` where it stopped there; `reached` tells which ones it was. What the machine
+        Returns `None` where it stopped there, and where `pause` stopped it; `reached` tells which
+        breakpoints it was. What the machine
         stands at does not stop it again. A machine that Ctrl-C stopped goes on.
 
         Raises `KeyError` for a program, a block or a line that is not there, `ValueError` for a
@@ -98,26 +99,43 @@ class Machine(Outcome):
         """
         if until is None:
             self._reached = ()
-            self.core.run()
+            paused = self.core.run()
         elif is_whole(until):
-            self._run_to([], _depth(until))  # type: ignore[arg-type]
+            paused = self._run_to([], _depth(until))  # type: ignore[arg-type]
         else:
-            self._run_to(as_breakpoints(until), None)
+            paused = self._run_to(as_breakpoints(until), None)
         # The machine may go on; the run is a copy and does not change.
-        return None if self.core.stop is None else Run(self.core.copy())
+        return None if paused or self.core.stop is None else Run(self.core.copy())
 
-    def _run_to(self, breakpoints: list[Breakpoint], depth: int | None) -> None:
-        """Run to one of the breakpoints, or until so few calls are open."""
+    def pause(self) -> None:
+        """Stop the `run` that another thread is at, or the next one where none is under way. It
+        returns `None` within some hundredths of a second, with nothing in `reached`, and `stop` is
+        `Stop.INTERRUPTED` until the machine runs on.
+
+        >>> import cncsub, threading
+        >>> machine = cncsub.loads("O1\\nN10 GOTO10\\n", control="fanuc-0i-f").machine(
+        ...     max_blocks=10**12, trace="none")
+        >>> threading.Timer(0.01, machine.pause).start()
+        >>> machine.run() is None, machine.stop == "interrupted", machine.next.n
+        (True, True, 10)
+        """
+        self.core.pause()
+
+    def _run_to(self, breakpoints: list[Breakpoint], depth: int | None) -> bool:
+        """Run to one of the breakpoints, or until so few calls are open. Return whether `pause`
+        stopped it.
+        """
         compiled = Compiled(self.core, breakpoints)
         rows = compiled.rows
         if depth is not None:
             rows = [*rows, {"kind": "depth", "number": depth}]
         self._reached = ()
-        reached, faulty = self.core.run_to(rows, compiled.expressions)
+        reached, faulty, paused = self.core.run_to(rows, compiled.expressions)
         self._reached = tuple(breakpoints[i] for i in reached if i < len(breakpoints))
         if faulty is not None:
             place, detail = faulty
             raise ValueError(f"{breakpoints[place]!r} has no value at {self!r}: {detail}")
+        return paused
 
     @property
     def reached(self) -> tuple[Breakpoint, ...]:
@@ -170,15 +188,6 @@ class Machine(Outcome):
             if not 0 <= step <= blocks:
                 raise ValueError(f"to: the steps behind are 0 to {blocks}, not {step}")
             return step
-        if isinstance(to, str) and to.split()[:1] == ["alarm"]:
-            Compiled(self.core, [Breakpoint(to)])
-            if self.alarm is None or to.split()[1:] not in (
-                [],
-                [self.alarm.number],
-                [self.alarm.cause],
-            ):
-                raise ValueError(f"to: the machine did not stop with {to!r}")
-            return blocks
         if to == "call":
             if (step := self.core.step_of_call) < 0:
                 raise ValueError("to: no call is open; the main program runs")

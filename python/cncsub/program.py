@@ -10,12 +10,16 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple, overload
 
 from cncsub import _core
+from cncsub.controls import did_you_mean
 from cncsub.files import clean
 from cncsub.pickling import NotPicklable
 
 if TYPE_CHECKING:
     from cncsub._core import Control
     from cncsub.references import CallTo, JumpTo, References, VariableUse
+
+
+_NEAR = 5000  # names that are compared with an unknown one
 
 
 def find_program(code: _core.Code, name: object) -> int:
@@ -29,6 +33,22 @@ def find_program(code: _core.Code, name: object) -> int:
         raise TypeError(f"a program must be given by its name or number, not by {name!r}")
     number = operator.index(name)
     return code.find(number) if 0 <= number < 2**63 else -1  # the engine counts to 64 bits
+
+
+def place_of_program(code: _core.Code, name: object, *, of_control: bool = False) -> int:
+    """Return the place of a program as `find_program` does. `of_control`: a cycle that the control
+    has as a program of its own, such as CYCLE81, is found too. Raises `KeyError` with the names
+    that are near where there is none.
+    """
+    place = find_program(code, name)
+    if place < 0 and of_control and isinstance(name, str):
+        place = code.find(clean(name))
+    if place >= 0:
+        return place
+    names = code.names()
+    there = f"; there are {', '.join(names[:8])}{', ...' if len(names) > 8 else ''}"
+    known = did_you_mean(name, names[:_NEAR], there if names else ", which is empty")
+    raise KeyError(f"no program {name} in the memory{known}")
 
 
 def named_like(code: _core.Code, patterns: Iterable[str]) -> list[int]:

@@ -330,7 +330,7 @@ ExpressionList compile_expressions(const Code& code,
   auto with = std::make_shared<Code>(code);
   InterruptCheck never;
   Builder to(*with, never);
-  std::string all = " ";
+  std::string all = "\n";
   for (const auto& [text, program] : texts) all += text + '\n';
   Program holder;
   holder.file = static_cast<std::uint32_t>(with->files.size());

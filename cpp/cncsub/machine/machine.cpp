@@ -102,6 +102,7 @@ Breakpoints Machine::run(const std::function<bool()>& interrupted, std::vector<B
   run_with(run_, history_, interrupted,
            {[&] { return paused = breakpoints.pauses(run_); }, breakpoints.marked()}, paused);
   if (!paused) breakpoints.pauses(run_);
+  breakpoints.end(run_);
   return breakpoints;
 }
 

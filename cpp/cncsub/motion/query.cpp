@@ -180,6 +180,15 @@ std::optional<Group> group_named(std::string_view name) {
   return std::nullopt;
 }
 
+static constexpr std::string_view kWordModes = "FSTHD";
+
+std::vector<std::string> mode_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, group] : kNames) names.emplace_back(name);
+  for (const char word : kWordModes) names.emplace_back(1, word);
+  return names;
+}
+
 std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
   std::vector<std::pair<std::string, std::string>> list;
   for (const auto& [name, group] : kNames) {
@@ -190,7 +199,7 @@ std::vector<std::pair<std::string, std::string>> modal(MotionView m) {
       text += " P" + std::to_string(m.state.extra_system);
     list.emplace_back(name, text);
   }
-  for (const char word : {'F', 'S', 'T', 'H', 'D'})
+  for (const char word : kWordModes)
     list.emplace_back(std::string(1, word), number_text(modal_word(m, word)));
   return list;
 }

@@ -34,6 +34,8 @@ double offset(MotionView m, VariableKind kind, int number);
 
 std::vector<std::pair<std::string, double>> position(MotionView m);
 std::vector<std::pair<std::string, std::string>> modal(MotionView m);
+/// Return every name that `modal` may show.
+std::vector<std::string> mode_names();
 /// Return the group of codes that `modal` shows under a name; nothing for one of a word.
 std::optional<Group> group_named(std::string_view name);
 

@@ -94,7 +94,7 @@ void Moves::truncate(std::size_t rows) {
 void Moves::rewind(const Mark& mark) {
   truncate(mark.rows);
   extras_.resize(std::min(extras_.size(), mark.extras));
-  used_ = mark.used;
+  used_ = std::min(used_, mark.used);
 }
 
 MoveRow Moves::row(std::size_t index) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cncsub/machine/run/aside.hpp"
 #include "cncsub/motion/frame/frame.hpp"
@@ -22,6 +23,12 @@ std::int32_t opener_of_level(const State& s) {
 double coordinate(const Run& run, char axis) {
   const MotionState& state = run.motion.state();
   return as_programmed(state, state.work)[static_cast<std::size_t>(axis_of(axis))];
+}
+
+/// Forget the rows of moves that only breakpoints look at.
+void forget_moves(Run& run) {
+  run.trace.moves.rewind({});
+  run.motion.forget_table();
 }
 
 bool same(double a, double b) { return a == b || (is_vacant(a) && is_vacant(b)); }
@@ -48,7 +55,18 @@ Breakpoints::Breakpoints(std::vector<Breakpoint> list, ExpressionList expression
 void Breakpoints::begin(Run& run, bool here) {
   begun_ = here ? -1 : run.state.executed;
   seen_.clear();
+  run.watch.sees_moves = run.trace.depth != Trace::Depth::Moves && watches_axis();
   look(run);
+}
+
+void Breakpoints::end(Run& run) {
+  if (!std::exchange(run.watch.sees_moves, false)) return;
+  forget_moves(run);
+}
+
+bool Breakpoints::watches_axis() const {
+  return std::any_of(list_.begin(), list_.end(),
+                     [](const Breakpoint& of) { return of.kind == Breakpoint::Kind::Axis; });
 }
 
 bool Breakpoints::pauses(Run& run) {
@@ -61,9 +79,9 @@ bool Breakpoints::pauses(Run& run) {
 }
 
 std::int64_t Breakpoints::step_of_reached(const Run& run) const {
-  const bool place = std::any_of(reached_.begin(), reached_.end(),
-                                 [this](std::size_t i) { return list_[i].is_place(); });
-  return run.state.executed - (place ? 0 : 1);
+  const bool next = std::any_of(reached_.begin(), reached_.end(),
+                                [this](std::size_t i) { return list_[i].is_next(); });
+  return run.state.executed - (next ? 0 : 1);
 }
 
 bool Breakpoints::meets(Run& run, std::size_t index, bool moved) {
@@ -114,6 +132,7 @@ void Breakpoints::look(Run& run) {
   if (!each_) return;
   calls_ = run.trace.calls.size();
   codes_ = run.trace.codes.size();
+  if (run.watch.sees_moves) forget_moves(run);
   rows_ = run.trace.moves.size();
   const std::vector<OpenFrame>& open = run.state.frames;
   frames_.resize(open.size());

@@ -38,8 +38,9 @@ struct Breakpoint {
   std::uint32_t condition = kNone;   // the same: it counts only where this holds
   std::int64_t hits = 1;             // it pauses from this time on that it is met
 
-  /// Return whether the run pauses before the block, and not after the one that did it.
-  bool is_place() const { return kind == Kind::Block || kind == Kind::Depth; }
+  /// Return whether the block in question is the next one, and not the one before it: a block that
+  /// alarmed is not executed.
+  bool is_next() const { return kind == Kind::Block || kind == Kind::Depth || kind == Kind::Alarm; }
 };
 
 /// The breakpoints of a run, and what of it they compare with.
@@ -53,6 +54,8 @@ class Breakpoints {
   /// Compare with the present state from now on. `here`: whether the place where the run stands
   /// counts before a block was executed.
   void begin(Run& run, bool here = false);
+  /// Leave the run as it is without breakpoints.
+  void end(Run& run);
   /// Return whether the run pauses here. It is asked before each block that is marked, or before
   /// every block where none is, and at the end.
   bool pauses(Run& run);
@@ -74,6 +77,7 @@ class Breakpoints {
     double value = kVacant;
     std::vector<std::pair<std::string, std::string>> modes{};
   };
+  bool watches_axis() const;
   bool meets(Run& run, std::size_t index, bool moved);
   bool holds(Run& run, std::size_t index);
   void look(Run& run);

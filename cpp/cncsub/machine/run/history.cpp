@@ -132,12 +132,26 @@ bool History::back(Run& run, std::int64_t step, const std::function<bool()>& int
   return run.state.stop != Stop::Interrupted;
 }
 
+namespace {
+
+/// Return whether one of the breakpoints is met by how the run stopped, where it stands.
+bool is_met_by_stop(Run& stopped, const std::vector<Breakpoint>& list,
+                    const ExpressionList& expressions) {
+  if (stopped.state.stop != Stop::Alarm) return false;
+  Breakpoints breakpoints(list, expressions, stopped);
+  breakpoints.begin(stopped);
+  return breakpoints.pauses(stopped) && !breakpoints.reached().empty();
+}
+
+}  // namespace
+
 std::int64_t History::last_met(const Run& run, const std::vector<Breakpoint>& list,
                                const ExpressionList& expressions,
                                const std::function<bool()>& interrupted) const {
   Run probe = run;
   const LiftedLimits lifted(probe);
   std::int64_t end = run.state.executed;
+  if (is_met_by_stop(probe, list, expressions)) return end;
   for (std::size_t i = snapshots_.size(); i-- > 0;) {
     restore(probe, *snapshots_[i]);
     Breakpoints breakpoints(list, expressions, run, true);

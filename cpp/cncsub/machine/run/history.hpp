@@ -50,7 +50,8 @@ class History {
   /// after that is forgotten. Return false where `interrupted` stopped it at an earlier block.
   bool back(Run& run, std::int64_t step, const std::function<bool()>& interrupted);
   /// Return the last step before the present one at which the breakpoints show a block: the step of
-  /// the block where it is a place, or of the block that did it. -1: none.
+  /// the block where it is a place, or of the block that did it. Where the run stopped with an
+  /// alarm that one of them names, it is the present one. -1: none.
   std::int64_t last_met(const Run& run, const std::vector<Breakpoint>& list,
                         const ExpressionList& expressions,
                         const std::function<bool()>& interrupted) const;

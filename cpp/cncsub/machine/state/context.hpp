@@ -78,6 +78,7 @@ struct Watch {
   std::int64_t moves = 0;       // which are these
   // While it runs: by address, which blocks it may pause before. Null: none, or all.
   const std::uint8_t* marked = nullptr;
+  bool sees_moves = false;  // breakpoints look at moves that are not recorded
 };
 
 /// The watched variables, laid out so that a step pays for what it changes, however much is
@@ -133,7 +134,9 @@ struct Run {
     return code->programs[static_cast<std::size_t>(frame().program)];
   }
   /// Return where the moves go; null when they are not recorded.
-  Moves* moves() { return trace.depth == Trace::Depth::Moves ? &trace.moves : nullptr; }
+  Moves* moves() {
+    return trace.depth == Trace::Depth::Moves || watch.sees_moves ? &trace.moves : nullptr;
+  }
   /// Return the step of the block, for the rows of its moves.
   std::uint32_t step() const { return static_cast<std::uint32_t>(state.executed); }
   /// Return the place of a local variable of a level.
