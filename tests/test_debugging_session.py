@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import Any
 
 import pytest
@@ -335,3 +336,54 @@ def test_options_of_a_run_are_those_of_a_session() -> None:
     options: dict[str, Any] = {"no_such": 1}
     with pytest.raises(TypeError, match="no option 'no_such'"):
         Session(library, **options)
+
+
+LOOP = "O1\nN10 #1=#1+1\nN20 #2=#1*2\nN30 IF[#1 LT {}]GOTO10\nN40 M30\n"
+
+
+def test_another_thread_pauses_a_movement_that_goes_on_later() -> None:
+    library = cncsub.loads(LOOP.format(99999999), control=CONTROL)
+    session = Session(library, max_blocks=2**40)
+    threading.Timer(0.05, session.pause).start()
+    assert session.run().reason is Reason.PAUSE
+    before = session.machine.variables[1]
+    assert before is not None
+    session.into()
+    session.into()
+    session.into()
+    assert session.machine.variables[1] == before + 1
+    threading.Timer(0.05, session.pause).start()
+    assert session.out().reason is Reason.PAUSE
+
+
+def test_ticks_lose_no_breakpoint_and_no_change() -> None:
+    library = cncsub.loads(LOOP.format(3000), control=CONTROL)
+    session = Session(library)
+    session.set_points(
+        "all",
+        [
+            PausePoint("O1:N30", when="#1 GT 0", log="{#1}"),
+            PausePoint("changes #2", log="change {#1}"),
+        ],
+    )
+    told: list[int] = []
+    session.progress = told.append
+    done = threading.Event()
+
+    def tick() -> None:
+        while not done.wait(0.0005):
+            session.tick()
+
+    ticking = threading.Thread(target=tick)
+    ticking.start()
+    try:
+        pause = session.run()
+    finally:
+        done.set()
+        ticking.join()
+    assert pause.reason is Reason.END
+    assert [each.text for each in pause.output if " " not in each.text] == [
+        str(number) for number in range(1, 3001)
+    ]
+    assert len(pause.output) == 6000
+    assert told

@@ -45,7 +45,9 @@ class PlacedPoint:
 
 
 @dataclass(slots=True)
-class _Armed:
+class ArmedPoint:
+    """A point with its breakpoint, its condition on the count, and when it was met."""
+
     placed: PlacedPoint
     breakpoint: Breakpoint
     counts: Callable[[int], bool]
@@ -57,7 +59,7 @@ class PausePoints:
 
     def __init__(self, core: _core.Machine) -> None:
         self._core = core
-        self._sets: dict[str, list[_Armed]] = {}
+        self._sets: dict[str, list[ArmedPoint]] = {}
         self._refused: dict[str, list[PlacedPoint]] = {}
         self._ids = 0
 
@@ -66,11 +68,11 @@ class PausePoints:
         count.
         """
         known = {armed.placed.point: armed for armed in self._sets.get(name, ())}
-        armed: list[_Armed] = []
+        armed: list[ArmedPoint] = []
         placed: list[PlacedPoint] = []
         for point in points:
             one = known.pop(point, None) or self._armed(point)
-            if isinstance(one, _Armed):
+            if isinstance(one, ArmedPoint):
                 armed.append(one)
                 placed.append(one.placed)
             else:
@@ -79,7 +81,7 @@ class PausePoints:
         self._refused[name] = [one for one in placed if one.refused]
         return placed
 
-    def _armed(self, point: PausePoint) -> _Armed | PlacedPoint:
+    def _armed(self, point: PausePoint) -> ArmedPoint | PlacedPoint:
         self._ids += 1
         placed = PlacedPoint(self._ids, point)
         try:
@@ -91,7 +93,7 @@ class PausePoints:
                     Compiled(self._core, [replace(breakpoint, when=text)])
         except (KeyError, TypeError, ValueError) as error:
             return replace(placed, refused=str(error.args[0]))
-        return _Armed(placed, breakpoint, counts)
+        return ArmedPoint(placed, breakpoint, counts)
 
     def _placed(self, placed: PlacedPoint) -> tuple[Breakpoint, PlacedPoint]:
         at = placed.point.at
@@ -123,7 +125,7 @@ class PausePoints:
         """The points of one set that could be placed."""
         return [armed.placed for armed in self._sets.get(name, ())]
 
-    def armed(self) -> list[_Armed]:
+    def armed(self) -> list[ArmedPoint]:
         return [armed for armed_set in self._sets.values() for armed in armed_set]
 
     def pausing(self) -> list[Breakpoint]:
@@ -142,7 +144,7 @@ class PausePoints:
             del armed.met[bisect.bisect_right(armed.met, step) :]
 
 
-def met(armed: _Armed, step: int) -> bool:
+def met(armed: ArmedPoint, step: int) -> bool:
     """Count that a point was met, and return whether this time counts."""
     armed.met.append(step)
     return armed.counts(len(armed.met))

@@ -11,7 +11,14 @@ from cncsub.debugging import help as helping
 from cncsub.debugging import values
 from cncsub.debugging.frames import StackFrame, frames_of
 from cncsub.debugging.pauses import Output, Pause, Reason
-from cncsub.debugging.points import PausePoint, PausePoints, PlacedPoint, log_pieces, met
+from cncsub.debugging.points import (
+    ArmedPoint,
+    PausePoint,
+    PausePoints,
+    PlacedPoint,
+    log_pieces,
+    met,
+)
 from cncsub.debugging.scopes import Scope, StateFacts
 from cncsub.library import Library
 from cncsub.machine import Machine
@@ -60,9 +67,10 @@ class Session:
         self.pauses_at_alarm: Callable[[str, str], bool] = lambda number, cause: True
         self.output: Callable[[Output], None] | None = None  # told at once what is written
         self._written: list[Output] = []
+        self.progress: Callable[[int], None] = lambda blocks: None  # told at each tick
         self._told = 0  # of the messages
         self._facts = StateFacts(self.machine)
-        self._asked = threading.Event()
+        self._asked, self._ticked = threading.Event(), threading.Event()
         self.at = Pause(Reason.ENTRY, "before the first block")
 
     # ---- where it stands ----
@@ -151,8 +159,14 @@ class Session:
         the reason `PAUSE`.
         """
         self._asked.set()
-        if (pause := getattr(self.machine, "pause", None)) is not None:
-            pause()
+        self.machine.pause()
+
+    def tick(self) -> None:
+        """Have the movement that another thread is at write its messages, tell its `progress` and
+        go on.
+        """
+        self._ticked.set()
+        self.machine.pause()
 
     # ---- back ----
 
@@ -252,31 +266,38 @@ class Session:
     def _go(self, depth: int | None, words: str) -> Pause:
         """Run to a point, or to the first block at which no more than so many calls are open."""
         self._remember()
-        self._asked.clear()
         while True:
-            reached, fault = self._run_to(depth)
+            reached, fault, tick = self._run_to(depth)
             armed = self.points.armed()
-            counted = [armed[i] for i in reached if i < len(armed)]
-            counted = [one for one in counted if met(one, self.machine.blocks)]
-            pausing = tuple(one.placed for one in counted if one.placed.point.log is None)
-            for one in counted:
-                if one.placed.point.log is not None:
-                    self._log(one.placed, one.placed.point.log)
+            pausing = self._count([armed[i] for i in reached if i < len(armed)])
             if fault:
                 return self._paused(Reason.BREAKPOINT, fault, pausing)
-            if (stop := self.machine.stop) is not None:
+            stop = self.machine.stop
+            if stop not in (None, Stop.INTERRUPTED):
                 return self._stopped(stop, pausing)
             if pausing:
                 told = ", ".join(_name(each) for each in pausing)
                 return self._paused(Reason.BREAKPOINT, f"breakpoint {told}", pausing)
             if any(i >= len(armed) for i in reached):
                 return self._paused(Reason.STEP, words)
-            if self._asked.is_set():
+            if self._asked.is_set() or (stop is not None and not tick):
                 return self._paused(Reason.PAUSE, "paused")
+            if tick or self._ticked.is_set():
+                self._ticked.clear()
+                self._take_messages()
+                self.progress(self.machine.blocks)
 
-    def _run_to(self, depth: int | None) -> tuple[list[int], str]:
-        """Run to one of the points. Return which were reached, and what is wrong with a condition
-        that has no value here.
+    def _count(self, reached: Sequence[ArmedPoint]) -> tuple[PlacedPoint, ...]:
+        """Count what was met, write the lines of log points, and return the points that pause."""
+        counted = [one for one in reached if met(one, self.machine.blocks)]
+        for one in counted:
+            if one.placed.point.log is not None:
+                self._log(one.placed, one.placed.point.log)
+        return tuple(one.placed for one in counted if one.placed.point.log is None)
+
+    def _run_to(self, depth: int | None) -> tuple[list[int], str, bool]:
+        """Run to one of the points. Return which were reached, what is wrong with a condition that
+        has no value here, and whether another thread had it pause.
         """
         core = self.machine.core
         breakpoints = [armed.breakpoint for armed in self.points.armed()]
@@ -284,11 +305,12 @@ class Session:
         rows = compiled.rows
         if depth is not None:
             rows = [*rows, {"kind": "depth", "number": depth}]
-        reached, faulty, *_ = core.run_to(rows, compiled.expressions)
+        reached, faulty, paused = core.run_to(rows, compiled.expressions)
         if faulty is None:
-            return reached, ""
+            return reached, "", paused
         place, detail = faulty
-        return reached, f"the condition {breakpoints[place].when!r} has no value here: {detail}"
+        told = f"the condition {breakpoints[place].when!r} has no value here: {detail}"
+        return reached, told, paused
 
     def _stopped(self, stop: Stop, pausing: tuple[PlacedPoint, ...]) -> Pause:
         alarm = self.machine.alarm
@@ -340,6 +362,7 @@ class Session:
         output: tuple[Output, ...] = (),
     ) -> Pause:
         self._take_messages()
+        self._asked.clear()
         written = (*output, *self._written)
         self._written = []
         self.at = Pause(reason, text, points, written)
