@@ -1,0 +1,57 @@
+"""The command `cncsub debug`."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from cncsub.cli.options import (
+    ControlName,
+    Main,
+    Paths,
+    WrongUseError,
+    notes_on,
+    runs_programs,
+    wrong_use,
+)
+from cncsub.cli.sessions import session_of
+
+
+@runs_programs()
+def debug(
+    paths: Paths = None, control: ControlName = None, main: Main = None, **shared: Any
+) -> None:
+    """Debug a program in the terminal: breakpoints, steps forwards and back, variables.
+
+    `?` shows the keys. Needs `pip install 'cncsub[debug]'`.
+    """
+    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+        raise WrongUseError("debug shows a screen: run it in a terminal, without a pipe")
+    try:
+        from cncsub.terminal.app import DebugApp
+    except ImportError as error:
+        if (error.name or "").partition(".")[0] not in ("textual", "plotille", "rich"):
+            raise
+        raise WrongUseError(f"debug needs {error.name}: pip install 'cncsub[debug]'") from None
+    options = {"paths": paths, "control": control, "main": main, "mdi": None, **shared}
+    with wrong_use():
+        session = session_of(options)
+        notes = [f"note: {note}" for note in notes_on(options, session.library)]
+    DebugApp(session, title_of(session, options), [*notes, *told_start(options)]).run()
+
+
+def title_of(session: Any, options: Any) -> str:
+    """Return what is debugged, on which control."""
+    library = session.library
+    program = library.main if options["main"] is None else library[options["main"]]
+    name = "nothing" if program is None else program.name
+    return f"cncsub debug: {name} on {library.control.title}"
+
+
+def told_start(options: Any) -> list[str]:
+    """Return what is to be known of a run that begins in the middle of its program."""
+    start = options["start"]
+    if start is None:
+        return []
+    return [f"--start {start}: begins at N{start} with the modes of power-on; what stands before it"
+            " was not run"]  # fmt: skip
