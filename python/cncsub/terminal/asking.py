@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from textual.content import Content
 
-from cncsub.debugging import Pause, PausePoint, PlacedPoint, Session, Value, Written
+from cncsub.debugging import Pause, PausePoint, PlacedPoint, Reason, Session, Value, Written
 from cncsub.escapes import shown
 from cncsub.program import Program
 from cncsub.terminal.dialogs import Answer, Ask, Choose, Field
@@ -152,6 +152,17 @@ def ask_evaluate(app: DebugApp) -> Ask:
     return Ask("Evaluate", [field], put, partial(completion, app))
 
 
+def while_awake(session: Session, change: Callable[[], str]) -> str:
+    """Change something. A program that waits goes one block back then, so that it looks for its
+    input again; what goes back forgets the change, so it is made twice.
+    """
+    told = change()
+    if session.at.reason is Reason.WAITING:
+        session.back()
+        told = change()
+    return told
+
+
 def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
     name = chosen_expression(app) if value is None else value.expression
     held = ""
@@ -160,7 +171,11 @@ def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
 
     def put(given: list[str]) -> Answer:
         name, text = (each.strip() for each in given)
-        answer = answered(lambda: f"{name} = {app.session.set(name, text, app.frame)}")
+
+        def change() -> str:
+            return f"{name} = {app.session.set(name, text, app.frame)}"
+
+        answer = answered(lambda: while_awake(app.session, change))
         if not answer.wrong:
             app.look_again(f"set {answer.text}")
         return answer
@@ -207,7 +222,7 @@ def ask_switches(app: DebugApp) -> Ask:
         return "switches set"
 
     def put(given: list[str]) -> Answer:
-        answer = answered(lambda: change(given))
+        answer = answered(lambda: while_awake(app.session, lambda: change(given)))
         if not answer.wrong:
             app.look_again(answer.text)
         return answer

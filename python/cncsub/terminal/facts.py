@@ -110,6 +110,8 @@ def pause_words(facts: Shown) -> str:
     """Return on one line where the session stands, and why."""
     reason, text = facts.pause.reason, facts.pause.text
     ran = f"{facts.blocks:,} block{'' if facts.blocks == 1 else 's'} ran"
+    if reason is Reason.WAITING:
+        text += " (set it and run on)"
     if reason in (Reason.ALARM, Reason.END):  # the words name the place, or there is none
         return shown(f"{text}; {ran}")
     return shown(f"{place_of(facts.frames[0])}: {text}; {ran}")
