@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import re
+import sys
 import time
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -20,7 +21,9 @@ pytest.importorskip("textual", reason="textual is not installed")
 
 from textual.pilot import Pilot
 from textual.widgets import Input, OptionList
+from typer.testing import CliRunner
 
+from cncsub.cli import app as commands
 from cncsub.terminal.app import DebugApp
 from cncsub.terminal.keys import KEYS, help_text, name_of
 
@@ -58,11 +61,24 @@ class Screen:
             await self.pilot.press(key)
             await self.rest()
 
+    async def tap(self, *keys: str) -> None:
+        """Press keys while a program runs: the pilot would wait for a process that is idle."""
+        for key in keys:
+            self.app.simulate_key(key)
+            await asyncio.sleep(0.05)
+
+    async def sees(self, text: str) -> None:
+        """Wait for a text on the screen while a program runs."""
+        end = time.monotonic() + 10
+        while text not in self.text and time.monotonic() < end:
+            await asyncio.sleep(0.02)
+        assert text in self.text
+
     async def rest(self) -> None:
         end = time.monotonic() + 60
-        await self.pilot.pause()
+        await asyncio.sleep(0)
         while self.app.moving and time.monotonic() < end:
-            await self.pilot.pause(0.005)
+            await asyncio.sleep(0.005)
         await self.pilot.pause()
 
     async def type(self, text: str) -> None:
@@ -498,14 +514,13 @@ def test_a_limit_says_whether_the_program_ever_ends() -> None:
 def test_an_endless_program_leaves_the_screen_alive_and_is_paused() -> None:
     async def steps(screen: Screen) -> None:
         screen.app.session.set_points("slow", [PausePoint("O1:N10", hits="999999999")])
-        await screen.pilot.press("c")
-        await screen.pilot.pause(0.5)
+        await screen.tap("c")
+        await asyncio.sleep(0.5)
         assert screen.app.moving == "running"
         assert re.match(r"running: \d+ s, [\d,]+ blocks; p pauses", screen.foot)
-        for key in ("s", "e", "enter", "question_mark"):
-            await screen.pilot.press(key)
-        assert "one block; into a call" in screen.text
-        await screen.pilot.press("escape", "p")
+        await screen.tap("s", "b", "e", "slash", "S", "i", "escape", "1", "enter", "question_mark")
+        await screen.sees("one block; into a call")
+        await screen.tap("escape", "p")
         await screen.rest()
         assert "paused" in screen.foot
         before = screen.app.session.machine.blocks
@@ -517,9 +532,7 @@ def test_an_endless_program_leaves_the_screen_alive_and_is_paused() -> None:
 
 def test_it_is_left_while_a_program_runs() -> None:
     async def steps(screen: Screen) -> None:
-        await screen.pilot.press("c")
-        await screen.pilot.pause(0.05)
-        await screen.pilot.press("q")
+        await screen.tap("c", "q")
         await screen.rest()
         assert not screen.app.is_running or screen.app._exit
 
@@ -540,8 +553,16 @@ def test_messages_of_the_program_are_shown_while_it_runs() -> None:
 # ---- programs of every kind ----
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize("text", ["", "%\n%\n", "O1\n", "(nothing)\n", "O1\nM30"])
+@pytest.mark.parametrize(
+    ("text", "size"),
+    [
+        ("", SIZES[0]),
+        ("", SIZES[2]),
+        ("%\n%\n", SIZES[1]),
+        ("O1\n", SIZES[0]),
+        ("O1\nM30", SIZES[2]),
+    ],
+)
 def test_an_empty_program_is_shown(text: str, size: tuple[int, int]) -> None:
     async def steps(screen: Screen) -> None:
         await screen.press("s", "b", "c", "u", "i", "slash", "escape", "G", "g", "end", "home")
@@ -682,3 +703,69 @@ def test_no_keys_end_it() -> None:
         asyncio.run(run())
 
     check()
+
+
+# ---- the command ----
+
+
+def command(*arguments: str, terminal: bool = True) -> tuple[int, str, list[Any]]:
+    """Call `cncsub debug`; return its status, what it printed, and what was opened."""
+    opened: list[Any] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("cncsub.cli.debug.on_terminal", lambda: terminal)
+        patch.setattr(DebugApp, "run", opened.append)
+        result = CliRunner().invoke(commands, ["debug", *arguments])
+    return result.exit_code, result.output, opened
+
+
+def test_without_a_terminal_it_is_refused_in_one_line() -> None:
+    status, printed, opened = command("examples/fanuc/repeats.nc", "-c", CONTROL, terminal=False)
+    assert (status, opened) == (2, [])
+    assert printed == "cncsub: debug shows a screen: run it in a terminal, without a pipe\n"
+
+
+@pytest.mark.parametrize("missing", ["textual", "plotille"])
+def test_what_is_not_installed_is_named_with_the_command(
+    missing: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in [missing, *(n for n in sys.modules if n.startswith(f"{missing}."))]:
+        monkeypatch.setitem(sys.modules, name, None)
+    for name in [n for n in sys.modules if n.startswith("cncsub.terminal")]:
+        monkeypatch.delitem(sys.modules, name)
+    with monkeypatch.context() as patch:
+        patch.setattr("cncsub.cli.debug.on_terminal", lambda: True)
+        result = CliRunner().invoke(commands, ["debug", "x.nc", "-c", CONTROL])
+    told = f"cncsub: debug needs {missing}: pip install 'cncsub[debug]'\n"
+    assert (result.exit_code, result.output) == (2, told)
+
+
+def test_the_options_are_those_of_run(tmp_path: Path) -> None:
+    file = tmp_path / "part.nc"
+    file.write_text("O1\nN10 #100=#500\n/N20 #101=1\nN30 M30\nO2\nM30\n")
+    more = ("--set", "500=7", "--skip", "1", "--start", "10")
+    status, printed, (app,) = command(str(file), "-c", CONTROL, *more)
+    assert (status, printed) == (0, "")
+    assert app.session.run().text == "the program has ended"
+    assert app.session.evaluate("#100") == "7"
+    assert app.session.evaluate("#101") == "vacant"
+    assert app._notes[-1].startswith("--start 10: begins at N10 with the modes of power-on")
+    assert app._heading == "cncsub debug: O1 on FANUC Series 0i-F"
+    assert command(str(file), "-c", CONTROL, "--main", "O2")[2][0]._heading.startswith(
+        "cncsub debug: O2"
+    )
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["none.nc", "-c", CONTROL], "none.nc"),
+        (["-", "-c", CONTROL], "the standard input"),
+        ([], "which control?"),
+        (["examples/fanuc/repeats.nc", "-c", CONTROL, "--main", "O99"], "no program O99"),
+    ],
+)
+def test_wrong_use_is_told_before_the_screen_opens(arguments: list[str], told: str) -> None:
+    status, printed, opened = command(*arguments)
+    assert (status, opened) == (2, [])
+    assert told in printed
+    assert printed.count("\n") == 1

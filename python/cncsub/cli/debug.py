@@ -25,19 +25,25 @@ def debug(
 
     `?` shows the keys. Needs `pip install 'cncsub[debug]'`.
     """
-    if not (sys.stdin.isatty() and sys.stdout.isatty()):
+    if not on_terminal():
         raise WrongUseError("debug shows a screen: run it in a terminal, without a pipe")
     try:
         from cncsub.terminal.app import DebugApp
     except ImportError as error:
-        if (error.name or "").partition(".")[0] not in ("textual", "plotille", "rich"):
+        missing = (error.name or "").partition(".")[0]
+        if missing not in ("textual", "plotille"):
             raise
-        raise WrongUseError(f"debug needs {error.name}: pip install 'cncsub[debug]'") from None
-    options = {"paths": paths, "control": control, "main": main, "mdi": None, **shared}
+        raise WrongUseError(f"debug needs {missing}: pip install 'cncsub[debug]'") from None
+    if "-" in (paths or ()):
+        raise WrongUseError("debug takes its keys from the standard input: give a file")
     with wrong_use():
         session = session_of(options)
         notes = [f"note: {note}" for note in notes_on(options, session.library)]
     DebugApp(session, title_of(session, options), [*notes, *told_start(options)]).run()
+
+
+def on_terminal() -> bool:
+    return sys.stdin.isatty() and sys.stdout.isatty()
 
 
 def title_of(session: Any, options: Any) -> str:

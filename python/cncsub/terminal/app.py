@@ -89,6 +89,11 @@ class DebugApp(App[None]):
         self.board.source.focus()
         self._show(shown_of(self.session))
 
+    def on_unmount(self) -> None:
+        """Leave no thread behind: what runs is paused, however the screen came to its end."""
+        if self.moving:
+            self.session.pause()
+
     def write(self, line: str, style: str = "") -> None:
         """Write a line among the messages."""
         self.query_one("#messages", RichLog).write(Text(shown(line), style))
