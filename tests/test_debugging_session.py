@@ -313,6 +313,31 @@ def test_what_the_engine_cannot_do_is_refused_by_name(session: Session) -> None:
         session.mdi("G0 X1.")
 
 
+def test_a_point_at_the_first_block_counts_where_nobody_has_seen_it(session: Session) -> None:
+    session.set_points("lines", [PausePoint("O1:N10", when="#1 EQ #0"), PausePoint("O1:N20")])
+    assert session.run(here=True).text == "breakpoint O1:N10"
+    assert session.run().text == "breakpoint O1:N20"
+    session.start()
+    assert session.run().text == "breakpoint O1:N20"
+
+
+def test_a_watch_on_a_local_means_the_call_where_it_was_set() -> None:
+    text = (
+        "O1\nN10 #1=5\nN20 G65 P2 A7.\nN30 #1=6\nN40 M30\nO2\nN50 #1=8\nN60 G65 P3 A1.\n"
+        "N70 #1=9\nN80 M99\nO3\nN90 #1=2\nN95 M99\n"
+    )
+    session = Session(cncsub.loads(text, control=CONTROL))
+    session.set_points("lines", [PausePoint("O3:N95")])
+    session.run()
+    assert [session.level_opener(i) for i in range(3)] == [1, 0, -1]
+    points = [PausePoint("changes #1", call=0), PausePoint("changes #1", call=-1)]
+    session.set_points("data", points)
+    assert [(session.run().breakpoints[0].point.call, at(session)) for _ in range(2)] == [
+        (0, 80), (-1, 40),
+    ]  # fmt: skip
+    assert session.run().reason is Reason.END
+
+
 def test_a_point_is_toggled(session: Session) -> None:
     assert session.toggle("O9100:N150") is not None
     assert session.run().reason is Reason.BREAKPOINT

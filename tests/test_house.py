@@ -126,12 +126,13 @@ MAY_IMPORT = {
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
     "debugging": {"base", "tables", "face", "reports"},
+    "dap": {"base", "face", "debugging"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "debugging", "package"},
+    | {"archive", "debugging", "dap", "package"},
 }
 
 

@@ -41,6 +41,7 @@ COMMANDS = {
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
+    "dap": ("cli.dap.dap", "Serve an editor that debugs programs (DAP)."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files

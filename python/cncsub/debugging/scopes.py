@@ -9,7 +9,7 @@ from typing import Any
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.debugging.frames import StackFrame
+from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.machine import Machine
 from cncsub.number_text import length_text, number_text
 from cncsub.reports.code_facts import code_explanations
@@ -179,12 +179,6 @@ def _with_parts(name: str, value: Any, changed: bool) -> Value:
         parts = tuple(_with_parts(f"{name}[{i}]", part, changed) for i, part in enumerate(value))
         parts = tuple(Value(p.name, p.expression, p.text, p.changed, False, p.parts) for p in parts)
     return Value(name, name, value_text(value), changed, True, parts)
-
-
-def level_opener(frame: StackFrame, frames: list[StackFrame]) -> int:
-    """Return the call that opened the level of a program's locals, -1 for the main program's."""
-    same = [each.call for each in frames if each.level == frame.level and each.call >= 0]
-    return min(same, default=-1) if frame.level else -1
 
 
 @cache
