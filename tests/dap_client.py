@@ -160,7 +160,7 @@ class Client:
 
     def launch(self, path: Path, **more: Any) -> None:
         """Go as far as the place where breakpoints are set."""
-        self.ask("initialize", adapterID="cncsub", supportsProgressReporting=True)
+        self.ask("initialize", adapterID="cncsub", clientID="test", supportsProgressReporting=True)
         self.ask("launch", program=str(path), control="fanuc-0i-f", **more)
         self.event("initialized")
 

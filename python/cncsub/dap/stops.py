@@ -37,7 +37,8 @@ def tell_pause(adapter: Adapter, pause: Pause) -> None:
         "threadId": THREAD,
         "allThreadsStopped": True,
     }
-    if pause.breakpoints:
+    # They may be left out, and dap-python, which does not name itself, takes them for texts.
+    if pause.breakpoints and adapter.client.get("clientID"):
         body["hitBreakpointIds"] = [each.id for each in pause.breakpoints]
     if pause.reason is Reason.ALARM:
         body["text"] = str(session.machine.alarm)
