@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import shutil
 import signal
 import socket
@@ -260,10 +261,11 @@ def test_dap_python_sees_an_alarm(peer: Peer, tmp_path: Path) -> None:
 
 # ---- Emacs ----
 
-EMACS = """
+EMACS = """;;; -*- lexical-binding: t -*-
 (require 'package)
 (package-initialize)
 (require 'dap-mode)
+(require 'dap-ui)
 (setq lsp-verify-signature nil dap-auto-configure-features nil)
 (defvar seen '())
 (defun note (words) (push words seen) (princ (concat words "\\n") 'external-debugging-output))
@@ -319,8 +321,6 @@ def test_dap_mode_of_emacs_steps_forwards_and_back(row: Path, tmp_path: Path) ->
     script.write_text(text)
     home = tmp_path / "home"
     home.mkdir()
-    import os
-
     done = subprocess.run(
         ["emacs", "--batch", "-l", str(script)],
         capture_output=True,
@@ -329,7 +329,9 @@ def test_dap_mode_of_emacs_steps_forwards_and_back(row: Path, tmp_path: Path) ->
         cwd=tmp_path,
         env={**os.environ, "HOME": str(home)},
     )
-    told = [
-        line for line in done.stderr.splitlines() if line.startswith(("at", "#", "went", "over"))
-    ]
-    assert told[:6] == [], done.stderr[-3000:]
+    begins = ("at ", "#", "went", "over")
+    told = [line for line in done.stderr.splitlines() if line.startswith(begins)]
+    frame = "at O9100 (#4=20, #6=4, #9=120)"
+    assert told == [
+        f"{frame}:7", "#6*2 is 8", f"{frame}:8", "went back", f"{frame}:7", f"{frame}:14", "over",
+    ], done.stderr[-3000:]  # fmt: skip
