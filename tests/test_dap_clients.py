@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import shutil
 import signal
 import socket
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from dap_client import ENDLESS, ROW, WAIT, Client, framed, hold_to_schema
+from dap_client import ENDLESS, ROW, WAIT, Client, hold_to_schema
 
+PAGE = Path(__file__).parent.parent / "docs" / "guides" / "dap.md"
 COMMAND = [sys.executable, "-m", "cncsub", "dap"]
 
 
@@ -264,13 +265,10 @@ def test_dap_python_sees_an_alarm(peer: Peer, tmp_path: Path) -> None:
 EMACS = """;;; -*- lexical-binding: t -*-
 (require 'package)
 (package-initialize)
-(require 'dap-mode)
-(require 'dap-ui)
+SETTINGS
 (setq lsp-verify-signature nil dap-auto-configure-features nil)
 (defvar seen '())
 (defun note (words) (push words seen) (princ (concat words "\\n") 'external-debugging-output))
-(dap-register-debug-provider "cncsub"
-  (lambda (conf) (plist-put conf :dap-server-path '(PYTHON "-m" "cncsub" "dap"))))
 (defun frame-text (session)
   (let ((frame (dap--debug-session-active-frame session)))
     (if frame (format "%s:%s" (gethash "name" frame) (gethash "line" frame)) "nowhere")))
@@ -317,8 +315,12 @@ def has_dap_mode() -> bool:
 )
 def test_dap_mode_of_emacs_steps_forwards_and_back(row: Path, tmp_path: Path) -> None:
     script = tmp_path / "debug.el"
-    text = EMACS.replace("PYTHON", f'"{sys.executable}"').replace("FILE", str(row))
-    script.write_text(text)
+    command = f'("{sys.executable}" "-m" "cncsub" "dap")'
+    settings = re.search(r"^```lisp\n(.*?)^```", PAGE.read_text("utf-8"), re.M | re.S)
+    assert settings is not None
+    assert '("cncsub" "dap")' in settings[1]
+    told_to = settings[1].replace('("cncsub" "dap")', command)
+    script.write_text(EMACS.replace("SETTINGS", told_to).replace("FILE", str(row)))
     home = tmp_path / "home"
     home.mkdir()
     done = subprocess.run(

@@ -16,6 +16,7 @@ _NUMBERS = {"start": "start", "maxBlocks": "max_blocks", "maxCycles": "max_cycle
 _FLAGS = {"optionalStop": "optional_stop"}
 _OWN = ("program", "programs", "variables", "parameters", "blockSkip", "prefer", "stopOnEntry",
         "stopOnEnd", "noDebug")  # fmt: skip
+KEYS = frozenset((*_TEXTS, *_NUMBERS, *_FLAGS, *_OWN))  # all that a configuration may have
 # What editors add to every configuration.
 _OF_EDITORS = frozenset(
     ("type", "request", "name", "cwd", "presentation", "preLaunchTask", "postDebugTask",
@@ -64,17 +65,16 @@ def launch_of(arguments: Arguments) -> Launch:
 
 
 def _unknown(arguments: Arguments) -> list[str]:
-    known = [*_TEXTS, *_NUMBERS, *_FLAGS, *_OWN]
     return [
-        f"{name!r} means nothing in a launch configuration{did_you_mean(name, known)}"
+        f"{name!r} means nothing in a launch configuration{did_you_mean(name, sorted(KEYS))}"
         for name in arguments.given
-        if name not in known and name not in _OF_EDITORS and not name.startswith("_")
+        if name not in KEYS and name not in _OF_EDITORS and not name.startswith("_")
     ]
 
 
 def _paths(arguments: Arguments) -> list[str]:
     """Return the files and folders of the programs; without any the project's are read."""
-    one = [arguments.text("program")] if "program" in arguments.given else []
+    one = [] if arguments.given.get("program") is None else [arguments.text("program")]
     paths = [*one, *_texts(arguments, "programs")]
     for path in paths:
         if path in ("", "-"):
