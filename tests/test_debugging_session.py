@@ -43,6 +43,10 @@ def at(session: Session) -> int | None:
     return None if session.next is None else session.next.n
 
 
+def at_text(session: Session) -> str:
+    return "" if session.next is None else session.next.text
+
+
 def scope(session: Session, name: str, frame: int = 0) -> dict[str, tuple[str, bool]]:
     (found,) = [each for each in session.scopes(frame) if each.name == name]
     return {value.name: (value.text, value.changed) for value in found.values}
@@ -254,6 +258,20 @@ def test_named_variables_are_shown_and_set() -> None:
     assert (session.evaluate("R1"), session.evaluate("depth")) == ("6", "6")
     assert scope(session, "commons") == {"R1": ("6", True)}
     assert session.set("R1", "DEPTH/4") == "1.5"
+
+
+def test_variables_with_names_of_their_own_are_shown() -> None:
+    text = "#<depth>=1\n#<_all>=#<depth>\no100 sub\n#<inner>=#1\no100 endsub\no100 call [5]\nM2\n"
+    session = Session(cncsub.loads(text, control="linuxcnc"))
+    session.into()
+    assert scope(session, "named variables") == {"#<depth>": ("1", True)}
+    session.into()
+    session.into()
+    session.into()
+    assert at_text(session) == "o100 call [5]"
+    assert scope(session, "named variables")["#<_all>"] == ("1", False)
+    (shown,) = [each for each in session.scopes() if each.name == "named variables"]
+    assert [value.can_set for value in shown.values] == [False, False]
 
 
 def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Session) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import NamedTuple, Unpack
+from typing import Unpack
 
-from cncsub.breakpoints import At, Compiled
+from cncsub.breakpoints import At
 from cncsub.debugging import help as helping
 from cncsub.debugging import values
 from cncsub.debugging.frames import StackFrame, frames_of, level_opener
@@ -18,6 +18,7 @@ from cncsub.debugging.points import (
     PlacedPoint,
     log_pieces,
 )
+from cncsub.debugging.running import name_of, run_to, standing_at
 from cncsub.debugging.scopes import Scope, StateFacts
 from cncsub.library import Library
 from cncsub.machine import Machine
@@ -32,17 +33,6 @@ _STOPS = {
     Stop.LIMIT: Reason.LIMIT,
     Stop.INTERRUPTED: Reason.PAUSE,
 }
-
-
-class _Met(NamedTuple):
-    """How a run came to an end: the points that were met, whether one of the depths was, what is
-    wrong with a condition that has no value there, and whether another thread had it pause.
-    """
-
-    points: list[ArmedPoint]
-    stepped: bool
-    fault: str
-    tick: bool
 
 
 class Session:
@@ -170,7 +160,7 @@ class Session:
         """Run to the next breakpoint, or to the end. `here`: whether a breakpoint at the block
         where it stands counts, as it does where the user has not seen this place yet.
         """
-        if here and (pausing := self._count(self._standing_at())):
+        if here and (pausing := self._count(standing_at(self.machine, self.points))):
             return self._at_points(pausing)
         return self._go(None, "")
 
@@ -299,7 +289,7 @@ class Session:
         """Run to a point, or to the first block at which no more than so many calls are open."""
         self._remember()
         while True:
-            met = self._run_to(depth)
+            met = run_to(self.machine, self.points, self.frames(), depth)
             pausing = self._count(met.points)
             if met.fault:
                 return self._paused(Reason.BREAKPOINT, met.fault, pausing)
@@ -318,18 +308,8 @@ class Session:
                 self.progress(self.machine.blocks)
 
     def _at_points(self, pausing: tuple[PlacedPoint, ...]) -> Pause:
-        told = ", ".join(_name(each) for each in pausing)
+        told = ", ".join(name_of(each) for each in pausing)
         return self._paused(Reason.BREAKPOINT, f"breakpoint {told}", pausing)
-
-    def _standing_at(self) -> list[ArmedPoint]:
-        """Return the points at the block that runs next, whose conditions hold."""
-        core, found = self.machine.core, []
-        for armed in self.points.armed():
-            blocks = Compiled(core, [armed.breakpoint]).rows[0].get("blocks", ())
-            when = armed.placed.point.when
-            if core.next_block in blocks and (when is None or self.machine.evaluate(when)):
-                found.append(armed)
-        return found
 
     def _count(self, reached: Sequence[ArmedPoint]) -> tuple[PlacedPoint, ...]:
         """Count what was met, write the lines of log points, and return the points that pause."""
@@ -338,22 +318,6 @@ class Session:
             if one.placed.point.log is not None:
                 self._log(one.placed, one.placed.point.log)
         return tuple(one.placed for one in counted if one.placed.point.log is None)
-
-    def _run_to(self, depth: int | None) -> _Met:
-        """Run to one of the points, or until so few calls are open."""
-        core, frames = self.machine.core, self.frames()
-        armed, levels = self.points.armed_in(frames)
-        breakpoints = [each.breakpoint for each in armed]
-        compiled = Compiled(core, breakpoints)
-        depths = [*levels, *([] if depth is None else [depth])]
-        rows = [*compiled.rows, *({"kind": "depth", "number": number} for number in depths)]
-        reached, faulty, paused = core.run_to(rows, compiled.expressions)
-        fault = ""
-        if faulty is not None:
-            place, detail = faulty
-            fault = f"the condition {breakpoints[place].when!r} has no value here: {detail}"
-        points = [armed[i] for i in reached if i < len(armed)]
-        return _Met(points, any(i >= len(armed) for i in reached), fault, paused)
 
     def _stopped(self, stop: Stop, pausing: tuple[PlacedPoint, ...]) -> Pause:
         alarm = self.machine.alarm
@@ -432,12 +396,3 @@ class Session:
         open_calls = steps.depth[: self.machine.blocks]
         found = (open_calls <= depth).nonzero()[0]
         return int(found[-1]) if len(found) else 0
-
-
-def _name(placed: PlacedPoint) -> str:
-    at = placed.point.at
-    if isinstance(at, str):
-        return at
-    if isinstance(at, Block):
-        return f"{at.program.file}:{at.line}"
-    return f"{at[0]}:N{at[1]}"
