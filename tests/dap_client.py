@@ -22,29 +22,6 @@ from cncsub.cli.dap import make_session
 
 WAIT = 20  # seconds until an answer counts as missing
 
-ROW = """O1
-N10 G90 G54 G0 X0 Y0 Z50.
-N20 G65 P9100 I20. K4. F120.
-N25 M98 P3 L2
-N30 M30
-O9100 (ROW OF HOLES: I PITCH, K COUNT)
-N110 #30=0
-N120 #31=#5001
-N130 WHILE[#30 LT #6-1]DO1
-N140 G81 X#31 Z-8. R2. F#9
-N150 #31=#31+#4
-N160 #30=#30+1
-N170 END1
-N180 G80
-N185 POPEN
-N187 DPRNT[X#31[32]]
-N190 M99
-O3
-N200 X5.
-N210 M99
-"""
-ENDLESS = "O1\nN10 #1=#1+1\nN20 #2=#1*2\nN30 GOTO10\n"
-
 
 @cache
 def _schema() -> dict[str, Any]:

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from dap_client import ENDLESS, ROW, Client, framed, in_process
+from dap_client import Client, framed, in_process
+from debugged import ENDLESS, ROW
 
 
 @pytest.fixture

@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from dap_client import ENDLESS, ROW, WAIT, Client, hold_to_schema
+from dap_client import WAIT, Client, hold_to_schema
+from debugged import ENDLESS, ROW
 
 PAGE = Path(__file__).parent.parent / "docs" / "guides" / "dap.md"
 COMMAND = [sys.executable, "-m", "cncsub", "dap"]

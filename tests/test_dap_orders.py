@@ -6,7 +6,8 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from dap_client import ENDLESS, ROW, Client, in_process
+from dap_client import Client, in_process
+from debugged import ENDLESS, ROW
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 

@@ -6,32 +6,12 @@ import threading
 from typing import Any
 
 import pytest
+from debugged import ROW
 
 import cncsub
 from cncsub.debugging import Pause, PausePoint, Reason, Session
 
 CONTROL = "fanuc-0i-f"
-ROW = """O1
-N10 G90 G54 G0 X0 Y0 Z50.
-N20 G65 P9100 I20. K4. F120.
-N25 M98 P3 L2
-N30 M30
-O9100 (ROW OF HOLES: I PITCH, K COUNT)
-N110 #30=0
-N120 #31=#5001
-N130 WHILE[#30 LT #6-1]DO1
-N140 G81 X#31 Z-8. R2. F#9
-N150 #31=#31+#4
-N160 #30=#30+1
-N170 END1
-N180 G80
-N185 POPEN
-N187 DPRNT[X#31[32]]
-N190 M99
-O3
-N200 X5.
-N210 M99
-"""
 
 
 @pytest.fixture
@@ -271,7 +251,7 @@ def test_variables_with_names_of_their_own_are_shown() -> None:
     assert at_text(session) == "o100 call [5]"
     assert scope(session, "named variables")["#<_all>"] == ("1", False)
     (shown,) = [each for each in session.scopes() if each.name == "named variables"]
-    assert [value.can_set for value in shown.values] == [False, False]
+    assert not any(value.can_set for value in shown.values)
 
 
 def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Session) -> None:

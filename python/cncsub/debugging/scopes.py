@@ -63,12 +63,16 @@ def value_text(value: Any) -> str:
 
 
 class StateFacts:
-    """The facts of a machine now; what they were at the last pause is kept to compare."""
+    """The facts of a machine, which stands at its head when this is made, as they are now; what
+    they were at the last pause is kept to compare.
+    """
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self._system: tuple[tuple[int, str], ...] | None = None
         self._before: Facts | None = None
+        first = machine.next
+        self._main = -1 if first is None else first.program.index
         self._named: dict[int, _Named] = {}  # what programs name, by their places
 
     def remember(self, frames: list[StackFrame]) -> None:
@@ -142,7 +146,8 @@ class StateFacts:
         """Return the variables that a program names."""
         if frame.block is None:
             return _Named([], {})
-        place = frame.block.program.index
+        # A program inside the main one may stand where the main program passes by.
+        place = self._main if frame.call < 0 <= self._main else frame.block.program.index
         if place not in self._named:
             self._named[place] = _named(self._machine.core.code, place)
         return self._named[place]
