@@ -6,32 +6,12 @@ import threading
 from typing import Any
 
 import pytest
+from debugged import ROW
 
 import cncsub
 from cncsub.debugging import Pause, PausePoint, Reason, Session
 
 CONTROL = "fanuc-0i-f"
-ROW = """O1
-N10 G90 G54 G0 X0 Y0 Z50.
-N20 G65 P9100 I20. K4. F120.
-N25 M98 P3 L2
-N30 M30
-O9100 (ROW OF HOLES: I PITCH, K COUNT)
-N110 #30=0
-N120 #31=#5001
-N130 WHILE[#30 LT #6-1]DO1
-N140 G81 X#31 Z-8. R2. F#9
-N150 #31=#31+#4
-N160 #30=#30+1
-N170 END1
-N180 G80
-N185 POPEN
-N187 DPRNT[X#31[32]]
-N190 M99
-O3
-N200 X5.
-N210 M99
-"""
 
 
 @pytest.fixture
@@ -41,6 +21,10 @@ def session() -> Session:
 
 def at(session: Session) -> int | None:
     return None if session.next is None else session.next.n
+
+
+def at_text(session: Session) -> str:
+    return "" if session.next is None else session.next.text
 
 
 def scope(session: Session, name: str, frame: int = 0) -> dict[str, tuple[str, bool]]:
@@ -256,6 +240,20 @@ def test_named_variables_are_shown_and_set() -> None:
     assert session.set("R1", "DEPTH/4") == "1.5"
 
 
+def test_variables_with_names_of_their_own_are_shown() -> None:
+    text = "#<depth>=1\n#<_all>=#<depth>\no100 sub\n#<inner>=#1\no100 endsub\no100 call [5]\nM2\n"
+    session = Session(cncsub.loads(text, control="linuxcnc"))
+    session.into()
+    assert scope(session, "named variables") == {"#<depth>": ("1", True)}
+    session.into()
+    session.into()
+    session.into()
+    assert at_text(session) == "o100 call [5]"
+    assert scope(session, "named variables")["#<_all>"] == ("1", False)
+    (shown,) = [each for each in session.scopes() if each.name == "named variables"]
+    assert not any(value.can_set for value in shown.values)
+
+
 def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Session) -> None:
     session.set("#4", "1.5")
     session.into()
@@ -311,6 +309,31 @@ def test_what_the_engine_cannot_do_is_refused_by_name(session: Session) -> None:
         session.goto(session.next)
     with pytest.raises(NotImplementedError, match="mdi: "):
         session.mdi("G0 X1.")
+
+
+def test_a_point_at_the_first_block_counts_where_nobody_has_seen_it(session: Session) -> None:
+    session.set_points("lines", [PausePoint("O1:N10", when="#1 EQ #0"), PausePoint("O1:N20")])
+    assert session.run(here=True).text == "breakpoint O1:N10"
+    assert session.run().text == "breakpoint O1:N20"
+    session.start()
+    assert session.run().text == "breakpoint O1:N20"
+
+
+def test_a_watch_on_a_local_means_the_call_where_it_was_set() -> None:
+    text = (
+        "O1\nN10 #1=5\nN20 G65 P2 A7.\nN30 #1=6\nN40 M30\nO2\nN50 #1=8\nN60 G65 P3 A1.\n"
+        "N70 #1=9\nN80 M99\nO3\nN90 #1=2\nN95 M99\n"
+    )
+    session = Session(cncsub.loads(text, control=CONTROL))
+    session.set_points("lines", [PausePoint("O3:N95")])
+    session.run()
+    assert [session.level_opener(i) for i in range(3)] == [1, 0, -1]
+    points = [PausePoint("changes #1", call=0), PausePoint("changes #1", call=-1)]
+    session.set_points("data", points)
+    assert [(session.run().breakpoints[0].point.call, at(session)) for _ in range(2)] == [
+        (0, 80), (-1, 40),
+    ]  # fmt: skip
+    assert session.run().reason is Reason.END
 
 
 def test_a_point_is_toggled(session: Session) -> None:

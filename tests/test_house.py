@@ -127,12 +127,13 @@ MAY_IMPORT = {
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
     "debugging": {"base", "tables", "face", "reports"},
     "terminal": {"base", "tables", "analysis", "drawing", "face", "reports", "debugging"},
+    "dap": {"base", "face", "debugging"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "debugging", "package", "terminal"},
+    | {"archive", "dap", "debugging", "package", "terminal"},
 }
 
 

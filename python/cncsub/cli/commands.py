@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `plot`, `debug`, `batch`, `controls`, `explain`.
+`flatten`, `report`, `plot`, `debug`, `dap`, `batch`, `controls`, `explain`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -42,6 +42,7 @@ COMMANDS = {
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "debug": ("cli.debug.debug", "Debug a program in the terminal."),
+    "dap": ("cli.dap.dap", "Serve an editor that debugs programs (DAP)."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files

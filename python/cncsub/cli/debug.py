@@ -10,11 +10,11 @@ from cncsub.cli.options import (
     Main,
     Paths,
     WrongUseError,
-    notes_on,
     runs_programs,
     wrong_use,
 )
 from cncsub.cli.sessions import session_of
+from cncsub.debugging import Session
 
 
 @runs_programs()
@@ -36,28 +36,31 @@ def debug(
         raise WrongUseError(f"debug needs {missing}: pip install 'cncsub[debug]'") from None
     if "-" in (paths or ()):
         raise WrongUseError("debug takes its keys from the standard input: give a file")
+    options = {"paths": paths, "control": control, "main": main, "mdi": None, **shared}
+    notes: list[str] = []
     with wrong_use():
-        session = session_of(options)
-        notes = [f"note: {note}" for note in notes_on(options, session.library)]
-    DebugApp(session, title_of(session, options), [*notes, *told_start(options)]).run()
+        session = session_of(options, lambda told: notes.extend(f"note: {each}" for each in told))
+        title = title_of(session, main)
+    DebugApp(session, title, [*notes, *told_start(shared["start"])]).run()
 
 
 def on_terminal() -> bool:
     return sys.stdin.isatty() and sys.stdout.isatty()
 
 
-def title_of(session: Any, options: Any) -> str:
+def title_of(session: Session, main: str | None) -> str:
     """Return what is debugged, on which control."""
     library = session.library
-    program = library.main if options["main"] is None else library[options["main"]]
+    program = library.main if main is None else library[main]
     name = "nothing" if program is None else program.name
     return f"cncsub debug: {name} on {library.control.title}"
 
 
-def told_start(options: Any) -> list[str]:
+def told_start(start: int | None) -> list[str]:
     """Return what is to be known of a run that begins in the middle of its program."""
-    start = options["start"]
     if start is None:
         return []
-    return [f"--start {start}: begins at N{start} with the modes of power-on; what stands before it"
-            " was not run"]  # fmt: skip
+    return [
+        f"--start {start}: begins at N{start} with the modes of power-on; what stands before it was"
+        " not run"
+    ]

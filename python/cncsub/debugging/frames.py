@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from cncsub.machine import Machine
@@ -57,6 +58,12 @@ def frames_of(machine: Machine) -> list[StackFrame]:
         block = machine.steps[call.caller_step].block
     name = open_[-1].program if open_ else "" if block is None else block.program.name
     return [*frames, StackFrame(len(frames), name, block)]
+
+
+def level_opener(frame: StackFrame, frames: Sequence[StackFrame]) -> int:
+    """Return the call that opened the level of a program's locals, -1 for the main program's."""
+    same = [each.call for each in frames if each.level == frame.level and each.call >= 0]
+    return min(same, default=-1) if frame.level else -1
 
 
 def here(machine: Machine) -> Block | None:

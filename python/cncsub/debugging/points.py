@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 
 from cncsub import _core
 from cncsub.breakpoints import At, Breakpoint, Compiled
+from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.program import Block, Program, block_at
 
 
@@ -53,6 +54,11 @@ class ArmedPoint:
     counts: Callable[[int], bool]
     met: list[int] = field(default_factory=list)  # the steps at which it was met
 
+    def met_at(self, step: int) -> bool:
+        """Count that the point was met, and return whether this time counts."""
+        self.met.append(step)
+        return self.counts(len(self.met))
+
 
 class PausePoints:
     """The points of a session, by the set in which they were given: each set is replaced whole."""
@@ -61,29 +67,35 @@ class PausePoints:
         self._core = core
         self._sets: dict[str, list[ArmedPoint]] = {}
         self._refused: dict[str, list[PlacedPoint]] = {}
-        self._ids = 0
+        self._ids: dict[tuple[str, PausePoint], int] = {}  # those that points had keep them
 
     def place(self, name: str, points: Sequence[PausePoint]) -> list[PlacedPoint]:
         """Replace the points of a set. A point that was in it before keeps its number and its
         count.
         """
         known = {armed.placed.point: armed for armed in self._sets.get(name, ())}
-        armed: list[ArmedPoint] = []
-        placed: list[PlacedPoint] = []
-        for point in points:
-            one = known.pop(point, None) or self._armed(point)
-            if isinstance(one, ArmedPoint):
-                armed.append(one)
-                placed.append(one.placed)
-            else:
-                placed.append(one)
-        self._sets[name] = armed
-        self._refused[name] = [one for one in placed if one.refused]
-        return placed
+        made: list[ArmedPoint | PlacedPoint] = [
+            known.pop(point) if point in known else self._armed(point, name) for point in points
+        ]
+        self._sets[name] = [one for one in made if isinstance(one, ArmedPoint)]
+        self._refused[name] = [one for one in made if isinstance(one, PlacedPoint)]
+        return [one.placed if isinstance(one, ArmedPoint) else one for one in made]
 
-    def _armed(self, point: PausePoint) -> ArmedPoint | PlacedPoint:
-        self._ids += 1
-        placed = PlacedPoint(self._ids, point)
+    def adopt(self, other: PausePoints) -> None:
+        """Place the points of another session, under their numbers."""
+        self._ids = other._ids
+        for name in other._sets:
+            refused = [each.point for each in other._refused[name]]
+            self.place(name, [*(each.point for each in other.placed_in(name)), *refused])
+
+    def tried(self, point: PausePoint) -> PlacedPoint:
+        """Return a point as it would be placed, without placing it."""
+        one = self._armed(point)
+        return one.placed if isinstance(one, ArmedPoint) else one
+
+    def _armed(self, point: PausePoint, name: str = "") -> ArmedPoint | PlacedPoint:
+        number = self._ids.setdefault((name, point), len(self._ids) + 1)
+        placed = PlacedPoint(number, point)
         try:
             counts = hit_condition(point.hits)
             breakpoint, placed = self._placed(placed)
@@ -116,10 +128,9 @@ class PausePoints:
     @property
     def placed(self) -> list[PlacedPoint]:
         """All points, those that are refused too, in the order in which they were placed."""
-        sets = (
-            each for name in self._sets for each in (*self.placed_in(name), *self._refused[name])
-        )
-        return sorted(sets, key=lambda each: each.id)
+        every = [each for name in self._sets for each in self.placed_in(name)]
+        every += [each for refused in self._refused.values() for each in refused]
+        return sorted(every, key=lambda each: each.id)
 
     def placed_in(self, name: str) -> list[PlacedPoint]:
         """The points of one set that could be placed."""
@@ -127,6 +138,22 @@ class PausePoints:
 
     def armed(self) -> list[ArmedPoint]:
         return [armed for armed_set in self._sets.values() for armed in armed_set]
+
+    def armed_in(self, frames: Sequence[StackFrame]) -> tuple[list[ArmedPoint], list[int]]:
+        """Return the points that count where a machine stands with these frames. The locals that a
+        point means may be those of an outer level: then it counts from where no more calls are
+        open than the numbers that are returned too.
+        """
+        here, depths = [], []
+        for armed in self.armed():
+            call = armed.placed.point.call
+            if call is None or call == level_opener(frames[0], frames):
+                here.append(armed)
+                continue
+            inside = [f for f in frames if level_opener(f, frames) == call]
+            if inside:
+                depths.append(len(frames) - 1 - inside[0].index)
+        return here, depths
 
     def pausing(self) -> list[Breakpoint]:
         """The breakpoints that pause, without those that write a line."""
@@ -142,12 +169,6 @@ class PausePoints:
         """Forget what was met after a step: the machine went back to it."""
         for armed in self.armed():
             del armed.met[bisect.bisect_right(armed.met, step) :]
-
-
-def met(armed: ArmedPoint, step: int) -> bool:
-    """Count that a point was met, and return whether this time counts."""
-    armed.met.append(step)
-    return armed.counts(len(armed.met))
 
 
 # ---- hits and log texts ----
@@ -255,6 +276,13 @@ def blocks_from(code: _core.Code, file: str, line: int) -> Iterator[Block]:
         at = bisect.bisect_left(blocks, line, key=lambda block: block.line)
         if at < len(blocks):
             yield blocks[at]
+
+
+def blocks_between(program: Program, first: int, last: int) -> list[Block]:
+    """Return the blocks of a program on the lines from `first` to `last`."""
+    blocks = program.blocks
+    begin = bisect.bisect_left(blocks, first, key=lambda block: block.line)
+    return blocks[begin : bisect.bisect_right(blocks, last, key=lambda block: block.line)]
 
 
 def block_from(code: _core.Code, file: str, line: int) -> Block | None:

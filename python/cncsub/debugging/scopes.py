@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
+from typing import Any, NamedTuple
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.debugging.frames import StackFrame
+from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.machine import Machine
 from cncsub.number_text import length_text, number_text
 from cncsub.reports.code_facts import code_explanations
@@ -62,12 +63,17 @@ def value_text(value: Any) -> str:
 
 
 class StateFacts:
-    """The facts of a machine now; what they were at the last pause is kept to compare."""
+    """The facts of a machine, which stands at its head when this is made, as they are now; what
+    they were at the last pause is kept to compare.
+    """
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self._system: tuple[tuple[int, str], ...] | None = None
         self._before: Facts | None = None
+        first = machine.next
+        self._main = -1 if first is None else first.program.index
+        self._named: dict[int, _Named] = {}  # what programs name, by their places
 
     def remember(self, frames: list[StackFrame]) -> None:
         """Compare with the present state from now on."""
@@ -97,6 +103,8 @@ class StateFacts:
             yield from self._numbered(frame, opener)
             for name, value in self._machine.core.named_variables(frame.level).items():
                 yield ("named variables", opener, name), value
+            if frame.index == 0:
+                yield from self._by_name(frame, opener)
         yield from self._of_control()
         modal = self._machine.modal
         position = self._machine.position
@@ -115,23 +123,34 @@ class StateFacts:
         """
         core = self._machine.core
         found: Mapping[int, float | None] = core.variables(frame.level)
-        named = {n: None for n, group in self._named_by(frame) if group == "locals"}
+        named = dict.fromkeys(self._named_by(frame).numbers)
         for number, value in sorted({**named, **found}.items()):
             group = _group(core.code, number)
             name = f"{core.code.variable_sign}{number}"
             if group == "locals":
                 yield (f"locals of level {frame.level}", opener, name), value
-            elif group == "commons":
+            elif group == "commons" and number in found:
                 yield ("commons", -1, name), value
 
-    def _named_by(self, frame: StackFrame) -> Iterator[tuple[int, str]]:
-        """Yield the numbers of the variables that a program names, with their groups."""
+    def _by_name(
+        self, frame: StackFrame, opener: int
+    ) -> Iterator[tuple[tuple[str, int, str], Any]]:
+        """Yield the variables that the innermost program writes by a name and does not define."""
+        known = self._machine.core.named_variables(frame.level)
+        for name, text in self._named_by(frame).written.items():
+            if name.upper() not in known:
+                with contextlib.suppress(ValueError):  # it was not written yet
+                    yield ("named variables", opener, text), self._machine.evaluate(text)
+
+    def _named_by(self, frame: StackFrame) -> _Named:
+        """Return the variables that a program names."""
         if frame.block is None:
-            return
-        code, program = self._machine.core.code, frame.block.program.index
-        for number in _numbers_named(code, program):
-            if group := _group(code, number):
-                yield number, group
+            return _Named([], {})
+        # A program inside the main one may stand where the main program passes by.
+        place = self._main if frame.call < 0 <= self._main else frame.block.program.index
+        if place not in self._named:
+            self._named[place] = _named(self._machine.core.code, place)
+        return self._named[place]
 
     def _of_control(self) -> Iterator[tuple[tuple[str, int, str], Any]]:
         """Yield the variables of the control itself that a program of the library names."""
@@ -165,7 +184,7 @@ class StateFacts:
             title = f"{name} ({_WORDS[name]})" if name in _WORDS else name
             return Value(title, name, str(value), changed, can_set=True)
         if group == "named variables":
-            return _with_parts(name, value, changed)
+            return _with_parts(name, value, changed, name in core.named_variables())
         number = int(name.removeprefix(core.code.variable_sign))
         letter = argument_letters(core.code.control).get(number) if "locals" in group else None
         facts = core.code.variable_facts(number)
@@ -173,18 +192,11 @@ class StateFacts:
         return Value(title, name, value_text(value), changed, facts is not None and facts[2])
 
 
-def _with_parts(name: str, value: Any, changed: bool) -> Value:
-    parts: tuple[Value, ...] = ()
-    if isinstance(value, list):
-        parts = tuple(_with_parts(f"{name}[{i}]", part, changed) for i, part in enumerate(value))
-        parts = tuple(Value(p.name, p.expression, p.text, p.changed, False, p.parts) for p in parts)
-    return Value(name, name, value_text(value), changed, True, parts)
-
-
-def level_opener(frame: StackFrame, frames: list[StackFrame]) -> int:
-    """Return the call that opened the level of a program's locals, -1 for the main program's."""
-    same = [each.call for each in frames if each.level == frame.level and each.call >= 0]
-    return min(same, default=-1) if frame.level else -1
+def _with_parts(name: str, value: Any, changed: bool, can_set: bool) -> Value:
+    """Return a variable with its elements; an array is set as a whole."""
+    elements = enumerate(value) if isinstance(value, list) else ()
+    parts = tuple(_with_parts(f"{name}[{i}]", part, changed, False) for i, part in elements)
+    return Value(name, name, value_text(value), changed, can_set, parts)
 
 
 @cache
@@ -201,14 +213,24 @@ def _group(code: _core.Code, number: int) -> str:
     return "" if facts is None else facts[0]
 
 
-def _numbers_named(code: _core.Code, program: int) -> list[int]:
-    """Return the numbers of the variables that a program names, each once, in order."""
+class _Named(NamedTuple):
+    """The variables that a program names: their numbers, in order, and those that it writes by a
+    name, as they are written.
+    """
+
+    numbers: list[int]
+    written: dict[str, str]
+
+
+def _named(code: _core.Code, program: int) -> _Named:
     data = code.program(program)
-    found: set[int] = set()
+    numbers: set[int] = set()
+    written: dict[str, str] = {}
     for block in range(min(data.blocks, _MOST_BLOCKS)):
         *_, reads, writes = _core.references(data, block)
-        found.update(row[0] for row in (*reads, *writes) if row[0] is not None and not row[2])
-    return sorted(found)
+        numbers.update(row[0] for row in (*reads, *writes) if row[0] is not None and not row[2])
+        written.update((row[1], row[3]) for row in writes if row[1] is not None and not row[2])
+    return _Named(sorted(numbers), written)
 
 
 def _system_variables(code: _core.Code) -> Iterator[tuple[int, str]]:
@@ -218,7 +240,7 @@ def _system_variables(code: _core.Code) -> Iterator[tuple[int, str]]:
     for program in range(len(code)):
         if (left := left - code.program(program).blocks) < 0:
             break
-        found.update(_numbers_named(code, program))
+        found.update(_named(code, program).numbers)
     for number in sorted(found):
         facts = code.variable_facts(number)
         if facts is not None and facts[1] and facts[0] not in ("locals", "commons"):

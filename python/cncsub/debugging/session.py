@@ -6,10 +6,10 @@ import threading
 from collections.abc import Callable, Sequence
 from typing import Unpack
 
-from cncsub.breakpoints import At, Compiled
+from cncsub.breakpoints import At
 from cncsub.debugging import help as helping
 from cncsub.debugging import values
-from cncsub.debugging.frames import StackFrame, frames_of
+from cncsub.debugging.frames import StackFrame, frames_of, level_opener
 from cncsub.debugging.pauses import Output, Pause, Reason
 from cncsub.debugging.points import (
     ArmedPoint,
@@ -17,8 +17,8 @@ from cncsub.debugging.points import (
     PausePoints,
     PlacedPoint,
     log_pieces,
-    met,
 )
+from cncsub.debugging.running import name_of, run_to, standing_at
 from cncsub.debugging.scopes import Scope, StateFacts
 from cncsub.library import Library
 from cncsub.machine import Machine
@@ -96,6 +96,12 @@ class Session:
             raise ValueError(f"there is no frame {index}; there are 0 to {len(frames) - 1}")
         return frames[index]
 
+    def level_opener(self, frame: int = 0) -> int:
+        """Return the call that opened the level of a program's locals, -1 for the main program's:
+        `PausePoint.call` means it.
+        """
+        return level_opener(self.frame(frame), self.frames())
+
     def scopes(self, frame: int = 0) -> list[Scope]:
         """Return what the machine holds, as a program that runs sees it, in groups."""
         frames = self.frames()
@@ -150,8 +156,12 @@ class Session:
             return self._paused(Reason.STEP, "before the return", output=pause.output)
         return pause
 
-    def run(self) -> Pause:
-        """Run to the next breakpoint, or to the end."""
+    def run(self, *, here: bool = False) -> Pause:
+        """Run to the next breakpoint, or to the end. `here`: whether a breakpoint at the block
+        where it stands counts, as it does where the user has not seen this place yet.
+        """
+        if here and (pausing := self._count(standing_at(self.machine, self.points))):
+            return self._at_points(pausing)
         return self._go(None, "")
 
     def pause(self) -> None:
@@ -187,18 +197,30 @@ class Session:
         return self._back_to(max(0, self.machine.core.step_of_call), "before the call")
 
     def reverse(self) -> Pause:
-        """Go back to the breakpoint that was met last, or to the head of the program."""
+        """Go back to the breakpoint that was met last before this place, or to the head of the
+        program. Of an event, such as a change, that is the block that did it.
+        """
         self._remember()
+        here = self.machine.blocks
+        at_event = any(each.block is None for each in self.at.breakpoints)
+        if not self._reversed() or (
+            at_event and self.machine.blocks == here - 1 and not self._reversed()
+        ):
+            self._go_back(0)
+            return self._paused(Reason.ENTRY, "no breakpoint before: at the head of the program")
+        return self._paused(Reason.BREAKPOINT, "back at the breakpoint met last")
+
+    def _reversed(self) -> bool:
+        """Go back to the breakpoint met last. Return whether there was one."""
         breakpoints = self.points.pausing()
         try:
             if not breakpoints:
-                raise ValueError
+                return False
             self.machine.back(breakpoints)  # type: ignore[arg-type]
         except ValueError:
-            self._go_back(0)
-            return self._paused(Reason.ENTRY, "no breakpoint before: at the head of the program")
+            return False
         self._went_back()
-        return self._paused(Reason.BREAKPOINT, "back at the breakpoint met last")
+        return True
 
     def back_to(self, to: int | At) -> Pause:
         """Go back as `Machine.back` does: to a step, to where `"#100"` was last written, to a
@@ -267,50 +289,35 @@ class Session:
         """Run to a point, or to the first block at which no more than so many calls are open."""
         self._remember()
         while True:
-            reached, fault, tick = self._run_to(depth)
-            armed = self.points.armed()
-            pausing = self._count([armed[i] for i in reached if i < len(armed)])
-            if fault:
-                return self._paused(Reason.BREAKPOINT, fault, pausing)
+            met = run_to(self.machine, self.points, self.frames(), depth)
+            pausing = self._count(met.points)
+            if met.fault:
+                return self._paused(Reason.BREAKPOINT, met.fault, pausing)
             stop = self.machine.stop
             if stop not in (None, Stop.INTERRUPTED):
                 return self._stopped(stop, pausing)
             if pausing:
-                told = ", ".join(_name(each) for each in pausing)
-                return self._paused(Reason.BREAKPOINT, f"breakpoint {told}", pausing)
-            if any(i >= len(armed) for i in reached):
+                return self._at_points(pausing)
+            if depth is not None and met.stepped and len(self.machine.stack) <= depth:
                 return self._paused(Reason.STEP, words)
-            if self._asked.is_set() or (stop is not None and not tick):
+            if self._asked.is_set() or (stop is not None and not met.tick):
                 return self._paused(Reason.PAUSE, "paused")
-            if tick or self._ticked.is_set():
+            if met.tick or self._ticked.is_set():
                 self._ticked.clear()
                 self._take_messages()
                 self.progress(self.machine.blocks)
 
+    def _at_points(self, pausing: tuple[PlacedPoint, ...]) -> Pause:
+        told = ", ".join(name_of(each) for each in pausing)
+        return self._paused(Reason.BREAKPOINT, f"breakpoint {told}", pausing)
+
     def _count(self, reached: Sequence[ArmedPoint]) -> tuple[PlacedPoint, ...]:
         """Count what was met, write the lines of log points, and return the points that pause."""
-        counted = [one for one in reached if met(one, self.machine.blocks)]
+        counted = [one for one in reached if one.met_at(self.machine.blocks)]
         for one in counted:
             if one.placed.point.log is not None:
                 self._log(one.placed, one.placed.point.log)
         return tuple(one.placed for one in counted if one.placed.point.log is None)
-
-    def _run_to(self, depth: int | None) -> tuple[list[int], str, bool]:
-        """Run to one of the points. Return which were reached, what is wrong with a condition that
-        has no value here, and whether another thread had it pause.
-        """
-        core = self.machine.core
-        breakpoints = [armed.breakpoint for armed in self.points.armed()]
-        compiled = Compiled(core, breakpoints)
-        rows = compiled.rows
-        if depth is not None:
-            rows = [*rows, {"kind": "depth", "number": depth}]
-        reached, faulty, paused = core.run_to(rows, compiled.expressions)
-        if faulty is None:
-            return reached, "", paused
-        place, detail = faulty
-        told = f"the condition {breakpoints[place].when!r} has no value here: {detail}"
-        return reached, told, paused
 
     def _stopped(self, stop: Stop, pausing: tuple[PlacedPoint, ...]) -> Pause:
         alarm = self.machine.alarm
@@ -389,12 +396,3 @@ class Session:
         open_calls = steps.depth[: self.machine.blocks]
         found = (open_calls <= depth).nonzero()[0]
         return int(found[-1]) if len(found) else 0
-
-
-def _name(placed: PlacedPoint) -> str:
-    at = placed.point.at
-    if isinstance(at, str):
-        return at
-    if isinstance(at, Block):
-        return f"{at.program.file}:{at.line}"
-    return f"{at[0]}:N{at[1]}"
