@@ -80,7 +80,9 @@ PAGES = sorted(
     key=lambda page: (len(page.parts), page),
 )
 # The languages of a page. `sh` alone is not run: it builds, installs or takes minutes.
-LANGUAGES = {"console", "python", "py", "c", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"}
+LANGUAGES = {"console", "python", "py", "c", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"} | {
+    "json", "lisp", "lua",
+}  # fmt: skip
 
 
 class Block(NamedTuple):

@@ -127,12 +127,15 @@ MAY_IMPORT = {
     "editing": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
+    "debugging": {"base", "tables", "face", "reports"},
+    "terminal": {"base", "tables", "analysis", "drawing", "face", "reports", "debugging"},
+    "dap": {"base", "face", "debugging"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive", "resume"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
-    | {"reports", "archive", "package", "resume"},
+    | {"reports", "archive", "package", "resume", "dap", "debugging", "terminal"},
 }
 
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
+#include "cncsub/control/variable_groups.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/system/memory.hpp"
@@ -53,6 +54,17 @@ std::optional<std::int32_t> main_of_memory(const Code& code) {
   const std::int32_t main = code.main_program();
   if (main == kNoProgram) return std::nullopt;
   return main;
+}
+
+/// Return the group in which a variable is shown, whether it can be read and whether it can be
+/// written; nothing where the control has no such variable.
+std::optional<std::tuple<std::string, bool, bool>> variable_facts(const Code& code,
+                                                                  std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  if (place.range == nullptr) return std::nullopt;
+  const Access access = place.range->access;
+  return std::tuple(std::string(group_of(place.kind)), access != Access::WriteOnly,
+                    access != Access::ReadOnly && place.kind != VariableKind::Vacant);
 }
 
 using FileRow = std::tuple<std::string, std::string, std::vector<py::object>, bool>;
@@ -251,6 +263,9 @@ void add_code(py::module_& m) {
       .def("variable_kind", &variable_kind, py::arg("number"))
       .def("places", &places, py::arg("external") = false)
       .def_property_readonly("duplicates", &duplicates)
+      .def("variable_facts", &variable_facts, py::arg("number"))
+      .def_property_readonly("variable_sign",
+                             [](const Code& c) { return std::string(c.spelling->variable); })
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &main_of_memory)
       .def_property_readonly("sources",

@@ -374,6 +374,12 @@ class Code:
     def place_of(self, address: int) -> tuple[int, int]: ...  # a program, and a block of it
     def names(self, external: bool = False) -> list[str]: ...  # what a name leads to
     def places(self, external: bool = False) -> list[int]: ...  # of the programs of these names
+    def variable_facts(self, number: int) -> tuple[str, bool, bool] | None:
+        """Return the group in which a variable is shown, such as `locals` or `work offsets`, and
+        whether it can be read and written; None where the control has no such variable.
+        """
+    @property
+    def variable_sign(self) -> str: ...  # what stands before the number of a variable
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
     @property

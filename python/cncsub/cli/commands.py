@@ -43,6 +43,8 @@ COMMANDS = {
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
+    "debug": ("cli.debug.debug", "Debug a program in the terminal."),
+    "dap": ("cli.dap.dap", "Serve an editor that debugs programs (DAP)."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
     "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }

@@ -495,10 +495,12 @@ def typed_in(run: cncsub.Run) -> cncsub.Program:
 MOST_NOTES = 20
 
 
-def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
+def memory_of(
+    options: Mapping[str, Any], tell: Callable[[Sequence[Note]], None] | None = None
+) -> cncsub.Library:
     """Return the library as `library_of` does, for a run. The notes are reported on the error
-    stream. Of two different programs of one number one has to be chosen, because a control's memory
-    holds only one.
+    stream, or by `tell`. Of two different programs of one number one has to be chosen, because a
+    control's memory holds only one.
     """
     library = library_of(options)
     chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
@@ -508,7 +510,9 @@ def memory_of(options: Mapping[str, Any]) -> cncsub.Library:
             places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
             cure = _cure_of_two(library, program, counts)
             raise ValueError(f"{counts.name} exists twice with different blocks: {places}; {cure}")
-    tell_all(notes_on(options, library))
+    notes = notes_on(options, library)
+    if notes:
+        (tell or tell_all)(notes)
     return library
 
 

@@ -31,6 +31,11 @@ void forget_moves(Run& run) {
   run.motion.forget_table();
 }
 
+/// Return whether a block comes next. A run that was interrupted stands before one.
+bool goes_on(const Run& run) {
+  return run.state.stop == Stop::Running || run.state.stop == Stop::Interrupted;
+}
+
 bool same(double a, double b) { return a == b || (is_vacant(a) && is_vacant(b)); }
 
 }  // namespace
@@ -88,10 +93,10 @@ bool Breakpoints::meets(Run& run, std::size_t index, bool moved) {
   const Breakpoint& of = list_[index];
   switch (of.kind) {
     case Breakpoint::Kind::Block:
-      return moved && run.state.stop == Stop::Running &&
+      return moved && goes_on(run) &&
              std::find(of.blocks.begin(), of.blocks.end(), run.state.pc) != of.blocks.end();
     case Breakpoint::Kind::Depth:
-      return moved && run.state.stop == Stop::Running &&
+      return moved && goes_on(run) &&
              static_cast<std::int64_t>(run.state.frames.size()) - 1 <= of.number;
     case Breakpoint::Kind::Call:
       return called(run, of.number);

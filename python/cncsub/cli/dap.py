@@ -1,0 +1,89 @@
+"""The command `cncsub dap`."""
+
+from __future__ import annotations
+
+import os
+import socket
+import sys
+import threading
+from collections.abc import Callable, Mapping
+from typing import IO, Annotated, Any
+
+import typer
+
+from cncsub import dap as protocol
+from cncsub.cli.options import WrongUseError, wrong_use
+from cncsub.cli.sessions import session_of
+from cncsub.debugging import Session
+
+_MOST_CLIENTS = 8
+
+
+def dap(
+    port: Annotated[
+        int | None,
+        typer.Option(
+            help="Listen on this port in place of the standard input; 0 takes a free one.",
+            min=0,
+            max=65535,
+            metavar="N",
+        ),
+    ] = None,
+    host: Annotated[
+        str, typer.Option(help="The address to listen on. Whoever reaches it reads your programs.")
+    ] = "127.0.0.1",
+) -> None:
+    """Serve an editor that debugs programs, over the Debug Adapter Protocol."""
+    if port is None:
+        reads, writes = _standard_streams()
+        protocol.serve(reads, writes, make_session)
+        return
+    try:
+        listening = socket.create_server((host, port))
+    except (OSError, OverflowError, UnicodeError) as error:
+        raise WrongUseError(f"--port {port} on {host}: {error}") from None
+    with listening:
+        where = ":".join(map(str, listening.getsockname()[:2]))
+        typer.echo(f"cncsub dap: listening on {where}")
+        sys.stdout.flush()
+        _serve_clients(listening)
+
+
+def _standard_streams() -> tuple[IO[bytes], IO[bytes]]:
+    """Return the streams of the protocol. Whatever else writes to the standard output from now on
+    writes to the error stream.
+    """
+    writes = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    return sys.stdin.buffer, writes
+
+
+def _serve_clients(listening: socket.socket) -> None:
+    """Serve each client with a session of its own, some at the same time."""
+    free = threading.Semaphore(_MOST_CLIENTS)
+    while True:
+        client, _ = listening.accept()
+        if not free.acquire(blocking=False):
+            client.close()
+            continue
+        threading.Thread(target=_serve_client, args=(client, free), daemon=True).start()
+
+
+def _serve_client(client: socket.socket, free: threading.Semaphore) -> None:
+    try:
+        with client, client.makefile("rb") as reads, client.makefile("wb") as writes:
+            protocol.serve(reads, writes, make_session)
+    except OSError:
+        pass  # the client is gone
+    finally:
+        free.release()
+
+
+def make_session(options: Mapping[str, Any], tell: Callable[[str], None]) -> Session:
+    """Return the session of a launch. What is wrong with it is a `ValueError`."""
+    asked = {**options, "control": options["control"] or os.environ.get("CNCSUB_CONTROL")}
+    try:
+        with wrong_use():
+            return session_of(asked, lambda notes: tell("\n".join(f"note: {n}" for n in notes)))
+    except WrongUseError as error:
+        raise ValueError(str(error)) from None

@@ -1,0 +1,100 @@
+"""The files of a library as the client sees them: on the disk, or asked for by a reference."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+from urllib.parse import unquote, urlsplit
+
+from cncsub import _core
+from cncsub.dap.adapter import Adapter
+from cncsub.dap.arguments import Arguments, RequestError
+from cncsub.debugging import Output
+from cncsub.debugging.points import programs_of
+from cncsub.program import Program
+
+
+def source_of(adapter: Adapter, program: Program) -> dict[str, Any]:
+    """Return the source of a program: its file, or a reference where it is not on the disk."""
+    return source_named(adapter, program.file, program.index)
+
+
+def source_named(adapter: Adapter, file: str, program: int = -1) -> dict[str, Any]:
+    """Return the source of a file of the library; `program` is one of its programs. A file has the
+    path by which the client named it.
+    """
+    if file in adapter.paths:
+        return {"name": Path(file).name, "path": adapter.paths[file]}
+    if Path(file).is_file():
+        return {"name": Path(file).name, "path": str(Path(file).absolute())}
+    code = adapter.running().library.code
+    names = [name for name, *_ in code.sources]
+    if file in names:
+        return {"name": file, "sourceReference": names.index(file) + 1}
+    return {"name": file, "sourceReference": len(names) + program + 1, "origin": "the control"}
+
+
+def file_of(source: Arguments) -> str:
+    """Return the file or the name that a client means by a source."""
+    path = source.text("path", None) or source.text("name", None)
+    if not path or "\0" in path:
+        raise RequestError("source needs a path")
+    return path_of_uri(path)
+
+
+def path_of_uri(path: str) -> str:
+    """Return the path of a `file:` URI, and any other path as it is.
+
+    >>> path_of_uri("file:///job/row%20one.nc"), path_of_uri("row.nc")
+    ('/job/row one.nc', 'row.nc')
+    """
+    return unquote(urlsplit(path).path) if path.startswith("file://") else path
+
+
+def known_file(code: _core.Code, source: Arguments) -> str:
+    """Return the file of the library that a source means; the name as it is where none is."""
+    if (reference := source.number("sourceReference", 0)) > 0:
+        names = [name for name, *_ in code.sources]
+        if reference <= len(names):
+            return names[reference - 1]
+        index = reference - len(names) - 1
+        if index < len(code):
+            return code.program(index).file
+    file = file_of(source)
+    found = programs_of(code, file)
+    return found[0].file if found else file
+
+
+def source(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
+    """Answer with the text of a file of the library, and of no other."""
+    code = adapter.running().library.code
+    asked = arguments.table("source", {})
+    reference = arguments.number("sourceReference", 0) or asked.number("sourceReference", 0)
+    texts = {name: text for name, _, text, _ in code.sources}
+    names = list(texts)
+    if 0 < reference <= len(names):
+        return {"content": texts[names[reference - 1]].decode("utf-8", "replace")}
+    if 0 <= (index := reference - len(names) - 1) < len(code):
+        return {"content": code.program(index).text}
+    if reference == 0:
+        file = known_file(code, asked)
+        if file in texts:
+            return {"content": texts[file].decode("utf-8", "replace")}
+    raise RequestError("there is no such source among the files of the programs")
+
+
+def loaded_sources(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
+    code = adapter.running().library.code
+    return {"sources": [source_named(adapter, name) for name, *_ in code.sources]}
+
+
+def write_output(adapter: Adapter, output: Output) -> None:
+    """Show what the program or a log point wrote, as it is written."""
+    body: dict[str, Any] = {
+        "category": "stdout" if output.kind == "message" else "console",
+        "output": f"{output.text}\n",
+    }
+    if output.line:
+        body["source"] = source_named(adapter, output.file)
+        body["line"] = adapter.line_out(output.line)
+    adapter.event("output", body)

@@ -1,0 +1,64 @@
+"""How a session runs its machine to a point."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from cncsub.breakpoints import Compiled
+from cncsub.debugging.frames import StackFrame
+from cncsub.debugging.points import ArmedPoint, PausePoints, PlacedPoint
+from cncsub.machine import Machine
+from cncsub.program import Block
+
+
+class Met(NamedTuple):
+    """How a run came to an end: the points that were met, whether one of the depths was, what is
+    wrong with a condition that has no value there, and whether another thread had it pause.
+    """
+
+    points: list[ArmedPoint]
+    stepped: bool
+    fault: str
+    tick: bool
+
+
+def run_to(
+    machine: Machine, points: PausePoints, frames: Sequence[StackFrame], depth: int | None
+) -> Met:
+    """Run to one of the points, or until no more than `depth` calls are open; `frames` are those
+    of the machine now.
+    """
+    armed, levels = points.armed_in(frames)
+    breakpoints = [each.breakpoint for each in armed]
+    compiled = Compiled(machine.core, breakpoints)
+    depths = [*levels, *([] if depth is None else [depth])]
+    rows = [*compiled.rows, *({"kind": "depth", "number": number} for number in depths)]
+    reached, faulty, paused = machine.core.run_to(rows, compiled.expressions)
+    fault = ""
+    if faulty is not None:
+        place, detail = faulty
+        fault = f"the condition {breakpoints[place].when!r} has no value here: {detail}"
+    met = [armed[i] for i in reached if i < len(armed)]
+    return Met(met, any(i >= len(armed) for i in reached), fault, paused)
+
+
+def standing_at(machine: Machine, points: PausePoints) -> list[ArmedPoint]:
+    """Return the points at the block that runs next, whose conditions hold."""
+    core, found = machine.core, []
+    for armed in points.armed():
+        blocks = Compiled(core, [armed.breakpoint]).rows[0].get("blocks", ())
+        when = armed.placed.point.when
+        if core.next_block in blocks and (when is None or machine.evaluate(when)):
+            found.append(armed)
+    return found
+
+
+def name_of(placed: PlacedPoint) -> str:
+    """Return where a point stands, as a text."""
+    at = placed.point.at
+    if isinstance(at, str):
+        return at
+    if isinstance(at, Block):
+        return f"{at.program.file}:{at.line}"
+    return f"{at[0]}:N{at[1]}"
