@@ -131,6 +131,8 @@ MAY_IMPORT = {
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
     | {"archive", "package"},
+    # The server for editors: a command of its own, which no other room imports.
+    "editor": {"base", "tables", "analysis", "face", "reports", "cli"},
 }
 
 

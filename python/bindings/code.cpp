@@ -253,6 +253,13 @@ void add_code(py::module_& m) {
       .def_readonly("external_device", &Code::external_device)
       .def_readonly("general_only", &Code::general_only)
       .def(
+          "is_local",
+          [](const Code& code, std::int64_t number) {
+            const VariablePlace place = code.place(number);
+            return place.range != nullptr && place.kind == VariableKind::Local;
+          },
+          py::arg("number"))
+      .def(
           "find",
           [](const Code& c, const std::string& name, bool external) {
             return c.find(name, external);

@@ -1,5 +1,5 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `plot`, `batch`, `controls`, `explain`.
+`flatten`, `report`, `plot`, `batch`, `controls`, `explain`, `lsp`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -41,6 +41,7 @@ COMMANDS = {
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
+    "lsp": ("editor.command.lsp", "Serve an editor: findings, definitions, hints."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files

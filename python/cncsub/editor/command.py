@@ -1,0 +1,39 @@
+"""The command `cncsub lsp`."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from cncsub.cli.options import ControlName, WrongUseError
+
+_NEEDED = ("pygls", "lsprotocol", "cattrs")  # the extra `lsp`
+
+
+def lsp(
+    control: ControlName = None,
+    port: Annotated[
+        int | None,
+        typer.Option(min=0, max=65535, help="Serve one client on this port of this computer."),
+    ] = None,
+) -> None:
+    """Serve an editor by the Language Server Protocol, over the standard input and output.
+
+    The control of a file is that of a comment in its head, (cncsub: control=fanuc-0i-f), of the
+    cncsub.toml beside it, of the editor's settings, or -c. It needs `pip install 'cncsub[lsp]'`.
+    """
+    try:
+        from cncsub.editor.server import Server
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] not in _NEEDED:
+            raise
+        raise WrongUseError(
+            f"the server for editors needs {error.name}, which is not installed:"
+            " pip install 'cncsub[lsp]'"
+        ) from None
+    server = Server(control)
+    if port is None:
+        server.start_io()
+    else:
+        server.start_tcp("127.0.0.1", port)

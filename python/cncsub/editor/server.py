@@ -1,0 +1,352 @@
+"""The language server: requests of an editor, each answered from a snapshot of its memory."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeVar
+
+from lsprotocol import types as lsp
+from pygls.lsp.server import LanguageServer
+from pygls.protocol import LanguageServerProtocol
+from pygls.protocol.language_server import lsp_method
+from pygls.uris import to_fs_path
+
+from cncsub._core import __version__
+from cncsub.editor import completing, explaining, navigation, shown, symbols
+from cncsub.editor.commands import plot_program, run_program
+from cncsub.editor.diagnostics import actions, diagnostics
+from cncsub.editor.documents import UNITS, Document
+from cncsub.editor.memory import Memories, Settings
+from cncsub.editor.snapshot import Snapshot
+
+T = TypeVar("T")
+
+QUIET = 0.12  # seconds after the last key before the programs are checked
+LANGUAGE = "nc"
+
+
+class _Protocol(LanguageServerProtocol):
+    """The protocol without the documents of pygls: ours end their lines as the protocol says."""
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_OPEN, params)
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_CHANGE, params)
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_CLOSE, params)
+
+    def _handed_on(self, name: str, params: Any) -> Iterator[Any]:
+        if (handler := self.fm.features.get(name)) is not None:
+            yield handler, (params,), None
+
+
+class Server(LanguageServer):
+    """The server of one client, with the memories of its documents."""
+
+    def __init__(self, control: str | None = None) -> None:
+        super().__init__("cncsub", __version__, protocol_cls=_Protocol)
+        self.memories = Memories(settings=Settings(control), tell=self._tell)
+        self.debugs = False  # whether the client has a command that debugs
+        self.uris: dict[str, str] = {}  # how the client calls its documents, by path
+        self._given = control
+        self._waiting: dict[str, asyncio.Task[None]] = {}
+        _register(self)
+
+    def _tell(self, message: str) -> None:
+        self.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, message))
+
+    def configure(self, told: Any) -> None:
+        """Take the settings of the client: `control`, `run`, `maxBlocks`, `maxSeconds`."""
+        told = told.get("cncsub", told) if isinstance(told, dict) else {}
+        control = told.get("control") or self._given
+        blocks, seconds = told.get("maxBlocks"), told.get("maxSeconds")
+        usual = Settings()
+        self.memories.settings = Settings(
+            control if isinstance(control, str) else None,
+            told.get("run") is not False,
+            blocks if isinstance(blocks, int) and blocks > 0 else usual.max_blocks,
+            float(seconds)
+            if isinstance(seconds, int | float) and seconds > 0
+            else usual.max_seconds,
+        )
+        self.debugs = told.get("debug") is True
+        self.memories.read_disk_again()
+
+    def checked_soon(self, path: str) -> None:
+        """Check the documents when no key was pressed for a while, the one at hand first."""
+        others = [each for each in self.memories.documents if each != path]
+        for waiting in self._waiting.values():
+            waiting.cancel()
+        self._waiting["check"] = asyncio.ensure_future(self._check([path, *others]))
+
+    async def _check(self, paths: list[str]) -> None:
+        await asyncio.sleep(QUIET)
+        for path in paths:
+            document = self.memories.documents.get(path)
+            found = await asyncio.to_thread(self._diagnostics, path)
+            if document is not None and self.memories.documents.get(path) is document:
+                self.publish(path, found, document.version)
+
+    def _diagnostics(self, path: str) -> list[lsp.Diagnostic]:
+        snap = self.memories.snapshot(path)
+        return [] if snap is None else diagnostics(snap, path)
+
+    def publish(self, path: str, found: list[lsp.Diagnostic], version: int | None = None) -> None:
+        """Send the diagnostics of a document."""
+        uri = self.uris.get(path, path)
+        self.text_document_publish_diagnostics(
+            lsp.PublishDiagnosticsParams(uri, found, version=version)
+        )
+
+
+def _more_than_none(value: object, otherwise: float) -> float:
+    """Return a number of the client's settings, if it is one that a limit can be."""
+    if isinstance(value, int | float) and not isinstance(value, bool) and 1e-3 < value < 1e12:
+        return value
+    return otherwise
+
+
+def path_of(uri: str) -> str:
+    """Return the path of a document; of one that is no file, its whole name."""
+    return (to_fs_path(uri) or uri) if uri.startswith("file:") else uri
+
+
+def _register(server: Server) -> None:
+    _register_life(server)
+    _register_documents(server)
+    _register_navigation(server)
+    _register_words(server)
+    _register_looks(server)
+    _register_commands(server)
+
+
+def _asked(server: Server, uri: str, answer: Callable[[Snapshot, str], T], otherwise: T) -> T:
+    path = path_of(uri)
+    snap = server.memories.snapshot(path)
+    return otherwise if snap is None else answer(snap, path)
+
+
+def _at(
+    server: Server, params: Any, answer: Callable[[Snapshot, str, int, int], T], otherwise: T
+) -> T:
+    """Answer a request about a place."""
+
+    def placed(snap: Snapshot, path: str) -> T:
+        line, character = snap.document(path).place(params.position)
+        return answer(snap, path, line, character)
+
+    return _asked(server, params.text_document.uri, placed, otherwise)
+
+
+def _register_life(server: Server) -> None:
+    @server.feature(lsp.INITIALIZE)
+    def initialize(ls: Server, params: lsp.InitializeParams) -> None:
+        encoding = ls.workspace.position_encoding
+        units = getattr(encoding, "value", encoding)
+        ls.memories.units = units if units in UNITS else UNITS[0]
+        folders = [folder.uri for folder in params.workspace_folders or ()]
+        folders = folders or ([params.root_uri] if params.root_uri else [])
+        ls.memories.folders = tuple(map(path_of, folders))
+        ls.configure(params.initialization_options or {})
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_CONFIGURATION)
+    def configured(ls: Server, params: lsp.DidChangeConfigurationParams) -> None:
+        if params.settings:
+            ls.configure(params.settings)
+        for path in ls.memories.documents:
+            ls.checked_soon(path)
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def folders(ls: Server, params: lsp.DidChangeWorkspaceFoldersParams) -> None:
+        ls.memories.folders = tuple(map(path_of, ls.workspace.folders))
+        ls.memories.read_disk_again()
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def watched(ls: Server, params: lsp.DidChangeWatchedFilesParams) -> None:
+        ls.memories.read_disk_again()
+        for path in list(ls.memories.documents)[:1]:
+            ls.checked_soon(path)
+
+
+def _register_documents(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def opened(ls: Server, params: lsp.DidOpenTextDocumentParams) -> None:
+        item = params.text_document
+        path = path_of(item.uri)
+        ls.uris[path] = item.uri
+        ls.memories.put(path, Document.of(item.text, ls.memories.units, item.version))
+        ls.checked_soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def changed(ls: Server, params: lsp.DidChangeTextDocumentParams) -> None:
+        path = path_of(params.text_document.uri)
+        document = ls.memories.documents.get(path)
+        if document is None:
+            return
+        for change in params.content_changes:
+            document = document.edited(change.text, getattr(change, "range", None))
+        version = params.text_document.version
+        ls.memories.put(path, Document(document.lines, document.units, version))
+        ls.checked_soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
+    def saved(ls: Server, params: lsp.DidSaveTextDocumentParams) -> None:
+        ls.memories.read_disk_again()
+        ls.checked_soon(path_of(params.text_document.uri))
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    def closed(ls: Server, params: lsp.DidCloseTextDocumentParams) -> None:
+        path = path_of(params.text_document.uri)
+        ls.memories.close(path)
+        ls.publish(path, [])
+
+
+def _register_navigation(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
+    def definition(ls: Server, params: lsp.DefinitionParams) -> list[lsp.Location]:
+        return _at(ls, params, navigation.definition, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
+    def references(ls: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
+        wanted = params.context.include_declaration
+        return _at(ls, params, lambda *at: navigation.references(*at, definitions=wanted), [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+    def highlight(ls: Server, params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight]:
+        return _at(ls, params, navigation.highlights, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
+    def prepare(ls: Server, params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem]:
+        return _at(ls, params, navigation.prepare_calls, [])
+
+    @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
+    def incoming(
+        ls: Server, params: lsp.CallHierarchyIncomingCallsParams
+    ) -> list[lsp.CallHierarchyIncomingCall]:
+        return _hierarchy(ls, params.item, navigation.incoming)
+
+    @server.feature(lsp.CALL_HIERARCHY_OUTGOING_CALLS)
+    def outgoing(
+        ls: Server, params: lsp.CallHierarchyOutgoingCallsParams
+    ) -> list[lsp.CallHierarchyOutgoingCall]:
+        return _hierarchy(ls, params.item, navigation.outgoing)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_LINK)
+    def links(ls: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
+        return _asked(ls, params.text_document.uri, navigation.links, [])
+
+
+def _hierarchy(
+    ls: Server,
+    item: lsp.CallHierarchyItem,
+    answer: Callable[[Snapshot, lsp.CallHierarchyItem], list[T]],
+) -> list[T]:
+    """Answer from the memory that has the file of the item, which may not be open."""
+    path = path_of(item.uri)
+    for shown_path in [path, *ls.memories.documents]:
+        snap = ls.memories.snapshot(shown_path)
+        if snap is not None and snap.programs_of(path, inside=True):
+            return answer(snap, item)
+    return []
+
+
+def _register_words(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
+    def hover(ls: Server, params: lsp.HoverParams) -> lsp.Hover | None:
+        return _at(ls, params, explaining.hover, None)
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=["#", "P", "O", " "])
+    )
+    def completion(ls: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+        return _at(ls, params, completing.completions, [])
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_SIGNATURE_HELP, lsp.SignatureHelpOptions(trigger_characters=[" "])
+    )
+    def signature(ls: Server, params: lsp.SignatureHelpParams) -> lsp.SignatureHelp | None:
+        return _at(ls, params, completing.signature, None)
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_CODE_ACTION,
+        lsp.CodeActionOptions([lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]),
+    )
+    def action(ls: Server, params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.CodeAction]:
+            return actions(snap, path, params.range)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+def _register_looks(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def outline(ls: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
+        return _asked(ls, params.text_document.uri, symbols.document_symbols, [])
+
+    @server.feature(lsp.WORKSPACE_SYMBOL)
+    def workspace(ls: Server, params: lsp.WorkspaceSymbolParams) -> list[lsp.WorkspaceSymbol]:
+        snaps = {id(s): s for path in ls.memories.documents if (s := ls.memories.snapshot(path))}
+        return [each for s in snaps.values() for each in symbols.workspace_symbols(s, params.query)]
+
+    @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
+    def folding(ls: Server, params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange]:
+        return _asked(ls, params.text_document.uri, symbols.folding, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, shown.LEGEND)
+    def colours(ls: Server, params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
+        return _asked(ls, params.text_document.uri, shown.semantic_tokens, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, shown.LEGEND)
+    def some(ls: Server, params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> lsp.SemanticTokens | None:
+            return shown.semantic_tokens(snap, path, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
+    def hints(ls: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> list[lsp.InlayHint]:
+            return shown.inlay_hints(snap, path, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_CODE_LENS)
+    def lenses(ls: Server, params: lsp.CodeLensParams) -> list[lsp.CodeLens]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.CodeLens]:
+            return shown.code_lenses(snap, path, debugs=ls.debugs)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+def _register_commands(server: Server) -> None:
+    @server.command("cncsub.run")
+    def run(ls: Server, path: str, program: str | None = None) -> str:
+        return _command(ls, path, program, run_program)
+
+    @server.command("cncsub.plot")
+    def plot(ls: Server, path: str, program: str | None = None) -> str:
+        told = _command(ls, path, program, plot_program)
+        if Path(told).is_file():
+            uri = Path(told).as_uri()
+            ls.window_show_document(lsp.ShowDocumentParams(uri, external=True))
+        return told
+
+
+def _command(
+    ls: Server, path: str, program: str | None, command: Callable[[Snapshot, str, str | None], str]
+) -> str:
+    snap = ls.memories.snapshot(path)
+    told = f"{path} is not open" if snap is None else command(snap, path, program)
+    ls.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Info, told))
+    return told
