@@ -9,7 +9,6 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.editor.snapshot import Snapshot
 from cncsub.program import Program, Token
-from cncsub.references import references_of
 from cncsub.reports.code_facts import code_explanations
 
 
@@ -47,15 +46,14 @@ def arguments_of(snap: Snapshot, program: Program, code: str | None = None) -> l
     letters = {} if code is None else letters_of(snap.control, code)
     of_variable = {local: letter for letter, local in letters.items()}
     found: dict[int, Argument] = {}
-    written: set[int | str] = set()
-    for place in range(len(program.blocks)):
-        of = references_of(program.data, place)
-        for use in of.reads:
-            number = use.variable
-            if isinstance(number, int) and number in of_variable and number not in written:
+    written: set[int | None] = set()
+    for place in range(program.data.blocks if letters else 0):
+        _, _, reads, writes = _core.references(program.data, place)
+        for number, _, computed, _, _ in reads:
+            if number in of_variable and not computed and number not in written:
                 told = f"#{number} {_comment(program.data, place)}".rstrip()
                 found.setdefault(number, Argument(of_variable[number], number, told))
-        written |= {use.variable for use in of.writes if not isinstance(use.variable, tuple)}
+        written |= {row[0] for row in writes if not row[2]}
     return list(found.values())
 
 

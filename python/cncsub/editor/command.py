@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import contextlib
+import os
+import sys
+from collections.abc import Iterator
+from typing import Annotated, BinaryIO
 
 import typer
 
@@ -34,6 +38,19 @@ def lsp(
         ) from None
     server = Server(control)
     if port is None:
-        server.start_io()
+        with _only_messages() as output:
+            server.start_io(sys.stdin.buffer, output)
     else:
         server.start_tcp("127.0.0.1", port)
+
+
+@contextlib.contextmanager
+def _only_messages() -> Iterator[BinaryIO]:
+    """Give the standard output to the protocol alone: what anything else prints is no message, and
+    goes to the error stream.
+    """
+    sys.stdout.flush()
+    output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    with contextlib.suppress(BrokenPipeError), output:
+        yield output

@@ -19,8 +19,8 @@ from cncsub._core import Control
 from cncsub.editor.arguments import arguments_of, macro_call_at
 from cncsub.editor.names import label_of
 from cncsub.editor.snapshot import Snapshot
+from cncsub.files import clean
 from cncsub.program import Program, Token, find_program, tokens_of
-from cncsub.references import references_of
 
 MOST_ITEMS = 500
 LARGEST_M_CODE = 200
@@ -41,7 +41,7 @@ def completions(snap: Snapshot, path: str, line: int, character: int) -> list[Co
 
 
 def _tokens(snap: Snapshot, text: str) -> list[Token]:
-    return tokens_of(_core.tokens(snap.control, text), 1)
+    return tokens_of(_core.tokens(snap.control, clean(text)), 1)
 
 
 def _items(
@@ -143,7 +143,10 @@ def _called_by_name(snap: Snapshot) -> Iterator[CompletionItem]:
 
 
 def _targets(program: Program, address: str) -> Iterator[CompletionItem]:
-    for block in program.blocks[: MOST_ITEMS * 20]:
+    for place in range(min(len(program.blocks), MOST_ITEMS * 20)):
+        if program.data.block(place)[0] is None and not _may_be_label(program, place):
+            continue
+        block = program.blocks[place]
         label = label_of(block)
         if label is None:
             continue
@@ -152,20 +155,26 @@ def _targets(program: Program, address: str) -> Iterator[CompletionItem]:
         yield CompletionItem(f"{address}{name}", kind=CompletionItemKind.Reference, detail=detail)
 
 
+def _may_be_label(program: Program, place: int) -> bool:
+    return ":" in program.data.block(place)[2]
+
+
 def _variables(snap: Snapshot, program: Program | None) -> Iterator[CompletionItem]:
     """Yield the variables that the program uses, then the system variables and options that the
     control lists.
     """
     seen: set[int | str] = set()
-    for place in range(0 if program is None else len(program.blocks)):
+    for place in range(0 if program is None else program.data.blocks):
         assert program is not None
-        of = references_of(program.data, place)
-        for use in (*of.writes, *of.reads):
-            if isinstance(use.variable, int | str) and use.variable not in seen:
-                seen.add(use.variable)
-                shown = f"#{use.variable}" if isinstance(use.variable, int) else use.variable
-                detail = program.blocks[place].text.strip()[:80]
-                yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
+        _, _, reads, writes = _core.references(program.data, place)
+        for number, name, computed, _, _ in (*writes, *reads):
+            key = name if name is not None else number
+            if computed or key is None or key in seen:
+                continue
+            seen.add(key)
+            detail = program.blocks[place].text.strip()[:80]
+            shown = f"#{key}" if name is None else name
+            yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
     for option in snap.control.variable_options.values():
         first = option.numbers.replace("-", " ").split()[:1]
         if first and first[0].isdecimal() and int(first[0]) not in seen:

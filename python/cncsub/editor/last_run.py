@@ -15,7 +15,6 @@ from cncsub.inputs import Inputs
 from cncsub.library import Library
 from cncsub.machine import Machine
 from cncsub.program import Block
-from cncsub.references import references_of
 from cncsub.run import Run
 from cncsub.run_options import machine_with
 from cncsub.setup import Setup
@@ -141,7 +140,7 @@ def _programs(code: _core.Code) -> Iterable[_core.ProgramData]:
 
 def _computed(data: _core.ProgramData) -> bool:
     """Return whether a program reads variables at all."""
-    return any(references_of(data, place).reads for place in range(data.blocks))
+    return any(_core.references(data, place)[2] for place in range(data.blocks))
 
 
 def _written(code: _core.Code) -> list[int]:

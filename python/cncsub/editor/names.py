@@ -197,9 +197,9 @@ def _of_block(snap: Snapshot, name: Name) -> Iterator[Mention]:
     assert name.program is not None
     program = snap.program(name.program)
     for place in range(program.data.blocks):
-        for jump in references_of(program.data, place).jumps:
-            if jump.block == name.key and not jump.in_caller:
-                yield _mention(program.blocks[place], jump.column, len(jump.text))
+        for _, _, in_caller, _, to, _, text, column in _core.references(program.data, place)[1]:
+            if to == name.key and not in_caller:
+                yield _mention(program.blocks[place], column, len(text))
     for caller, at, row in snap.calls:
         if row[2] == name.program and row[4] is not None and row[4] == target.n:
             yield _mention(snap.program(caller).blocks[at], row[10], len(row[9]))
@@ -212,7 +212,9 @@ def _of_variable(snap: Snapshot, name: Name) -> Iterator[Mention]:
         if program.data.system or (program.data.inside and name.program is None):
             continue
         for place in range(program.data.blocks):
-            yield from _uses_in(program.blocks[place], name)
+            _, _, reads, writes = _core.references(program.data, place)
+            if any(name.key in row[:2] for row in (*writes, *reads)):
+                yield from _uses_in(program.blocks[place], name)
 
 
 def _uses_in(block: Block, name: Name) -> Iterator[Mention]:

@@ -93,6 +93,20 @@ class Server(LanguageServer):
             found = await asyncio.to_thread(self._diagnostics, path)
             if document is not None and self.memories.documents.get(path) is document:
                 self.publish(path, found, document.version)
+        if paths and await asyncio.to_thread(self._run, paths[0]):
+            self._refresh()
+
+    def _run(self, path: str) -> bool:
+        """Run a large document, and return whether an editor can be told more than before."""
+        snap = self.memories.snapshot(path)
+        if snap is None or snap.last_run(path) is not None:
+            return False
+        return snap.last_run(path, waits=True) is not None
+
+    def _refresh(self) -> None:
+        asked = self.client_capabilities.workspace
+        if asked is not None and asked.inlay_hint is not None and asked.inlay_hint.refresh_support:
+            self.workspace_inlay_hint_refresh(None)
 
     def _diagnostics(self, path: str) -> list[lsp.Diagnostic]:
         snap = self.memories.snapshot(path)

@@ -167,13 +167,17 @@ class Snapshot:
     def _runs(self) -> dict[int, LastRun]:
         return {}
 
-    def last_run(self, path: str) -> LastRun | None:
-        """Return the run of the program that leads to a file, made when it is first asked for."""
+    def last_run(self, path: str, *, waits: bool = False) -> LastRun | None:
+        """Return the run of the program that leads to a file. It is made when it is first asked
+        for; that of a large document only for whoever `waits` for it.
+        """
         programs = self.programs_of(path)
         if not programs or not self.max_blocks:
             return None
         main = self._root(programs[0].index)
         if main not in self._runs:
+            if not waits and len(self.document(path).lines) > MANY_LINES:
+                return None
             limits = self.max_blocks, self.max_seconds
             self._runs[main] = LastRun.of(self.library, self.project, main, *limits)
         return self._runs[main]

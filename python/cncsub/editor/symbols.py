@@ -15,9 +15,9 @@ from lsprotocol.types import (
 
 from cncsub import _core
 from cncsub.editor.names import label_of
-from cncsub.editor.snapshot import Snapshot, place_of
+from cncsub.editor.snapshot import Snapshot
+from cncsub.files import clean
 from cncsub.program import Block, Program
-from cncsub.references import references_of
 
 MOST_NUMBERS = 2_000  # numbered blocks of a program; of more only those that something names
 MOST_FOUND = 500  # symbols of a workspace that are listed
@@ -49,24 +49,34 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
 
 
 def _words(snap: Snapshot, path: str, program: Program) -> Iterator[DocumentSymbol]:
-    few = _named(program) if len(program.blocks) > MOST_NUMBERS else None
-    for block in program.blocks:
-        place = place_of(block)
-        numbered = block.n is not None or few is None or place in few
-        if numbered and (few is None or place in few) and (label := label_of(block)) is not None:
+    data, blocks = program.data, program.blocks
+    few = _named(program) if len(blocks) > MOST_NUMBERS else None
+    for place in range(data.blocks):
+        has_tool = _may_have_tool(data, place)
+        if few is not None and place not in few and not has_tool:
+            continue
+        block = blocks[place]
+        if (few is None or place in few) and (label := label_of(block)) is not None:
             yield _symbol(snap, path, block, label.column, label.text, SymbolKind.Key)
-        if "T" in block.text.upper():
-            for token in block.tokens:
-                if token.word is not None and token.word.address == "T":
-                    yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
+        for token in block.tokens if has_tool else ():
+            if token.word is not None and token.word.address == "T":
+                yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
+
+
+def _may_have_tool(data: _core.ProgramData, place: int) -> bool:
+    """Return whether it is worth reading the words of a block for a tool."""
+    text = data.block(place)[2]
+    return "T" in text or "t" in text
 
 
 def _named(program: Program) -> set[int]:
     """Return the places of the blocks that jumps lead to."""
-    found = set()
-    for place in range(len(program.blocks)):
-        found |= {jump.block for jump in references_of(program.data, place).jumps}
-    return {place for place in found if place is not None}
+    found: set[int] = set()
+    for place in range(program.data.blocks):
+        for jump in _core.references(program.data, place)[1]:
+            if jump[4] is not None:
+                found.add(jump[4])
+    return found
 
 
 def _symbol(
@@ -74,18 +84,17 @@ def _symbol(
 ) -> DocumentSymbol:
     at = snap.range(path, block.line, column, len(text))
     detail = block.text.strip()
-    return DocumentSymbol(text.rstrip(": "), kind, at, at, detail=detail[:80])
+    return DocumentSymbol(text.rstrip(": ") or text, kind, at, at, detail=detail[:80])
 
 
 def _headings(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
     """Yield the comments that stand alone on a line, each the head of what follows."""
-    document = snap.document(path)
-    with_blocks = {block.line for block in program.blocks}
-    for line in range(program.line, last + 1):
-        text = document.line(line)
-        if line + 1 in with_blocks or not text.strip():
+    document, data = snap.document(path), program.data
+    with_blocks = {data.block(place)[1] - 1 for place in range(data.blocks)}
+    for line in range(program.line, min(last + 1, len(document.lines))):
+        if line in with_blocks or document.lines[line].isspace():
             continue
-        if not (comment := comment_alone(snap, text)):
+        if not (comment := comment_alone(snap, document.line(line))):
             continue
         at = document.whole_line(line)
         yield DocumentSymbol(comment, SymbolKind.String, at, at)
@@ -93,7 +102,7 @@ def _headings(snap: Snapshot, path: str, program: Program, last: int) -> Iterato
 
 def comment_alone(snap: Snapshot, text: str) -> str:
     """Return the words of a comment that is all of a line; nothing where it is not."""
-    kinds = [(row[0], row[1]) for row in _core.tokens(snap.control, text)]
+    kinds = [(row[0], row[1]) for row in _core.tokens(snap.control, clean(text))]
     comments = [part for kind, part in kinds if kind == "comment"]
     if len(comments) != 1 or any(kind == "word" for kind, _ in kinds):
         return ""
@@ -147,9 +156,12 @@ def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
 
 
 def _tools(program: Program, last: int) -> Iterator[tuple[int, int]]:
-    begin = None
-    for block in program.blocks:
-        if "T" in block.text.upper() and any(word.address == "T" for word in block.words):
+    data, begin = program.data, None
+    for place in range(data.blocks):
+        if not _may_have_tool(data, place):
+            continue
+        block = program.blocks[place]
+        if any(word.address == "T" for word in block.words):
             if begin is not None:
                 yield begin, block.line - 2
             begin = block.line - 1
