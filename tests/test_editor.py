@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 from lsprotocol import types
 
-from cncsub.editor import completing, explaining, navigation, shown, symbols
+from cncsub.editing import EditError
+from cncsub.editor import completing, explaining, navigation, rewriting, shown, symbols
 from cncsub.editor.diagnostics import actions, diagnostics
 from cncsub.editor.documents import Document, character_of, split, units_before
 from cncsub.editor.memory import Memories, Settings
@@ -68,8 +69,12 @@ def defined(word: str, line: int, text: str = TEXT, control: str = CONTROL) -> l
         (3, "G65", ["10:0"]),
         (4, "P30003", ["17:0"]),  # three times O3
         (6, "20", ["3:0"]),  # the block that GOTO names
-        (6, "#100", ["5:0"]),  # the last writer before
-        (11, "#1 ", ["14:0"]),  # no writer before: those there are
+        (6, "#100", ["5:1"]),  # the last writer before
+        (
+            11,
+            "#1 ",
+            ["3:11", "14:1"],
+        ),  # no writer before: those there are, and the letter of the call
         (8, "P77", []),  # no such program
         (7, "F100", []),
     ],
@@ -79,7 +84,7 @@ def test_a_word_leads_to_what_it_names(line: int, word: str, leads_to: list[str]
 
 
 def test_an_argument_leads_to_the_calls_that_give_it() -> None:
-    assert defined("#2", 12) == ["3:4"]
+    assert defined("#2", 12) == ["3:15"]
 
 
 @pytest.mark.parametrize(
@@ -101,9 +106,15 @@ def test_the_references_of_a_variable_are_its_places_in_every_value() -> None:
     snap = snapshot()
     found = navigation.references(snap, PATH, *at(snap, 5, "#100"), definitions=True)
     places = [(each.range.start.line, each.range.start.character) for each in found]
-    assert places == [(3, 16), (5, 0), (5, 5), (6, 3), (7, 9)]
+    assert places == [(3, 17), (5, 1), (5, 6), (6, 4), (7, 10)]
     local = navigation.references(snap, PATH, *at(snap, 11, "#1 "), definitions=True)
-    assert {each.range.start.line for each in local} == {11, 12, 13, 14}  # of this program alone
+    assert {each.range.start.line for each in local} == {
+        3,
+        11,
+        12,
+        13,
+        14,
+    }  # with the A of the call
 
 
 def test_the_references_of_a_program_and_of_a_block() -> None:
@@ -112,7 +123,7 @@ def test_the_references_of_a_program_and_of_a_block() -> None:
     assert [each.range.start.line for each in calls] == [3]
     jumps = navigation.references(snap, PATH, *at(snap, 3, "N20"), definitions=True)
     assert [(each.range.start.line, each.range.start.character) for each in jumps] == [
-        (3, 0),
+        (3, 1),
         (6, 15),
     ]
 
@@ -276,7 +287,76 @@ def test_a_certain_correction_is_an_edit() -> None:
         .line(1)
         .startswith("(\U0001f600) G1 X0.")
     )
-    assert actions(snap, PATH, types.Range(types.Position(0, 0), types.Position(0, 2))) == []
+    (other,) = actions(snap, PATH, types.Range(types.Position(0, 0), types.Position(0, 2)))
+    assert other.command.command == "cncsub.renumber"
+
+
+# ---- changes ----
+
+
+def after(snap: Snapshot, edit: types.WorkspaceEdit) -> str:
+    document = snap.document(PATH)
+    for change in sorted(edit.changes[f"file://{PATH}"], key=_last_first):
+        document = document.edited(change.new_text, change.range)
+    return document.text
+
+
+def _last_first(edit: types.TextEdit) -> tuple[int, int]:
+    return -edit.range.start.line, -edit.range.start.character
+
+
+@pytest.mark.parametrize(
+    ("line", "word", "new", "changed"),
+    [
+        (3, "20", "25", {3: "N25 G65 P2 A5. B#100", 6: "IF[#100LT3]GOTO25"}),
+        (10, "2 ", "7", {3: "N20 G65 P7 A5. B#100", 10: "O7 (MACRO)"}),
+        (7, "100", "150", {3: "N20 G65 P2 A5. B#150", 5: "#150=#150+1", 6: "IF[#150LT3]GOTO20",
+                           7: "N40 G1 X[#150*2] F100"}),
+    ],
+)  # fmt: skip
+def test_a_rename_changes_all_that_names_it(
+    line: int, word: str, new: str, changed: dict[int, str]
+) -> None:
+    snap = snapshot()
+    place = at(snap, line, word)
+    prepared = rewriting.prepare_rename(snap, PATH, *place)
+    assert prepared.placeholder == word.strip()
+    lines = after(snap, rewriting.renamed(snap, PATH, *place, new)).splitlines()
+    expected = [changed.get(n, text) for n, text in enumerate(TEXT.splitlines())]
+    assert lines == expected
+
+
+def test_what_cannot_be_renamed_is_refused() -> None:
+    snap = snapshot()
+    assert rewriting.prepare_rename(snap, PATH, *at(snap, 7, "F100")) is None
+    with pytest.raises(EditError):
+        rewriting.renamed(snap, PATH, *at(snap, 3, "20"), "30")
+
+
+def test_a_program_named_by_its_file_moves_the_file(tmp_path: Path) -> None:
+    memories, path = job(tmp_path), str(tmp_path / "O1.nc")
+    (tmp_path / "O2.nc").write_text("M99\n")
+    memories.put(path, Document.of("O1\nM98 P2\nM30\n"))
+    snap = memories.snapshot(path)
+    edit = rewriting.renamed(snap, path, 1, 5, "7")
+    *texts, move = edit.document_changes
+    assert [each.new_text for change in texts for each in change.edits] == ["7"]
+    assert (move.old_uri, move.new_uri) == tuple(
+        (tmp_path / name).as_uri() for name in ("O2.nc", "O7.nc")
+    )
+
+
+def test_blocks_are_laid_out_and_numbered_anew() -> None:
+    snap = snapshot("O1\nN1g91g1x10f100(\U0001f600)\nN2GOTO1\nM30\n")
+    edits = rewriting.formatted(snap, PATH, types.FormattingOptions(2, True))
+    text = after(snap, types.WorkspaceEdit(changes={f"file://{PATH}": edits}))
+    assert text == "O1\nN1 G91 G1 X10 F100 (\U0001f600)\nN2 GOTO1\nM30\n"
+    some = rewriting.formatted(snap, PATH, types.FormattingOptions(2, True), 2, 2)
+    assert {edit.range.start.line for edit in some} == {2}
+    assert after(snap, rewriting.renumbered(snap, PATH)).splitlines()[1:3] == [
+        "N10g91g1x10f100(\U0001f600)",
+        "N20GOTO10",
+    ]
 
 
 # ---- memories ----

@@ -9,9 +9,10 @@ from typing import Any
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from lsprotocol.types import Position, Range
+from lsprotocol.types import FormattingOptions, Position, Range
 
-from cncsub.editor import completing, explaining, navigation, shown, symbols
+from cncsub.editing import EditError
+from cncsub.editor import completing, explaining, navigation, rewriting, shown, symbols
 from cncsub.editor.diagnostics import actions, diagnostics
 from cncsub.editor.documents import UNITS, Document
 from cncsub.editor.memory import Memories, Settings
@@ -105,8 +106,20 @@ ASKED: dict[str, Callable[[Snapshot, int, int], Any]] = {
     ),
     "hints": lambda s, _l, _c: shown.inlay_hints(s, PATH, 0, 30),
     "lenses": lambda s, _l, _c: shown.code_lenses(s, PATH, debugs=True),
+    "rename": lambda s, line, c: (rewriting.prepare_rename(s, PATH, line, c), _renamed(s, line, c)),
+    "format": lambda s, line, _c: (
+        rewriting.formatted(s, PATH, FormattingOptions(2, True)),
+        rewriting.formatted(s, PATH, FormattingOptions(2, True), line, line + 2),
+    ),
     "actions": lambda s, line, _c: actions(s, PATH, Range(Position(line, 0), Position(line + 2, 0))),
 }  # fmt: skip
+
+
+def _renamed(snap: Snapshot, line: int, character: int) -> Any:
+    try:
+        return rewriting.renamed(snap, PATH, line, character, "77")
+    except (EditError, KeyError, ValueError) as error:
+        return str(error)
 
 
 def of_text(text: str, control: str) -> Snapshot:

@@ -22,7 +22,7 @@ SERVER = [sys.executable, "-m", "cncsub", "lsp"]
 CONTROL = "fanuc-0i-f"
 MACROS = 300
 
-MAIN = "O1 (MAIN)\nN10 M98 P2\nN20 M98 P9\nN30 M30\n"
+MAIN = "O1 (MAIN)\nN10 M98 P2\nN20 M98 P9\nN30  M30\n"
 SUB = "O2 (SUB)\nM99\n"
 # Emacs sends no document with bytes that are no text.
 BROKEN = b"\x00O1\xc3\xbf\xe2\x80\xa8((((\r\n\n\r[[[#=#=;;%%%\nN10 M98\rIF[THEN\n" * 20
@@ -95,14 +95,21 @@ def test_an_editor_is_told_of_a_job(editor: list[str], tmp_path: Path) -> None:
     job.mkdir()
     (job / "cncsub.toml").write_text(f'control = "{CONTROL}"\n')
     (job / "O1.nc").write_text(MAIN)
-    (job / "O2.nc").write_text(SUB)
+    (job / "SUB.nc").write_text(SUB)
     (told,) = answers(editor, job, [ask(job / "O1.nc", 1, 9)])
     assert told["published"]
     assert told["diagnostics"] == [{"line": 2, "column": 8, "code": "CS201"}]
     assert [each["name"] for each in told["symbols"]] == ["O1"]
     (place,) = told["definition"]
-    assert place["uri"] == (job / "O2.nc").as_uri()
+    assert place["uri"] == (job / "SUB.nc").as_uri()
     assert "**O2** (SUB)" in told["hover"]
+    assert set(told["rename"]["changes"]) == {(job / name).as_uri() for name in ("O1.nc", "SUB.nc")}
+    assert told["format"] == [
+        {
+            "newText": "",
+            "range": {"start": {"line": 3, "character": 4}, "end": {"line": 3, "character": 5}},
+        }
+    ]
 
 
 def test_an_editor_opens_the_examples(editor: list[str], tmp_path: Path) -> None:

@@ -123,16 +123,17 @@ MAY_IMPORT = {
     "drawing": {"base", "tables"},
     "face": {"base", "tables", "coverage", "analysis", "drawing"},
     "comparison": {"base", "tables", "analysis", "face"},
+    "editing": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
     "archive": {"base", "tables", "face", "reports"},
     "package": {"base", "tables", "coverage", "analysis", "face", "comparison", "reports"}
     | {"archive"},
     "testing": {"base", "analysis", "face", "package"},
-    "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "plot", "reports"}
-    | {"archive", "package"},
+    "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
+    | {"reports", "archive", "package"},
     # The server for editors: a command of its own, which no other room imports.
-    "editor": {"base", "tables", "analysis", "face", "reports", "cli"},
+    "editor": {"base", "tables", "analysis", "face", "editing", "reports", "cli"},
 }
 
 

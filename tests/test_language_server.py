@@ -161,6 +161,40 @@ def test_the_settings_of_a_client_name_the_control(tmp_path: Path) -> None:
     talk(tmp_path, ask)
 
 
+def test_names_layout_and_numbers_are_changed(tmp_path: Path) -> None:
+    main = job(tmp_path)
+
+    async def change(client: Any) -> None:
+        shown = show(client, main, "O1\nN1G1X1.F9\nN2M98P2\nM30\n")
+        at = lsp.Position(2, 6)
+        prepared = await client.text_document_prepare_rename_async(
+            lsp.PrepareRenameParams(shown, at)
+        )
+        assert prepared.placeholder == "2"
+        renamed = await client.text_document_rename_async(lsp.RenameParams(shown, at, "5"))
+        told = renamed.changes or {
+            each.text_document.uri: each.edits
+            for each in renamed.document_changes
+            if isinstance(each, lsp.TextDocumentEdit)
+        }
+        assert {uri.rsplit("/", 1)[-1] for uri in told} == {"O1.nc", "O2.nc"}
+        with pytest.raises(Exception, match="O1"):
+            await client.text_document_rename_async(lsp.RenameParams(shown, at, "1"))
+        layout = lsp.FormattingOptions(2, True)
+        edits = await client.text_document_formatting_async(
+            lsp.DocumentFormattingParams(shown, layout)
+        )
+        assert edits
+        some = await client.text_document_range_formatting_async(
+            lsp.DocumentRangeFormattingParams(
+                shown, lsp.Range(lsp.Position(2, 0), lsp.Position(2, 5)), layout
+            )
+        )
+        assert {edit.range.start.line for edit in some} == {2}
+
+    talk(tmp_path, change)
+
+
 def test_commands_run_and_draw_a_program(tmp_path: Path) -> None:
     main = job(tmp_path)
     main.write_text(MAIN.replace("P9", "P2"))

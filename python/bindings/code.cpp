@@ -144,6 +144,23 @@ py::list tokens(ReadWord read, std::string_view block) {
   return rows;
 }
 
+/// Return "local", "common" or "kept" for a variable of programs, "control" for one of the control;
+/// empty where there is none.
+std::string variable_kind(const Code& code, std::int64_t number) {
+  const VariablePlace place = code.place(number);
+  if (place.range == nullptr) return "";
+  switch (place.kind) {
+    case VariableKind::Local:
+      return "local";
+    case VariableKind::Common:
+      return "common";
+    case VariableKind::Kept:
+      return "kept";
+    default:
+      return "control";
+  }
+}
+
 }  // namespace
 
 void add_code(py::module_& m) {
@@ -229,6 +246,9 @@ void add_code(py::module_& m) {
           },
           py::arg("address"))
       .def("names", &names, py::arg("external") = false)
+      .def_property_readonly("variable_sign",
+                             [](const Code& c) { return std::string(c.spelling->variable); })
+      .def("variable_kind", &variable_kind, py::arg("number"))
       .def("places", &places, py::arg("external") = false)
       .def_property_readonly("duplicates", &duplicates)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
@@ -252,13 +272,6 @@ void add_code(py::module_& m) {
                              })
       .def_readonly("external_device", &Code::external_device)
       .def_readonly("general_only", &Code::general_only)
-      .def(
-          "is_local",
-          [](const Code& code, std::int64_t number) {
-            const VariablePlace place = code.place(number);
-            return place.range != nullptr && place.kind == VariableKind::Local;
-          },
-          py::arg("number"))
       .def(
           "find",
           [](const Code& c, const std::string& name, bool external) {

@@ -1,9 +1,17 @@
 #include "cncsub/code/references.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bindings.hpp"
+#include "cncsub/analysis/formatting.hpp"
+#include "cncsub/analysis/mentions.hpp"
+#include "cncsub/text/scan.hpp"
+#include "gil.hpp"
 #include "program_data.hpp"
 
 namespace py = pybind11;
@@ -117,6 +125,121 @@ void each_call(const Code& code, const py::function& take) {
   });
 }
 
+/// The column of each place of a file, counted in characters from 1. The places come in order, or
+/// else the line is counted through again.
+class Columns {
+ public:
+  explicit Columns(std::string_view text) : text_(text) {}
+
+  std::pair<std::uint32_t, std::size_t> line_and_column(std::size_t at) {
+    at = std::min(at, text_.size());
+    if (at < at_) *this = Columns(text_);
+    for (; at_ < at; ++at_) {
+      if (text_[at_] == '\n') {
+        ++line_;
+        column_ = 1;
+      } else if (!is_inside_character(text_[at_])) {
+        ++column_;
+      }
+    }
+    return {line_, column_};
+  }
+
+ private:
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::uint32_t line_ = 1;
+  std::size_t column_ = 1;
+};
+
+constexpr std::string_view name_of(Mention::Kind kind) {
+  switch (kind) {
+    case Mention::Kind::Number:
+      return "number";
+    case Mention::Kind::Label:
+      return "label";
+    case Mention::Kind::Program:
+      return "program";
+    case Mention::Kind::Variable:
+      return "variable";
+  }
+  return "";
+}
+
+/// Return the order of mentions in their files.
+std::vector<std::size_t> by_place(const Code& code, const std::vector<Mention>& all) {
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t i) {
+    const Mention& of = all[i];
+    return std::pair(code.programs[static_cast<std::size_t>(of.program)].file, of.place.at);
+  };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  return order;
+}
+
+py::list mentions(const Code& code, const std::string& machine, const std::string& kinds) {
+  const auto asked = [&](std::string_view kind) { return kinds.find(kind) != std::string::npos; };
+  std::vector<Mention> all;
+  work_away([&](InterruptCheck& interrupt) {
+    const MentionsAsked of{asked("block"), asked("program"), asked("variable"),
+                           asked("unnumbered")};
+    all = mentions_of(code, machine, of, interrupt);
+  });
+  py::list rows;
+  std::uint32_t file = 0;
+  std::optional<Columns> columns;
+  const auto place_in = [&](std::int32_t program, Address at) {
+    const bool known = program != kNoProgram && at != kNowhere;
+    const Address first = known ? code.programs[static_cast<std::size_t>(program)].first : 0;
+    return known ? py::object(py::int_(at - first)) : py::none();
+  };
+  for (const std::size_t i : by_place(code, all)) {
+    const Mention& of = all[i];
+    const Program& program = code.programs[static_cast<std::size_t>(of.program)];
+    const std::string_view text = code.files[program.file].text.view();
+    if (!columns || std::exchange(file, program.file) != program.file) columns.emplace(text);
+    const auto [line, column] = columns->line_and_column(of.place.at);
+    const auto text_at = [&](const TextPlace& place) {
+      return std::string(text.substr(std::min<std::size_t>(place.at, text.size()), place.width));
+    };
+    const bool has_word = of.word.width > 0;
+    const std::uint32_t before = has_word ? of.place.at - of.word.at : 0;
+    rows.append(py::make_tuple(std::string(name_of(of.kind)), of.defines, of.computed, of.in_caller,
+                               of.fixed, of.program, place_in(of.program, of.block), line, column,
+                               text_at(of.place), of.number, of.name, of.to_program,
+                               place_in(of.to_program, of.to),
+                               has_word ? text_at(of.word) : std::string(), before));
+    if (rows.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return rows;
+}
+
+/// Return the changes of a file, as line, column, old and new text, and the lines that stay.
+py::tuple formatted(const Code& code, const std::string& name, const std::string& blanks,
+                    int indent, bool capitals, bool points) {
+  const auto known = std::find_if(code.files.begin(), code.files.end(), [&](const SourceFile& of) {
+    return of.name == name && !of.external && !of.system;
+  });
+  if (known == code.files.end()) throw py::key_error("no file " + name);
+  const auto file = static_cast<std::uint32_t>(known - code.files.begin());
+  Layout layout{Layout::Blanks::Keep, indent, capitals, points};
+  if (blanks == "one") layout.blanks = Layout::Blanks::One;
+  if (blanks == "none") layout.blanks = Layout::Blanks::None;
+  Formatted found;
+  work_away([&](InterruptCheck& interrupt) { found = format_file(code, file, layout, interrupt); });
+  const std::string_view text = code.files[file].text.view();
+  Columns columns(text);
+  py::list rows;
+  for (const LayoutChange& change : found.changes) {
+    const auto [line, column] = columns.line_and_column(change.at);
+    rows.append(py::make_tuple(line, column, std::string(text.substr(change.at, change.width)),
+                               change.text));
+  }
+  return py::make_tuple(rows, found.left);
+}
+
 }  // namespace
 
 void add_references(py::module_& m) {
@@ -128,6 +251,10 @@ void add_references(py::module_& m) {
       },
       py::arg("program"), py::arg("block"));
   m.def("all_calls", &all_calls, py::arg("code"));
+  m.def("formatted", &formatted, py::arg("code"), py::arg("name"), py::arg("blanks"),
+        py::arg("indent"), py::arg("capitals"), py::arg("points"));
+  m.def("refused_blocks", &refused_blocks, py::arg("code"));
+  m.def("mentions", &mentions, py::arg("code"), py::arg("machine"), py::arg("kinds"));
   m.def("each_call", &each_call, py::arg("code"), py::arg("take"));
 }
 

@@ -268,6 +268,27 @@ def all_calls(code: Code) -> list[tuple[int, int, _CallRow]]:
 def each_call(code: Code, take: Callable[[int, int | None, int, _CallRow], None]) -> None:
     """Hand over every call: the place of its program, the number and the line of its block."""
 
+# kind, defines, computed, in the caller, fixed, program, block, line, column, text, number, name,
+# the program and the block that it names, the word of a block's number, how far it begins before
+_MentionRow = tuple[
+    str, bool, bool, bool, bool, int, int | None, int, int, str, int, str, int, int | None, str, int
+]
+
+def mentions(code: Code, machine: str, kinds: str) -> list[_MentionRow]:
+    """Return every piece of text that names a block, a program or a variable, by its place.
+    `kinds`: block, program, variable, unnumbered.
+    """
+
+def formatted(
+    code: Code, name: str, blanks: str, indent: int, capitals: bool, points: bool
+) -> tuple[list[tuple[int, int, str, str]], list[int]]:
+    """Return the changes of a file to a layout: line, column, old, new; and the lines that stay as
+    they are because they would be read otherwise. `name`: that of a file of the memory.
+    """
+
+def refused_blocks(code: Code) -> list[tuple[int, int]]:
+    """Return the blocks that are refused when they are reached: program and place there."""
+
 # which of the rules, where (its words: what is wrong), the text of the line, the alarm, the calls,
 # edits: file, line, column, old, new; the first of its other places with their lines, how many
 # places it has
@@ -356,12 +377,15 @@ class Code:
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
     @property
+    def variable_sign(self) -> str: ...  # what stands before the number of a variable
+    # local, common or kept; control for one of the control; empty where there is none
+    def variable_kind(self, number: int) -> str: ...
+    @property
     def leaders(self) -> list[tuple[str, int]]: ...  # file, lines before its first %
     @property
     def external_device(self) -> bool: ...
     @property
     def general_only(self) -> bool: ...
-    def is_local(self, number: int) -> bool: ...  # each call has this variable of its own
     def find(self, name: str | int, external: bool = False) -> int: ...
     def with_mdi(self, text: str) -> Code: ...  # one more program, the last
 

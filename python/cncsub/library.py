@@ -260,18 +260,23 @@ class Library(Mapping[str, Program]):
         sources[at] = (name, stem, text[:begin] + blank + text[end:], outside)
         return at
 
-    def with_texts(self, control: Control, texts: Mapping[str, str]) -> Library:
-        """Return the memory of another control with other texts in its files."""
+    def with_texts(
+        self, control: Control, texts: Mapping[str, str], renamed: Mapping[str, str] | None = None
+    ) -> Library:
+        """Return the memory of another control with other texts in its files. `renamed`: files with
+        other names, old to new.
+        """
+        called = {old: shown_and_stem(new) for old, new in (renamed or {}).items()}
         sources = [
             (
-                n,
-                stem,
+                *called.get(n, (n, stem)),
                 data if outside or n not in texts else texts[n].encode(errors="surrogateescape"),
                 outside,
             )
             for n, stem, data, outside in self.code.sources
         ]
-        return self._read_again(control, sources, self._files, self._first)
+        files = [called[name][0] if name in called else name for name in self._files]
+        return self._read_again(control, sources, files, self._first)
 
     def _read_again(
         self, control: Control, sources: Sequence[_Source], files: Sequence[str], first: str | None

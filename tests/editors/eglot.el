@@ -50,12 +50,22 @@
              (here (eglot--TextDocumentPositionParams))
              (hover (jsonrpc-request server :textDocument/hover here))
              (definition (jsonrpc-request server :textDocument/definition here))
+             (document (plist-get here :textDocument))
+             ;; A change that is refused comes back as an error.
+             (rename (ignore-errors
+                       (jsonrpc-request server :textDocument/rename
+                                        (append here (list :newName "77")))))
+             (format (jsonrpc-request server :textDocument/formatting
+                                      (list :textDocument document
+                                            :options '(:tabSize 2 :insertSpaces t))))
              (symbols (jsonrpc-request server :textDocument/documentSymbol
-                                       (list :textDocument (plist-get here :textDocument)))))
+                                       (list :textDocument document))))
         (list :file file
               :published (if (gethash key cncsub-published) t :json-false)
               :diagnostics (vconcat (mapcar #'cncsub-diagnostic (gethash key cncsub-published)))
               :definition (or definition [])
+              :rename rename
+              :format (or format [])
               :symbols (or symbols [])
               :hover (if hover (plist-get (plist-get hover :contents) :value) ""))))))
 

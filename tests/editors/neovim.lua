@@ -37,6 +37,8 @@ for _, ask in ipairs(asked) do
     diagnostics = found,
     definition = request("textDocument/definition"),
     hover = type(hover) == "table" and hover.contents.value or vim.NIL,
+    rename = request("textDocument/rename", { newName = "77" }),
+    format = request("textDocument/formatting", { options = { tabSize = 2, insertSpaces = true } }),
     symbols = request("textDocument/documentSymbol"),
   })
 end

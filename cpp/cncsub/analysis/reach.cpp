@@ -5,46 +5,18 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/analysis/profiles.hpp"
 #include "cncsub/control/spelled.hpp"
 
 namespace cncsub {
 
 namespace {
 
-bool follows_profile(Meaning meaning) {
-  return meaning == Meaning::Finish || meaning == Meaning::RoughTurn ||
-         meaning == Meaning::RoughFace || meaning == Meaning::RoughPattern;
-}
-
-/// Return the value of a word that is written as a number, -1 where there is none.
-std::int64_t written(const Code& code, const Block& block, char address) {
-  if ((block.mask & bit(address)) == 0) return -1;
-  const Cell* cell = code.cells.data() + block.data;
-  std::uint32_t expressions = 0;
-  if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
-  if ((expressions & bit(address)) != 0) return -1;
-  cell += block.code_cells();
-  for (std::uint32_t left = block.mask & (bit(address) - 1); left != 0; left &= left - 1) ++cell;
-  return std::abs(cell->value) < 1e9 ? to_whole<std::int64_t>(cell->value) : -1;
-}
-
-bool cuts_profile(const Checker& c, const Block& block) {
-  if ((block.mask & bit('P')) == 0 || (block.mask & bit('Q')) == 0) return false;
-  bool cuts = false;
-  each_g(c.code, block, [&](int g) { cuts = cuts || follows_profile(c.g_codes.find(g).meaning); });
-  return cuts;
-}
-
 /// Mark the profile that a cycle cuts: from the block of P, the nearest after the cycle, to that of
 /// Q. `begun` counts by block the profiles that begin there less those that end before it.
 void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<int>& begun) {
   const Program& program = c.program(flow.program());
-  const Block& block = c.code.blocks[at];
-  const std::int64_t p = written(c.code, block, 'P'), q = written(c.code, block, 'Q');
-  Address from = c.code.next_of(program, p, at);
-  if (from == kNowhere) from = c.code.first_of(program, p);
-  const Address to =
-      from == kNowhere ? c.code.first_of(program, q) : c.code.first_from(program, q, from);
+  const auto [p, q, from, to] = profile_of(c.code, program, at);
   if ((p >= 0 && from == kNowhere) || (q >= 0 && to == kNowhere)) {
     Fault fault{.cause = Cause::PqNotFound,
                 .detail = c.code.no_block(from == kNowhere ? p : q, program),
@@ -61,7 +33,7 @@ void mark_profile(Checker& c, const ProgramFlow& flow, Address at, std::vector<i
 void mark_profiles(Checker& c, const ProgramFlow& flow, std::vector<bool>& reached) {
   std::vector<int> begun;
   for (Address at = flow.first(); at < flow.last() && !c.over(); ++at) {
-    if (!cuts_profile(c, c.code.blocks[at])) continue;
+    if (!cuts_profile(c.code, c.g_codes, c.code.blocks[at])) continue;
     begun.resize(flow.size(), 0);
     mark_profile(c, flow, at, begun);
   }

@@ -108,6 +108,7 @@ struct CallExtras {
   std::uint32_t name_at = 0, name_width = 1;
   char count = 'L';             // the address of `l` as it is written
   Address part_end = kNowhere;  // of RepeatPart: the block before which a pass ends
+  std::uint32_t last_at = 0, last_width = 0;  // the same: where its last block is named, if it is
   // Of a return: it has values: the block after the one that it names is meant, and how many
   // levels it goes back.
   bool by_values = false;

@@ -69,6 +69,12 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
   if (CallExtras* extras = known.extras.find()) computed(extras->start, reference.computed_start);
   computed(known.p, reference.computed_program);
   if (call.name_text().present()) reference.computed_program = place_of(call.name_text());
+  reference.by_name = !call.name().empty();
+  if (reference.by_name)
+    reference.program_place = TextPlace{call.extras.get().name_at, call.extras.get().name_width};
+  else if (call.p.present() && call.program_number < 0)
+    reference.program_place = place_of(call.p);
+  if (call.start().present()) reference.start_place = place_of(call.start());
   if (reference.computed_program) known.program_number = 0;
   Target target;
   const CallOperands values{known.p.value, known.l.value, known.start().value,
@@ -77,6 +83,8 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
   const bool found = !reference.computed_program && !find_target(code_, known, target);
   reference.external = target.external;
   reference.start = target.start_n;
+  reference.block_in_p = call.p.present() && call.name().empty() && target.program == program_ &&
+                         target.program_number < 0 && call.program_number < 0;
   reference.repeats = target.skipped ? 0 : target.repeats;
   if (target.program != kNoProgram && (found || !reference.computed_program)) {
     reference.found = target.program;
@@ -142,6 +150,8 @@ void ReferenceReader::o_word(const OWord& own) {
   CallReference reference;
   reference.kind = call.kind;
   reference.place = {own.at, own.width};
+  reference.by_name = own.label != OWord::kNone;
+  reference.program_place = reference.by_name ? reference.place : place_of(call.p);
   label_of(own, reference);
   if (call.l.kind == Operand::Kind::Expression)
     reference.computed_repeats = place_of(call.l.expression);

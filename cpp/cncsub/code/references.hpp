@@ -25,6 +25,11 @@ struct CallReference {
   std::int64_t start = -1;          // the sequence number it begins at, -1: its first block
   std::int64_t repeats = 1;         // 0: it is skipped
   std::optional<TextPlace> computed_program, computed_start, computed_repeats;
+  // Where the number or the name of the program stands, where the number of the first block does;
+  // nothing where the block does not write it, as a code that calls does.
+  std::optional<TextPlace> program_place, start_place;
+  bool block_in_p = false;  // P is the number of a block of the own program
+  bool by_name = false;     // the program is called by its name
   TextPlace place;
 };
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from lsprotocol.types import (
     CodeAction,
     CodeActionKind,
+    Command,
     Diagnostic,
     DiagnosticRelatedInformation,
     DiagnosticSeverity,
@@ -20,6 +21,7 @@ from cncsub.checking import Edit, Finding
 from cncsub.editor.snapshot import Snapshot, uri_of
 
 SOURCE = "cncsub"
+RENUMBER = "source.renumber"  # the kind of an action
 MOST_PLACES = 200  # of one finding
 _SEVERITIES = {
     "error": DiagnosticSeverity.Error,
@@ -77,9 +79,14 @@ def actions(snap: Snapshot, path: str, asked: Range) -> list[CodeAction]:
     if len(fixed) > 1:
         edits = [edit for finding in fixed for edit in finding.fix or ()]
         kind = CodeActionKind.SourceFixAll
-        found.append(
-            CodeAction(f"Correct {len(fixed)} findings", kind, edit=workspace_edit(snap, edits))
+        found.append(CodeAction(f"Correct {len(fixed)} findings", kind, edit=_change(snap, edits)))
+    found.append(
+        CodeAction(
+            "Number the blocks anew",
+            RENUMBER,
+            command=Command("Number the blocks anew", "cncsub.renumber", arguments=[path]),
         )
+    )
     return found
 
 
@@ -91,12 +98,12 @@ def _action(snap: Snapshot, path: str, finding: Finding) -> CodeAction:
         CodeActionKind.QuickFix,
         diagnostics=[next(_of(snap, path, finding))],
         is_preferred=True,
-        edit=workspace_edit(snap, edits),
+        edit=_change(snap, edits),
     )
 
 
-def workspace_edit(snap: Snapshot, edits: list[Edit] | tuple[Edit, ...]) -> WorkspaceEdit:
-    """Return edits of files as the client makes them; those that no longer fit are left out."""
+def text_edits(snap: Snapshot, edits: Iterable[Edit]) -> dict[str, list[TextEdit]]:
+    """Return edits as the client makes them, by file; those that no longer fit are left out."""
     changes: dict[str, list[TextEdit]] = {}
     for edit in dict.fromkeys(edits):
         document = snap.document(edit.file)
@@ -105,5 +112,10 @@ def workspace_edit(snap: Snapshot, edits: list[Edit] | tuple[Edit, ...]) -> Work
         if line[at : at + len(edit.old)] != edit.old:
             continue
         place = document.range(edit.line - 1, at, len(edit.old))
-        changes.setdefault(uri_of(edit.file), []).append(TextEdit(place, edit.new))
-    return WorkspaceEdit(changes=changes)
+        changes.setdefault(edit.file, []).append(TextEdit(place, edit.new))
+    return changes
+
+
+def _change(snap: Snapshot, edits: Iterable[Edit]) -> WorkspaceEdit:
+    changes = text_edits(snap, edits)
+    return WorkspaceEdit(changes={uri_of(path): rows for path, rows in changes.items()})

@@ -160,8 +160,8 @@ def told_call(program: object, repeats: object) -> str:
 def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name) -> Iterator[str]:
     shown = f"#{name.key}" if isinstance(name.key, int) else str(name.key)
     if isinstance(name.key, int):
-        local = snap.code.is_local(name.key)
-        yield f"**{shown}**, {'a local variable' if local else 'a variable of all programs'}"
+        scope = "a variable of all programs" if name.program is None else "a local variable"
+        yield f"**{shown}**, {scope}"
         values = [] if run is None else run.values_of(name.key)
         if values:
             yield f"in the last run: {listed(values)}"

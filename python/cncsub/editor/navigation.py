@@ -18,13 +18,13 @@ from lsprotocol.types import (
 
 from cncsub import _core
 from cncsub.editor.names import (
-    Mention,
     Name,
     block_of,
     label_of,
     location,
     mentions,
     name_at,
+    writes,
 )
 from cncsub.editor.snapshot import Snapshot, uri_of
 from cncsub.program import Block, Program
@@ -42,7 +42,7 @@ def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Loc
         return [snap.head_of(snap.program(int(name.key)))]
     if name.kind == "block":
         return [_block_place(snap, block_of(snap, name))]
-    writers = [mention for mention in mentions(snap, name) if mention.defines]
+    writers = [mention for mention in mentions(snap, name) if writes(snap, mention)]
     before = [
         mention
         for mention in writers
@@ -50,8 +50,9 @@ def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Loc
     ]
     if before:
         return [location(snap, max(before, key=lambda m: (m.line, m.column)))]
-    given = list(_arguments(snap, name)) if not writers else []
-    return [location(snap, mention) for mention in writers] + given
+    others = [m for m in mentions(snap, name) if m.fixed or m.defines]  # as the letter of a call
+    every = dict.fromkeys([*others, *writers])
+    return [location(snap, mention) for mention in every] or list(_arguments(snap, name))
 
 
 def _block_place(snap: Snapshot, block: Block) -> Location:
@@ -77,9 +78,13 @@ def references(
     found = name_at(snap, path, line, character)
     if found is None:
         return []
-    every = dict.fromkeys(mentions(snap, found[0]))
-    own = found[0].kind == "variable"  # whatever writes a variable is a use of it
-    return [location(snap, each) for each in every if definitions or own or not each.defines]
+    name = found[0]
+    own = name.kind == "variable"  # whatever writes a variable is a use of it
+    return [
+        location(snap, each)
+        for each in mentions(snap, name)
+        if definitions or own or not each.defines
+    ]
 
 
 def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[DocumentHighlight]:
@@ -89,14 +94,10 @@ def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[Doc
         return []
     kinds = {True: DocumentHighlightKind.Write, False: DocumentHighlightKind.Read}
     return [
-        DocumentHighlight(_range(snap, each), kinds[each.defines])
-        for each in dict.fromkeys(mentions(snap, found[0]))
+        DocumentHighlight(location(snap, each).range, kinds[each.defines or writes(snap, each)])
+        for each in mentions(snap, found[0])
         if each.file == path
     ]
-
-
-def _range(snap: Snapshot, at: Mention) -> Range:
-    return snap.range(at.file, at.line, at.column, at.width)
 
 
 # ---- calls ----

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 from pygls.uris import to_fs_path
 
 from cncsub._core import __version__
-from cncsub.editor import completing, explaining, navigation, shown, symbols
+from cncsub.editing import EditError
+from cncsub.editor import completing, explaining, navigation, rewriting, shown, symbols
 from cncsub.editor.commands import plot_program, run_program
-from cncsub.editor.diagnostics import actions, diagnostics
+from cncsub.editor.diagnostics import RENUMBER, actions, diagnostics
 from cncsub.editor.documents import UNITS, Document
 from cncsub.editor.memory import Memories, Settings
 from cncsub.editor.snapshot import Snapshot
@@ -93,7 +96,8 @@ class Server(LanguageServer):
             found = await asyncio.to_thread(self._diagnostics, path)
             if document is not None and self.memories.documents.get(path) is document:
                 self.publish(path, found, document.version)
-        if paths and await asyncio.to_thread(self._run, paths[0]):
+        more = await asyncio.to_thread(lambda: self._run(paths[0]))
+        if more:
             self._refresh()
 
     def _run(self, path: str) -> bool:
@@ -138,6 +142,7 @@ def _register(server: Server) -> None:
     _register_navigation(server)
     _register_words(server)
     _register_looks(server)
+    _register_changes(server)
     _register_commands(server)
 
 
@@ -290,7 +295,9 @@ def _register_words(server: Server) -> None:
 
     @server.feature(
         lsp.TEXT_DOCUMENT_CODE_ACTION,
-        lsp.CodeActionOptions([lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll]),
+        lsp.CodeActionOptions(
+            [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll, RENUMBER]
+        ),
     )
     def action(ls: Server, params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
         def answer(snap: Snapshot, path: str) -> list[lsp.CodeAction]:
@@ -343,7 +350,57 @@ def _register_looks(server: Server) -> None:
         return _asked(ls, params.text_document.uri, answer, [])
 
 
+def _register_changes(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
+    def prepare(ls: Server, params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
+        return _at(ls, params, rewriting.prepare_rename, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
+    def rename(ls: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+        with _refusals():
+            new = params.new_name
+            return _at(
+                ls, params, lambda s, p, line, at: rewriting.renamed(s, p, line, at, new), None
+            )
+
+    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
+    def format(ls: Server, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
+            return rewriting.formatted(snap, path, params.options)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
+    def format_some(ls: Server, params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit]:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
+            return rewriting.formatted(snap, path, params.options, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+@contextlib.contextmanager
+def _refusals() -> Iterator[None]:
+    """Answer a change that cannot be made with the reason."""
+    try:
+        yield
+    except (EditError, KeyError, ValueError) as error:
+        raise JsonRpcException(
+            message=str(error.args[0] if isinstance(error, KeyError) else error),
+            code=lsp.LSPErrorCodes.RequestFailed.value,
+        ) from None
+
+
 def _register_commands(server: Server) -> None:
+    @server.command("cncsub.renumber")
+    def renumber(ls: Server, path: str) -> None:
+        snap = ls.memories.snapshot(path)
+        if snap is not None:
+            with _refusals():
+                edit = rewriting.renumbered(snap, path)
+            ls.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit, "Number the blocks anew"))
+
     @server.command("cncsub.run")
     def run(ls: Server, path: str, program: str | None = None) -> str:
         return _command(ls, path, program, run_program)

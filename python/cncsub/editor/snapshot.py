@@ -14,6 +14,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.checking import Finding, all_rules, check
 from cncsub.cli.project import Project
+from cncsub.editing import Mention, mentions
 from cncsub.editor.documents import Document
 from cncsub.editor.last_run import LastRun
 from cncsub.library import Library
@@ -126,6 +127,27 @@ class Snapshot:
         return self.location(program.file, program.line, 1, len(line))
 
     # ---- what the engine finds ----
+
+    @property
+    def mentions(self) -> list[Mention]:
+        """Every mention of a block, a program or a variable. Those of a large memory are not kept:
+        they would take ten times its text.
+        """
+        if self._mentions:
+            return self._mentions[0]
+        machine = None if self.setup is None else self.setup.machine
+        found = mentions(self.library, machine=machine or "")
+        if len(found) <= MANY_LINES:
+            self._mentions.append(found)
+        return found
+
+    @cached_property
+    def _mentions(self) -> list[list[Mention]]:
+        return []
+
+    def mentions_on(self, path: str, line: int) -> list[Mention]:
+        """Return the mentions on a line, from 1."""
+        return [each for each in self.mentions if each.line == line and each.file == path]
 
     @cached_property
     def setup(self) -> Setup | None:

@@ -126,6 +126,10 @@ bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_
   named.name = link.target.label.empty() ? "N" : link.target.label;
   named.name_at = link.target.at;
   named.name_width = link.target.width;
+  if (link.last.at != 0) {
+    named.last_at = link.last.at;
+    named.last_width = link.last.width;
+  }
   named.count = 'P';
   link.kind = Link::Kind::Part;
   open.to.become(block, Op::RepeatPart, std::move(call));

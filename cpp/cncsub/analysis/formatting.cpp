@@ -1,0 +1,286 @@
+#include "cncsub/analysis/formatting.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "cncsub/analysis/nesting_depth.hpp"
+#include "cncsub/text/scan.hpp"
+
+namespace cncsub {
+
+namespace {
+
+using Kind = BlockToken::Kind;
+
+/// Return the tokens of a block.
+std::vector<BlockToken> tokens_of(ReadWord read, std::string_view text) {
+  std::vector<BlockToken> tokens;
+  TokenReader reader(read, text);
+  while (auto token = reader.next()) tokens.push_back(std::move(*token));
+  return tokens;
+}
+
+/// A text in which comments and what stands between quotes are passed over.
+template <class Change>
+std::string outside_comments(const Spelling& spelling, std::string_view text,
+                             const Change& change) {
+  std::string written;
+  char end = '\0';  // of the comment or the text that is open
+  for (const char c : text) {
+    const bool outside = end == '\0';
+    if (!outside)
+      end = c == end ? '\0' : end;
+    else if (c == '"' || (c == '(' && spelling.comment.before == "("))
+      end = c == '"' ? '"' : ')';
+    if (outside && end == '\0')
+      change(written, c);
+    else
+      written += c;
+  }
+  return written;
+}
+
+class BlockLayout {
+ public:
+  BlockLayout(const Code& code, const Layout& layout, std::string_view text, const Block& block)
+      : code_(code), layout_(layout), text_(text), block_(block) {}
+
+  /// Return the changes of the block, as places in it; nothing where it would be read otherwise.
+  std::optional<std::vector<LayoutChange>> changes();
+
+ private:
+  std::string word(const BlockToken& token) const;
+  bool takes_point(const WrittenWord& word) const;
+  bool joined(const BlockToken& before, const BlockToken& behind) const;
+  std::string between(const BlockToken& before, std::string_view blanks,
+                      const BlockToken& behind) const;
+  void write(std::vector<LayoutChange>& changes);
+  bool reads_alike(const std::string& written) const;
+
+  const Code& code_;
+  const Layout& layout_;
+  std::string_view text_;
+  const Block& block_;
+  std::vector<BlockToken> tokens_;
+};
+
+/// Return whether X10 of a plain move is a length that a point does not change.
+bool BlockLayout::takes_point(const WrittenWord& word) const {
+  const bool moves = block_.op == Op::Linear || block_.op == Op::Arc;
+  const bool millimetres = code_.control->reading.whole_numbers.value == WholeNumbers::Millimetres;
+  constexpr std::uint32_t kLengths = kEndWords | kCentreWords;
+  return layout_.points && moves && millimetres && word.known && word.address.size() == 1 &&
+         is_letter(word.address[0]) && (bit(upper(word.address[0])) & kLengths) != 0 &&
+         word.text.find_first_of(".=") == std::string::npos && is_digit(word.text.back());
+}
+
+/// Return a word as it is written by the layout.
+std::string BlockLayout::word(const BlockToken& token) const {
+  const std::string_view own = text_.substr(token.at, token.width);
+  const bool plain =
+      token.word.known && !token.word.address.empty() && own.find('(') == std::string_view::npos;
+  const auto change = [&](std::string& to, char c) {
+    if (plain && layout_.blanks != Layout::Blanks::Keep && is_blank(c)) return;
+    to += layout_.capitals ? upper(c) : c;
+  };
+  std::string written = outside_comments(*code_.spelling, own, change);
+  if (takes_point(token.word)) written += '.';
+  return written;
+}
+
+/// Return whether nothing stands between a sign and the word that it belongs to.
+bool BlockLayout::joined(const BlockToken& before, const BlockToken& behind) const {
+  return (before.kind == Kind::Word && before.word.address == "/") ||
+         (behind.kind == Kind::Word && behind.word.address == ":");
+}
+
+/// Return the blanks between two tokens that stand one after the other, but for blanks.
+std::string BlockLayout::between(const BlockToken& before, std::string_view blanks,
+                                 const BlockToken& behind) const {
+  const bool ignored = before.kind == Kind::Ignored || behind.kind == Kind::Ignored;
+  if (layout_.blanks == Layout::Blanks::Keep || ignored) return std::string(blanks);
+  if (joined(before, behind)) return "";
+  const auto statement = [](const BlockToken& of) {
+    return of.kind == Kind::Word && (of.word.address.empty() || !of.word.known);
+  };
+  const bool needed =
+      layout_.blanks == Layout::Blanks::One || statement(before) || statement(behind);
+  return needed ? " " : "";
+}
+
+/// Write each stretch between two comments anew; the comments stay where they are.
+void BlockLayout::write(std::vector<LayoutChange>& changes) {
+  std::uint32_t from = 0, to = 0;
+  std::string written;
+  const auto end_stretch = [&] {
+    if (text_.substr(from, to - from) != written) changes.push_back({from, to - from, written});
+    written.clear();
+  };
+  const BlockToken* before = nullptr;
+  std::string_view blanks;
+  for (const BlockToken& token : tokens_) {
+    if (token.kind == Kind::Blank) {
+      blanks = text_.substr(token.at, token.width);
+      to = token.at + token.width;
+      continue;
+    }
+    if (before != nullptr) written += between(*before, std::exchange(blanks, {}), token);
+    to = token.at;
+    if (token.kind == Kind::Comment) {
+      end_stretch();
+      from = token.at + token.width;
+    } else {
+      written +=
+          token.kind == Kind::Word ? word(token) : std::string(text_.substr(token.at, token.width));
+    }
+    to = token.at + token.width;
+    before = &token;
+  }
+  if (layout_.blanks == Layout::Blanks::Keep) written += blanks;
+  end_stretch();
+}
+
+/// Return whether a text has the same words, but for small letters, blanks and points.
+bool BlockLayout::reads_alike(const std::string& written) const {
+  const std::vector<BlockToken> now = tokens_of(code_.read_word, written);
+  const auto next = [](const std::vector<BlockToken>& of, std::size_t at) {
+    while (at < of.size() && of[at].kind == Kind::Blank) ++at;
+    return at;
+  };
+  std::size_t i = 0, k = 0;
+  for (;; ++i, ++k) {
+    i = next(tokens_, i);
+    k = next(now, k);
+    if (i == tokens_.size() || k == now.size()) return i == tokens_.size() && k == now.size();
+    const WrittenWord &a = tokens_[i].word, &b = now[k].word;
+    if (tokens_[i].kind != now[k].kind) return false;
+    if (tokens_[i].kind != Kind::Word) {
+      if (text_.substr(tokens_[i].at, tokens_[i].width) !=
+          std::string_view(written).substr(now[k].at, now[k].width))
+        return false;
+      continue;
+    }
+    const bool same_value = a.known == b.known && (!a.known || a.value == b.value);
+    const std::string with_point = takes_point(a) ? a.text + '.' : a.text;
+    if (!same_letters(a.address, b.address) || !same_value || !same_letters(with_point, b.text))
+      return false;
+  }
+}
+
+std::optional<std::vector<LayoutChange>> BlockLayout::changes() {
+  tokens_ = tokens_of(code_.read_word, text_);
+  std::vector<LayoutChange> found;
+  write(found);
+  if (found.empty()) return found;
+  std::string written(text_);
+  for (auto each = found.rbegin(); each != found.rend(); ++each)
+    written.replace(each->at, each->width, each->text);
+  if (!reads_alike(written)) return std::nullopt;
+  return found;
+}
+
+/// Reduce a change to what differs. A change that only adds text replaces a character beside it, so
+/// that it has a place of its own.
+LayoutChange reduced(std::string_view file, LayoutChange change) {
+  const std::string_view old = file.substr(change.at, change.width);
+  const std::string_view text = change.text;
+  std::size_t before = 0, behind = 0;
+  const std::size_t most = std::min(old.size(), text.size());
+  while (before < most && old[before] == text[before]) ++before;
+  while (behind < most - before && old[old.size() - 1 - behind] == text[text.size() - 1 - behind])
+    ++behind;
+  if (before + behind == old.size() && before > 0)
+    --before;
+  else if (before + behind == old.size() && behind > 0)
+    --behind;
+  return {change.at + static_cast<std::uint32_t>(before),
+          static_cast<std::uint32_t>(old.size() - before - behind),
+          std::string(text.substr(before, text.size() - before - behind))};
+}
+
+/// Lays out the blocks of one file.
+class FileLayout {
+ public:
+  FileLayout(const Code& code, std::uint32_t file, const Layout& layout)
+      : code_(code), text_(code.files[file].text.view()), layout_(layout) {}
+
+  void program(std::int32_t index, InterruptCheck& interrupt);
+  Formatted done() {
+    std::stable_sort(found_.changes.begin(), found_.changes.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
+    return std::move(found_);
+  }
+
+ private:
+  void block(const Block& block, const Program& program, int depth);
+  std::optional<LayoutChange> indent(const Block& block, int depth) const;
+
+  const Code& code_;
+  std::string_view text_;
+  const Layout& layout_;
+  Formatted found_;
+};
+
+/// Return the blanks before a block that begins its line, if they have to change.
+std::optional<LayoutChange> FileLayout::indent(const Block& block, int depth) const {
+  if (layout_.indent < 0 || block.length == 0) return std::nullopt;
+  std::size_t from = block.text;
+  while (from > 0 && is_blank(text_[from - 1])) --from;
+  if (from > 0 && text_[from - 1] != '\n') return std::nullopt;
+  const std::string wanted(static_cast<std::size_t>(layout_.indent * depth), ' ');
+  if (text_.substr(from, block.text - from) == wanted) return std::nullopt;
+  const auto at = static_cast<std::uint32_t>(from);
+  return LayoutChange{at, block.text - at, wanted};
+}
+
+void FileLayout::block(const Block& block, const Program& program, int depth) {
+  const std::string_view text = code_.text_of(block, program);
+  std::optional<std::vector<LayoutChange>> changes;
+  // A block that is refused stays as it is written: what it means is not known.
+  if (block.op != Op::Fault) changes = BlockLayout(code_, layout_, text, block).changes();
+  if (!changes) {
+    if (block.op != Op::Fault) found_.left.push_back(block.line);
+    changes.emplace();
+  }
+  for (LayoutChange& change : *changes) {
+    change.at += block.text;
+    change = reduced(text_, std::move(change));
+  }
+  std::erase_if(*changes, [](const LayoutChange& of) { return of.width == 0; });
+  if (auto blanks = indent(block, depth)) {
+    // The first character of the block goes with them, or the change that begins there.
+    if (changes->empty() || changes->front().at != block.text) {
+      const std::string_view first = first_character(text);
+      changes->insert(changes->begin(),
+                      {block.text, static_cast<std::uint32_t>(first.size()), std::string(first)});
+    }
+    changes->front().at = blanks->at;
+    changes->front().width += blanks->width;
+    changes->front().text.insert(0, blanks->text);
+  }
+  found_.changes.insert(found_.changes.end(), changes->begin(), changes->end());
+}
+
+void FileLayout::program(std::int32_t index, InterruptCheck& interrupt) {
+  const Program& program = code_.programs[static_cast<std::size_t>(index)];
+  NestingDepth depth(code_);
+  for (Address at = program.first; at < program.last; ++at) {
+    const Block& block = code_.blocks[at];
+    if (interrupt.requested(block.length + InterruptCheck::kBlock)) return;
+    if (code_.program_at(at) != index) continue;
+    this->block(block, program, depth.of(at));
+  }
+}
+
+}  // namespace
+
+Formatted format_file(const Code& code, std::uint32_t file, const Layout& layout,
+                      InterruptCheck& interrupt) {
+  FileLayout laid_out(code, file, layout);
+  for (std::size_t p = 0; p < code.programs.size(); ++p)
+    if (code.programs[p].file == file) laid_out.program(static_cast<std::int32_t>(p), interrupt);
+  return laid_out.done();
+}
+
+}  // namespace cncsub

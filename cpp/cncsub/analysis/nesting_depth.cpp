@@ -1,0 +1,75 @@
+#include "cncsub/analysis/nesting_depth.hpp"
+
+#include <algorithm>
+
+namespace cncsub {
+
+/// Return whether a statement ends the innermost one that is open, or is another branch of it.
+bool NestingDepth::ends(const OWord& word) const {
+  if (open_.empty() || open_.back().label != word.label) return false;
+  const OWordKind kind = open_.back().kind;
+  switch (word.kind) {
+    case OWordKind::EndSub:
+      return kind == OWordKind::Sub;
+    case OWordKind::ElseIf:
+    case OWordKind::Else:
+    case OWordKind::EndIf:
+      return kind == OWordKind::If;
+    case OWordKind::While:
+      return kind == OWordKind::Do;
+    case OWordKind::EndWhile:
+      return kind == OWordKind::While;
+    case OWordKind::EndRepeat:
+      return kind == OWordKind::Repeat;
+    default:
+      return false;
+  }
+}
+
+int NestingDepth::of_o_word(const OWord& word) {
+  if (ends(word)) {
+    const bool branch = word.kind == OWordKind::ElseIf || word.kind == OWordKind::Else;
+    const int its = depth() - 1;
+    if (!branch) open_.pop_back();
+    return its;
+  }
+  const int its = depth();
+  const bool begins = word.kind == OWordKind::Sub || word.kind == OWordKind::If ||
+                      word.kind == OWordKind::While || word.kind == OWordKind::Do ||
+                      word.kind == OWordKind::Repeat;
+  if (begins) open_.push_back({kNowhere, word.kind, word.label});
+  return its;
+}
+
+int NestingDepth::of(Address at) {
+  const Block& block = code_.blocks[at];
+  if (!open_.empty() && open_.back().end == at) {
+    open_.pop_back();
+    return depth();
+  }
+  const int its = depth();
+  switch (block.op) {
+    case Op::OWord:
+      return of_o_word(code_.o_words[block.aux]);
+    case Op::While:
+    case Op::Do:
+    case Op::For: {
+      const Address end = code_.statements[block.aux].end;
+      if (end != kNowhere && end > at && (open_.empty() || open_.back().end >= end))
+        open_.push_back({end});
+      return its;
+    }
+    case Op::If:
+      open_.push_back({kNowhere});
+      return its;
+    case Op::Else:
+      return std::max(0, its - 1);
+    case Op::EndIf:
+      if (!open_.empty() && open_.back().end == kNowhere) open_.pop_back();
+      return depth();
+    default:
+      return its;
+  }
+}
+
+}  // namespace cncsub

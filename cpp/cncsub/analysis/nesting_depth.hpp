@@ -1,0 +1,32 @@
+// How many loops, branches and subprograms are open at each block of a program.
+#pragma once
+
+#include <vector>
+
+#include "cncsub/code/code.hpp"
+
+namespace cncsub {
+
+/// Counts what is open, over the blocks of a program in their order.
+class NestingDepth {
+ public:
+  explicit NestingDepth(const Code& code) : code_(code) {}
+
+  /// Return the depth at which the next block stands: an end stands at the depth of its beginning.
+  int of(Address at);
+
+ private:
+  struct Open {
+    Address end;       // the block that ends it; kNowhere: the next end of its kind
+    OWordKind kind{};  // of one with a label
+    std::uint32_t label = OWord::kNone;
+  };
+  int of_o_word(const OWord& word);
+  bool ends(const OWord& word) const;
+  int depth() const { return static_cast<int>(open_.size()); }
+
+  const Code& code_;
+  std::vector<Open> open_;
+};
+
+}  // namespace cncsub

@@ -1,0 +1,103 @@
+"""Edits of programs: what changes, how the files look then, the proof that they do the same."""
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Unpack
+
+from cncsub import _core
+from cncsub.checking import Edit
+from cncsub.library import Library
+from cncsub.lines import lines_of
+from cncsub.run_options import FlattenOptions
+
+if TYPE_CHECKING:
+    from cncsub.editing.proof import Proof
+
+
+@dataclass(frozen=True)
+class Edits:
+    """What changes in the files of a library.
+
+    `library`: the programs as they are. `edits`: the changes, by file and place; no two of them
+    overlap. `notes`: what is told about them, a sentence each, as `O1, line 4: ...`. `files`: the
+    files that need another name, old to new. `names`: the programs that are called otherwise
+    afterwards, new name to old. `variables`: the same of numbered variables.
+    """
+
+    library: Library
+    edits: tuple[Edit, ...]
+    notes: tuple[str, ...] = ()
+    files: Mapping[str, str] = field(default_factory=dict)
+    names: Mapping[str, str] = field(default_factory=dict)
+    variables: Mapping[int, int] = field(default_factory=dict)
+
+    @cached_property
+    def texts(self) -> dict[str, str]:
+        """The texts of the files that change, as they are afterwards."""
+        changed = {edit.file for edit in self.edits}
+        return {
+            name: applied(data.decode("utf-8", "surrogateescape"), self.edits, name)
+            for name, _, data, outside in self.library.code.sources
+            if name in changed and not outside
+        }
+
+    @cached_property
+    def after(self) -> Library:
+        """The library with the edits made."""
+        return self.library.with_texts(self.library.control, self.texts, self.files)
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing changes."""
+        return not self.edits and not self.files
+
+    def diff(self) -> str:
+        """Return the changes as a unified diff; empty where nothing changes."""
+        parts: list[str] = []
+        for name, _, data, outside in self.library.code.sources:
+            if name not in self.texts or outside:
+                continue
+            before = lines_of(data.decode("utf-8", "surrogateescape"))
+            after = lines_of(self.texts[name])
+            parts += difflib.unified_diff(before, after, name, self.files.get(name, name))
+        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def prove(self, main: str | int | None = None, **options: Unpack[FlattenOptions]) -> Proof:
+        """Compare the programs before and after, as they are written and as they run: see `Proof`.
+
+        `main`: the program to run; without it, every one that no other calls. `options` are those
+        of `Library.run`. Raises `EditError` where something differs.
+        """
+        from cncsub.editing.proof import prove
+
+        return prove(self, main, options)
+
+
+def applied(text: str, edits: Iterable[Edit], file: str) -> str:
+    """Return the text of a file with its edits made. Raises `ValueError` for an edit whose old text
+    is not where it says.
+    """
+    by_line: dict[int, list[Edit]] = {}
+    for edit in edits:
+        if edit.file == file:
+            by_line.setdefault(edit.line, []).append(edit)
+    lines = text.split("\n")
+    for number, of_line in by_line.items():
+        line = lines[number - 1]
+        for edit in sorted(of_line, key=lambda edit: edit.column, reverse=True):
+            at = edit.column - 1
+            if not edit.old:
+                at = len(line)
+            elif not line.startswith(edit.old, at):
+                raise ValueError(f"{file}:{number}:{edit.column}: there is no {edit.old!r}")
+            line = line[:at] + edit.new + line[at + len(edit.old) :]
+        lines[number - 1] = line
+    return "\n".join(lines)
+
+
+def rule(control: _core.Control, name: str) -> object:
+    """Return the value of a rule of a control, `None` where it has none of that name."""
+    return next((row.value for row in control.rules if row.name == name), None)

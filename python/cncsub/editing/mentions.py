@@ -1,0 +1,155 @@
+"""The mentions of blocks, programs and variables: each piece of text that names one of them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from cncsub import _core
+from cncsub.library import Library
+
+
+class Mention(NamedTuple):
+    """A piece of text that names a block, a program or a variable.
+
+    `kind`: `"number"` (of a block), `"label"`, `"program"` or `"variable"`. `defines`: it gives the
+    thing its name. `computed`: what it names is known only when its block runs. `in_caller`: it
+    names a block of the program that called (M99 P). `fixed`: nothing else can be written in its
+    place, as where a letter stands for a variable or a file's name for a program. `program`,
+    `block`: where it stands, as places in the code and among the blocks of the program; `block` is
+    `None` for the head of a program. `file`, `line`, `column`, `text`: the digits or the name
+    alone, in the file. `number`: of a block, of a numbered variable or program, else `None`.
+    `name`: of the others. `to_program`, `to_block`: the program and the block that it names; `None`
+    where there is none, where it is computed, and for a variable that all programs share. `word`,
+    `word_column`: of a block's own number, its word with the blanks after it; empty where the block
+    has no other.
+    """
+
+    kind: str
+    defines: bool
+    computed: bool
+    in_caller: bool
+    fixed: bool
+    program: int
+    block: int | None
+    file: str
+    line: int
+    column: int
+    text: str
+    number: int | None
+    name: str
+    to_program: int | None
+    to_block: int | None
+    word: str
+    word_column: int
+
+    @property
+    def end(self) -> int:
+        """The column after its last character."""
+        return self.column + len(self.text)
+
+    @property
+    def shown(self) -> str:
+        """The thing as it is called: `N10`, `O2`, `#100`, `AGAIN`; of one that is computed, its
+        text.
+        """
+        if self.computed or self.number is None:
+            return self.text if self.computed else self.name
+        return f"{_BEFORE[self.kind]}{self.number}"
+
+
+_BEFORE = {"number": "N", "label": "", "program": "O", "variable": "#"}
+
+
+def mentions(
+    library: Library,
+    kinds: str = "block program variable",
+    *,
+    machine: str = "",
+) -> list[Mention]:
+    """Return the mentions of all programs, by their files and places.
+
+    `kinds`: which: `"block"` (numbers and labels), `"program"`, `"variable"`; and `"unnumbered"`,
+    the beginning of each block without a number, as a mention that defines none. `machine`: the
+    kind of machine, as in `Setup`, which tells what some codes mean.
+
+    >>> import cncsub
+    >>> from cncsub.editing import mentions
+    >>> library = cncsub.loads("O1\\nN10 GOTO 20\\nN20 M30\\n", control="fanuc-0i-f")
+    >>> [(m.kind, m.shown, m.defines, m.line, m.column) for m in mentions(library, "block")]
+    [('number', 'N10', True, 2, 2), ('number', 'N20', False, 2, 10), ('number', 'N20', True, 3, 2)]
+    """
+    code = library.code
+    files = [code.program(index).file for index in range(len(code))]
+    return [
+        Mention(
+            kind,
+            defines,
+            computed,
+            in_caller,
+            fixed,
+            program,
+            block,
+            files[program],
+            line,
+            column,
+            text,
+            number if number >= 0 else None,
+            name,
+            to_program if to_program >= 0 else None,
+            to_block,
+            word,
+            column - before,
+        )
+        for (
+            kind,
+            defines,
+            computed,
+            in_caller,
+            fixed,
+            program,
+            block,
+            line,
+            column,
+            text,
+            number,
+            name,
+            to_program,
+            to_block,
+            word,
+            before,
+        ) in _core.mentions(code, machine, kinds)
+    ]
+
+
+def mention_at(
+    library: Library, file: str, line: int, column: int, *, machine: str = ""
+) -> Mention | None:
+    """Return the mention that stands at a place of a file, or ends there; `None` where none does.
+
+    >>> import cncsub
+    >>> from cncsub.editing import mention_at
+    >>> library = cncsub.loads("O1\\nN10 GOTO 20\\nN20 M30\\n", control="fanuc-0i-f")
+    >>> mention_at(library, "<text>", 2, 11).shown
+    'N20'
+    """
+    found = [
+        mention
+        for mention in mentions(library, machine=machine)
+        if mention.file == file
+        and mention.line == line
+        and min(mention.column, mention.word_column) <= column <= mention.end
+    ]
+    return min(found, key=lambda mention: (column == mention.end, mention.computed), default=None)
+
+
+def thing(of: Mention) -> tuple[object, ...]:
+    """Return what a mention names, as it is told apart from others."""
+    if of.kind == "number":
+        return (of.kind, of.to_program, of.to_block if of.to_block is not None else f"N{of.number}")
+    if of.kind == "label":
+        return (of.kind, of.to_program, of.name.upper())
+    if of.kind == "program":
+        missing = of.number if of.number is not None else of.name.upper()
+        return (of.kind, of.to_program if of.to_program is not None else f"missing {missing}")
+    called = of.number if of.number is not None else of.name.upper()
+    return (of.kind, of.to_program, called)
