@@ -133,6 +133,8 @@ MAY_IMPORT = {
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
     | {"reports", "archive", "package"},
     # The server for editors: a command of its own, which no other room imports.
+    # The server for agents likewise.
+    "agents": {"base", "tables", "face", "reports", "package", "cli"},
     "editor": {"base", "tables", "analysis", "face", "editing", "reports", "cli"},
 }
 

@@ -1,5 +1,6 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `plot`, `batch`, `controls`, `explain`, `lsp`.
+`flatten`, `report`, `plot`, `batch`, `controls`, `explain`, `lsp`,
+`mcp`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -42,6 +43,7 @@ COMMANDS = {
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "lsp": ("editor.command.lsp", "Serve an editor: findings, definitions, hints."),
+    "mcp": ("agents.command.mcp", "Serve an agent: run, check, explain, compare."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
