@@ -147,3 +147,90 @@ def test_an_editor_opens_a_folder_of_macros_and_a_broken_file(
     told = answers(editor, job, [ask(file, 1, 0) for file in files])
     assert [each["published"] for each in told] == [True, True, True]
     assert told[1]["diagnostics"]
+
+
+# ---- the settings that the guide shows ----
+
+PAGE = HERE.parent / "docs" / "guides" / "editors.md"
+
+
+def _shown(title: str) -> str:
+    """Return a file that the guide shows."""
+    after = PAGE.read_text("utf-8").split(f'title="{title}"\n', 1)[1]
+    return after.split("\n```", 1)[0]
+
+
+def _path_with_command(folder: Path) -> str:
+    """Make `cncsub` a command, and return the path of commands."""
+    folder.mkdir()
+    command = folder / "cncsub"
+    command.write_text(f'#!/bin/sh\nexec {sys.executable} -m cncsub "$@"\n')
+    command.chmod(0o755)
+    return f"{folder}{os.pathsep}{os.environ['PATH']}"
+
+
+def test_the_settings_of_the_guide_start_the_server_in_neovim(tmp_path: Path) -> None:
+    nvim = _neovim()[0]
+    (tmp_path / "init.lua").write_text(_shown("init.lua"))
+    (tmp_path / "cncsub.toml").write_text("")
+    (tmp_path / "a.nc").write_text(MAIN)
+    look = tmp_path / "look.lua"
+    look.write_text(
+        "vim.wait(30000, function() return #vim.diagnostic.get(0) > 0 end, 20)\n"
+        "print(vim.diagnostic.get(0)[1].code)\n"
+    )
+    words = [
+        nvim,
+        "--headless",
+        "-n",
+        "-i",
+        "NONE",
+        "-u",
+        "init.lua",
+        "a.nc",
+        "-c",
+        f"luafile {look}",
+        "-c",
+        "qa!",
+    ]
+    environment = {
+        **os.environ,
+        "HOME": str(tmp_path),
+        "PATH": _path_with_command(tmp_path / "bin"),
+    }
+    done = subprocess.run(
+        words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120
+    )
+    assert "CS201" in done.stdout + done.stderr
+
+
+def test_the_settings_of_the_guide_start_the_server_in_emacs(tmp_path: Path) -> None:
+    emacs = _emacs()[0]
+    (tmp_path / "init.el").write_text(_shown("init.el"))
+    (tmp_path / "a.nc").write_text(MAIN)
+    look = tmp_path / "look.el"
+    look.write_text(
+        """(setq eglot-sync-connect 30)
+(defvar told nil)
+(require 'eglot)
+(cl-defmethod eglot-handle-notification :before
+  (_server (_method (eql textDocument/publishDiagnostics)) &key diagnostics &allow-other-keys)
+  (setq told diagnostics))
+(find-file "a.nc")
+(run-hooks 'post-command-hook)
+(let ((end (+ (float-time) 30)))
+  (while (and (not told) (< (float-time) end)) (accept-process-output nil 0.05)))
+(princ (plist-get (aref told 0) :code))
+"""
+    )
+    start = "(progn (require 'package) (package-initialize))"
+    environment = {
+        **os.environ,
+        "HOME": str(tmp_path),
+        "PATH": _path_with_command(tmp_path / "bin"),
+    }
+    done = subprocess.run(
+        [emacs, "--batch", "--eval", start, "-l", "init.el", "-l", str(look)],
+        cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
+    assert done.stdout.strip().endswith("CS201"), done.stdout + done.stderr
