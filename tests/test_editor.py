@@ -432,7 +432,38 @@ def test_a_large_folder_is_not_read_whole(tmp_path: Path, monkeypatch: pytest.Mo
     path = str(tmp_path / "O1.nc")
     memories.put(path, Document.of("O1\nM30\n"))
     assert memories.snapshot(path).library.files == (path,)
-    assert "each file is read alone" in said[0]
+    assert "each file is read with those that it calls" in said[0]
+
+
+def test_a_file_of_no_folder_is_read_with_those_that_it_calls(tmp_path: Path) -> None:
+    job(tmp_path)
+    (tmp_path / "O3.nc").write_text("O3\nM99\n")
+    memories, path = Memories(settings=Settings(CONTROL)), str(tmp_path / "O1.nc")
+    memories.put(path, Document.of("O1\nM98 P3\nM98 P4\nM30\n"))  # not as it is on the disk
+    snap = memories.snapshot(path)
+    assert snap.library.files == (path, str(tmp_path / "O3.nc"))
+    assert [each.range.start.line for each in diagnostics(snap, path)] == [2]
+
+
+def test_a_file_beside_the_folders_of_its_project_is_read_too(tmp_path: Path) -> None:
+    (tmp_path / "programs").mkdir()
+    job(tmp_path / "programs")
+    (tmp_path / "cncsub.toml").write_text(f'control = "{CONTROL}"\nfolders = ["programs"]\n')
+    memories, path = Memories(), str(tmp_path / "try.nc")
+    memories.put(path, Document.of("O9\nM98 P2\nM98 P4\nM30\n"))
+    snap = memories.snapshot(path)
+    assert [each.range.start.line for each in diagnostics(snap, path)] == [2]
+
+
+def test_ten_megabytes_of_anything_are_answered() -> None:
+    line = "N1 G1 X1.\x00 (\U0001f600\u5f84) #1=#1+[ \ufeff;((\r"
+    snap = snapshot(line * 120_000)
+    found = diagnostics(snap, PATH)
+    assert found
+    assert all(each.range.start.line < 240_000 for each in found)
+    assert shown.semantic_tokens(snap, PATH) is None
+    assert shown.semantic_tokens(snap, PATH, 100_000, 100_020).data
+    explaining.hover(snap, PATH, 100_000, 4)
 
 
 # ---- texts ----

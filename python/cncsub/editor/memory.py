@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -16,6 +16,7 @@ from cncsub.editor.documents import Document, engine_text
 from cncsub.editor.snapshot import Snapshot
 from cncsub.files import Piece, Reading, StrPath, clean, read_paths, walk
 from cncsub.library import Library
+from cncsub.sibling_files import with_files_beside
 
 MOST_FILES = 5_000  # of a folder that no project names
 MOST_BYTES = 64 << 20
@@ -68,6 +69,7 @@ class Memories:
     _snapshots: dict[_Key, Snapshot] = field(default_factory=dict)
     _disk: dict[tuple[str, ...], _Files] = field(default_factory=dict)
     _projects: dict[Path, Project] = field(default_factory=dict)
+    _small: dict[str, bool] = field(default_factory=dict)
     _told: set[str] = field(default_factory=set)
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
@@ -88,6 +90,7 @@ class Memories:
         with self._lock:
             self._disk.clear()
             self._projects.clear()
+            self._small.clear()
             self._snapshots.clear()
             self._told.clear()
 
@@ -143,18 +146,24 @@ class Memories:
 
     def _paths(self, path: str, project: Project) -> tuple[str, ...]:
         """Return the files and folders of a document's memory: those of its project, else the
-        folder that the editor has opened, where it is not too large, else the file alone.
+        folder that the editor has opened, where it is not too large, else the file, with those
+        beside it that its calls lead to.
         """
         if project.file is not None:
-            return project.folders or (str(project.file.parent),)
+            paths = project.folders or (str(project.file.parent),)
+            inside = any(Path(path).is_relative_to(each) for each in paths)
+            return paths if inside else (*paths, path)
         for folder in self.folders:
             if Path(path).is_relative_to(folder):
                 return (folder,) if self._is_small(folder) else (path,)
         return (path,)
 
     def _is_small(self, folder: str) -> bool:
-        if (folder,) in self._disk:
-            return True
+        if folder not in self._small:
+            self._small[folder] = self._counted(folder)
+        return self._small[folder]
+
+    def _counted(self, folder: str) -> bool:
         count = size = 0
         for before, names, _ in walk(Path(folder), Reading()):
             count += len(names)
@@ -162,16 +171,15 @@ class Memories:
             if count > MOST_FILES or size > MOST_BYTES:
                 self._say(
                     f"cncsub: {folder} has more than {MOST_FILES:,} files or"
-                    f" {MOST_BYTES >> 20} MB; each file is read alone. A cncsub.toml with"
+                    f" {MOST_BYTES >> 20} MB; each file is read with those"
+                    " that it calls. A cncsub.toml with"
                     ' folders = ["programs"] names the programs of a memory'
                 )
                 return False
         return True
 
     def _made(self, key: _Key, project: Project) -> Snapshot:
-        files = self._disk.get(key.paths)
-        if files is None:
-            files = self._disk[key.paths] = _read(key.paths, project.external)
+        files = self._files(key, project)
         sources = [self._shown(source) for source in files.sources]
         known = {name for name, *_ in sources}
         shown = {path for path in self.documents if self._belongs(path, key)}
@@ -194,6 +202,29 @@ class Memories:
             self.settings.max_blocks if self.settings.runs else 0,
             self.settings.max_seconds,
         )
+
+    def _files(self, key: _Key, project: Project) -> _Files:
+        """Return the files on the disk. What a file alone calls may change with each key."""
+        (first, *more), device = key.paths, project.external
+        if not more and os.path.isfile(first) and project.file is None:  # noqa: PTH113
+            return self._beside(first, key.control)
+        if key.paths not in self._disk:
+            self._disk[key.paths] = _read(key.paths, device)
+        return self._disk[key.paths]
+
+    def _beside(self, path: str, control: Control) -> _Files:
+        """Return a file with the files of its folder that its calls lead to, as it is shown."""
+        read: list[_Files] = []
+
+        def load(named: list[str], siblings: list[str]) -> Library:
+            read.append(_read(tuple(named), None, siblings))
+            sources = [self._shown(source) for source in read[-1].sources]
+            rows = [(name, stem, [text], outside) for name, stem, text, outside in sources]
+            code = _core.compile(control, rows, False)
+            return Library(code, [name for name, *_ in sources])
+
+        with_files_beside(path, load)
+        return read[-1]
 
     def _belongs(self, path: str, key: _Key) -> bool:
         """Return whether an open document is of a memory, though no file of it is there yet."""
@@ -237,11 +268,11 @@ def _size(path: str) -> int:
         return 0
 
 
-def _read(paths: tuple[str, ...], external: StrPath | None) -> _Files:
+def _read(paths: tuple[str, ...], external: StrPath | None, siblings: Sequence[str] = ()) -> _Files:
     """Read the files of a memory and of its external device, each line with one end."""
     there = [path for path in paths if os.path.exists(path)]  # noqa: PTH110
     try:
-        reading = read_paths(there, without=external)
+        reading = read_paths(there, siblings=siblings, without=external)
     except ValueError:
         reading = Reading()  # a folder without programs: an editor may be about to write one
     outside = Reading() if external is None else read_paths([external])
