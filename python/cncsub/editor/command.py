@@ -28,7 +28,7 @@ def lsp(
     cncsub.toml beside it, of the editor's settings, or -c. It needs `pip install 'cncsub[lsp]'`.
     """
     try:
-        from cncsub.editor.server import Server
+        from cncsub.editor.requests import server_for
     except ModuleNotFoundError as error:
         if (error.name or "").partition(".")[0] not in _NEEDED:
             raise
@@ -36,7 +36,7 @@ def lsp(
             f"the server for editors needs {error.name}, which is not installed:"
             " pip install 'cncsub[lsp]'"
         ) from None
-    server = Server(control)
+    server = server_for(control)
     if port is None:
         with _only_messages() as output:
             server.start_io(sys.stdin.buffer, output)
