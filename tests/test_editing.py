@@ -51,7 +51,7 @@ RENUMBERED: list[tuple[str, str, dict[str, object], str]] = [
         "O1\nN1 G0 X1.\nN2 GOTO 4\nN3\nN4 M30\n",
         MILL,
         {"which": "targets"},
-        "O1\nG0 X1.\nGOTO 10\nN3\nN10 M30\n",
+        "O1\nG0 X1.\nGOTO 20\nN10\nN20 M30\n",
     ),
     ("O1\nN0010 GOTO 0020\nN0020 M30\n", MILL, {"step": 7}, "O1\nN0010 GOTO 0017\nN0017 M30\n"),
     (

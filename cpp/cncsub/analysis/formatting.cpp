@@ -104,8 +104,10 @@ std::string BlockLayout::between(const BlockToken& before, std::string_view blan
   const auto statement = [](const BlockToken& of) {
     return of.kind == Kind::Word && (of.word.address.empty() || !of.word.known);
   };
+  // Where a name alone calls a program, words without a blank between them are one name.
+  const bool names = code_.spelling->program_name.before.empty();
   const bool needed =
-      layout_.blanks == Layout::Blanks::One || statement(before) || statement(behind);
+      layout_.blanks == Layout::Blanks::One || names || statement(before) || statement(behind);
   return needed ? " " : "";
 }
 

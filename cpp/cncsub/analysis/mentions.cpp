@@ -89,7 +89,7 @@ void MentionReader::sequence_number(const Block& block) {
     if (block.n < 0) break;
   }
   if (block.n < 0) {
-    if (!asked_.unnumbered || !first) return;
+    if (!asked_.unnumbered || !first || block.op == Op::Fault) return;
     const auto width = static_cast<std::uint32_t>(first_character(whole.substr(first->at)).size());
     add(Mention::Kind::Number, {block.text + first->at, width}).defines = true;
     found_.back().to_program = program_;

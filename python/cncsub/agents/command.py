@@ -7,9 +7,7 @@ from typing import Annotated
 
 import typer
 
-from cncsub.cli.options import WrongUseError
-
-_NEEDED = ("mcp", "mcp_types", "pydantic")  # the extra `mcp`
+from cncsub.cli.options import WrongUseError, of_extra
 
 
 def mcp(
@@ -22,15 +20,8 @@ def mcp(
 
     Without folders the tools take texts alone. It needs `pip install 'cncsub[mcp]'`.
     """
-    try:
+    with of_extra("mcp", "the server for agents", "mcp", "mcp_types", "pydantic"):
         from cncsub.agents.server import server_for
-    except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] not in _NEEDED:
-            raise
-        raise WrongUseError(
-            f"the server for agents needs {error.name}, which is not installed:"
-            " pip install 'cncsub[mcp]'"
-        ) from None
     for folder in folders or ():
         if not folder.is_dir():
             raise WrongUseError(f"{folder} is no folder")

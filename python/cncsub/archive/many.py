@@ -88,7 +88,7 @@ def run_many(
         if name not in stated(MdiOptions) or name == "trace":
             raise TypeError(f"run_many has no option {name!r}, only those of run")
     asked = {**LIMITS, **options}
-    task = _task("run", control, each, external, encoding, asked)
+    task = task_of("run", control, each, external, encoding, asked)
     # Wrong options are told now, not in every row.
     loads("", control=task.control, external=external).run(**asked)  # type: ignore[arg-type]
     return _batch(task, paths, executor, jobs, out, progress)
@@ -124,13 +124,13 @@ def check_many(
     entry = entry if isinstance(entry, str) else tuple(entry)
     asked = {"rules": rules, "setup": setup, "entry": entry or None}
     options = {name: value for name, value in asked.items() if value is not None}
-    task = _task("check", control, each, external, encoding, options)
+    task = task_of("check", control, each, external, encoding, options)
     # Wrong options are reported now, not in every row.
     loads("", control=task.control).check(rules=rules, setup=setup, entry=entry)
     return _batch(task, paths, executor, jobs, out, progress)
 
 
-def _task(
+def task_of(
     kind: str,
     control: str | Control,
     each: str,
@@ -164,7 +164,7 @@ def _batch(
         )
     store = InMemory(task) if out is None else Folder(Path(out), task)
     skipped: dict[str, int] = {}
-    found = _jobs(_listed(paths), task.each, skipped, marks=out is not None)
+    found = jobs_of(paths, task.each, skipped, marks=out is not None)
     wanted = (job for job in found if not store.is_done(job))
     with _bar(progress) as advance, contextlib.closing(Crew(executor, jobs)) as crew:
         for number, chunk, rows in crew.done(do_chunk, task, wanted):
@@ -180,12 +180,12 @@ def _listed(paths: Paths) -> Iterable[StrPath]:
     return [paths] if isinstance(paths, str | os.PathLike) else paths
 
 
-def _jobs(
-    paths: Iterable[StrPath], each: str, skipped: dict[str, int], *, marks: bool
+def jobs_of(
+    paths: Paths, each: str, skipped: dict[str, int], *, marks: bool = False
 ) -> Iterator[Job]:
     """Yield the jobs in the order of the paths, each file and folder once."""
     reading = Reading()
-    for given in paths:
+    for given in _listed(paths):
         path = Path(given)
         if not path.is_dir():
             if first_time(os.path.realpath(path.parent), path.name, reading):

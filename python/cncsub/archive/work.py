@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 from cncsub import _core
 from cncsub._core import Control
+from cncsub.archive.gating import gated
 from cncsub.files import CoreFile, Reading, StrPath, read_found_files, read_paths, walk
 from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
@@ -58,7 +59,7 @@ CHECK_COLUMNS = {
     "alarm": "string",
     "error": "string",
 }
-COLUMNS = {"run": RUN_COLUMNS, "check": CHECK_COLUMNS}
+COLUMNS = {"run": RUN_COLUMNS, "check": CHECK_COLUMNS, "gate": CHECK_COLUMNS}
 
 
 class Job(NamedTuple):
@@ -76,7 +77,7 @@ class Job(NamedTuple):
 class Task(NamedTuple):
     """The work that is done with every job of a batch."""
 
-    kind: str  # "run" or "check"
+    kind: str  # "run", "check" or "gate"
     control: Control
     each: str
     external: StrPath | None
@@ -105,6 +106,8 @@ def _rows(task: Task, job: Job) -> list[Row]:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
     try:
         left_out = _left_out(task, library)
+        if task.kind == "gate":
+            return _gate_rows(task, job, library)
         if task.kind == "check":
             language = foreign_language(library, _own_files(job, library))
             found = finding_rows(task, job, library.check(**task.options), language)
@@ -117,6 +120,15 @@ def _rows(task: Task, job: Job) -> list[Row]:
         return [_run_row(task, job, run, seconds, left_out, language)]
     except Exception as error:
         return [bad_row(task, job, "crashed", f"{type(error).__name__}: {error}")]
+
+
+def _gate_rows(task: Task, job: Job, library: Library) -> list[Row]:
+    """Return a row for each finding, which is its last value."""
+    own = _own_files(job, library)
+    if (language := foreign_language(library, own)) is not None:
+        return [bad_row(task, job, "foreign", language)]
+    found = gated(library, own, task.options)
+    return [(job.path, task.name, "finding", finding) for finding in found]
 
 
 def _words(error: Exception) -> str:

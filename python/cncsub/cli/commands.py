@@ -1,6 +1,6 @@
 """The command line: `cncsub run`, `tree`, `list`, `check`, `coverage`, `compare`, `diff`,
-`flatten`, `report`, `plot`, `batch`, `controls`, `explain`, `lsp`,
-`mcp`.
+`flatten`, `renumber`, `format`, `report`, `plot`, `controls`, `explain`, `lsp`, `mcp`, `batch`,
+`gate`.
 
 Exit status: 0 where the program ran to its end (or used up its cycles) and where what is compared
 is the same, 1 for an alarm and for a difference, 2 for wrong use, which is reported in one line, 3
@@ -37,6 +37,8 @@ COMMANDS = {
     "compare": ("cli.compare.compare", "Compare two controls: where they differ, and why."),
     "diff": ("cli.compare.diff", "Compare two versions: what the new one does differently."),
     "flatten": ("cli.flatten.flatten", "Write one program without calls."),
+    "renumber": ("cli.editing.renumber", "Give blocks new numbers, with all that names them."),
+    "format": ("cli.editing.format_files", "Lay out blocks alike: blanks, loops, capitals."),
     "coverage": ("cli.coverage.coverage", "Show which blocks and branches ran."),
     "report": ("cli.report.report", "Write a run as one page of HTML."),
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
@@ -45,6 +47,7 @@ COMMANDS = {
     "lsp": ("editor.command.lsp", "Serve an editor: findings, definitions, hints."),
     "mcp": ("agents.command.mcp", "Serve an agent: run, check, explain, compare."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
+    "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }
 NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
 LOOK: dict[str, Any] = {

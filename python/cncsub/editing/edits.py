@@ -1,17 +1,23 @@
 """Edits of programs: what changes, how the files look then, the proof that they do the same."""
+
 from __future__ import annotations
 
 import difflib
+import errno
+import os
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Unpack
 
 from cncsub import _core
+from cncsub.byte_edits import edited
 from cncsub.checking import Edit
 from cncsub.library import Library
 from cncsub.lines import lines_of
 from cncsub.run_options import FlattenOptions
+from cncsub.writing import replace_whole
 
 if TYPE_CHECKING:
     from cncsub.editing.proof import Proof
@@ -24,7 +30,8 @@ class Edits:
     `library`: the programs as they are. `edits`: the changes, by file and place; no two of them
     overlap. `notes`: what is told about them, a sentence each, as `O1, line 4: ...`. `files`: the
     files that need another name, old to new. `names`: the programs that are called otherwise
-    afterwards, new name to old. `variables`: the same of numbered variables.
+    afterwards, new name to old. `variables`: numbered variables, old to new. `machine`: the kind of
+    machine for which the codes were read.
     """
 
     library: Library
@@ -33,6 +40,7 @@ class Edits:
     files: Mapping[str, str] = field(default_factory=dict)
     names: Mapping[str, str] = field(default_factory=dict)
     variables: Mapping[int, int] = field(default_factory=dict)
+    machine: str = ""
 
     @cached_property
     def texts(self) -> dict[str, str]:
@@ -57,13 +65,46 @@ class Edits:
     def diff(self) -> str:
         """Return the changes as a unified diff; empty where nothing changes."""
         parts: list[str] = []
-        for name, _, data, outside in self.library.code.sources:
-            if name not in self.texts or outside:
-                continue
-            before = lines_of(data.decode("utf-8", "surrogateescape"))
-            after = lines_of(self.texts[name])
-            parts += difflib.unified_diff(before, after, name, self.files.get(name, name))
+        for file in dict.fromkeys([*self.texts, *self.files]):
+            before, after = (
+                [line.decode("utf-8", "surrogateescape") for line in lines_of(data)]
+                for data in (self._data(file), self.data_of(file))
+            )
+            parts += difflib.unified_diff(before, after, file, self.files.get(file, file))
         return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+    def write(self) -> list[str]:
+        """Write the files that change, each as a whole, and return their names. Bytes that no edit
+        names stay, with their encoding and line ends. A file that needs another name is renamed.
+
+        Nothing is written where one of the files is not as it was read: `NoPlaceError`, a
+        `ValueError`. Raises `FileExistsError` where the new name of a file is taken.
+        """
+        new = {file: self.data_of(file) for file in dict.fromkeys(edit.file for edit in self.edits)}
+        for name in self.files.values():
+            if Path(name).exists():
+                raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), name)
+        for file, data in new.items():
+            replace_whole(file, data)
+        for old, name in self.files.items():
+            Path(old).rename(name)
+        return [*new, *self.files.values()]
+
+    def data_of(self, file: str) -> bytes:
+        """Return the bytes of a file as they are afterwards: those of a text that no file holds are
+        UTF-8. Raises `NoPlaceError` where the file is not as it was read.
+        """
+        own = [edit for edit in self.edits if edit.file == file]
+        shown = self._read[file].decode("utf-8", "surrogateescape")
+        return edited(self._data(file), own, shown)
+
+    def _data(self, file: str) -> bytes:
+        """Return the bytes of a file as they are."""
+        return Path(file).read_bytes() if Path(file).is_file() else self._read[file]
+
+    @cached_property
+    def _read(self) -> dict[str, bytes]:
+        return {name: data for name, _, data, outside in self.library.code.sources if not outside}
 
     def prove(self, main: str | int | None = None, **options: Unpack[FlattenOptions]) -> Proof:
         """Compare the programs before and after, as they are written and as they run: see `Proof`.

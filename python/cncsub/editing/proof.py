@@ -50,10 +50,12 @@ class _EditedPair(Pair):
         return super().run(library, **more)
 
     def _called(self, run: Run, library: Library) -> dict[str, str] | None:
-        if library is self._edits.library:
-            return None
-        names = self._edits.names
-        return {name: names.get(name, name) for name in run.calls.programs}
+        return {name: self._told_apart(name, library) for name in run.calls.programs}
+
+    def _told_apart(self, name: str, library: Library) -> str:
+        """Return the name of a program before, in capitals: languages do not tell them apart."""
+        old = self._edits.names.get(name, name) if library is self._edits.after else name
+        return old.upper()
 
     def _of_variables(self, a: Run, b: Run) -> Iterator[Parting]:
         new = self._edits.variables
@@ -69,14 +71,14 @@ class _EditedPair(Pair):
                 return
 
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
-        def stop(run: Run, names: dict[str, str]) -> tuple[object, ...]:
+        def stop(run: Run, library: Library) -> tuple[object, ...]:
             alarm = run.alarm
             told = (run.stop, run.waiting_for, len(run.steps))
             if alarm is None:
                 return told
-            return (*told, alarm.cause, names.get(alarm.program, alarm.program), alarm.line)
+            return (*told, alarm.cause, self._told_apart(alarm.program, library), alarm.line)
 
-        if stop(a, {}) != stop(b, dict(self._edits.names)):
+        if stop(a, self._edits.library) != stop(b, self._edits.after):
             yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
     def _place(self, alarm: Alarm) -> tuple[object, ...]:
@@ -129,7 +131,10 @@ def same_as_written(edits: Edits) -> None:
         where = library.code.program(program)
         n, line, _ = where.block(block)
         raise EditError("edited, the control reads this block otherwise", where.name, n, line)
-    old, new = (_targets(mentions(each, "block program")) for each in (library, after))
+    old, new = (
+        _targets(mentions(each, "block program", machine=edits.machine))
+        for each in (library, after)
+    )
     for key in sorted(old.keys() | new.keys()):
         if old.get(key) != new.get(key):
             program, at, line = key

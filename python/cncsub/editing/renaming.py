@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from cncsub.checking import Edit
@@ -45,7 +46,7 @@ def rename(
     every = mentions(library, machine=machine)
     found = _mentioned(library, every, what, program)
     job = _Renaming(library, every, found, _plain(library, found, new))
-    return job.edits()
+    return replace(job.edits(), machine=machine)
 
 
 def _mentioned(

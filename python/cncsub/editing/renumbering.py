@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import Literal
 
 from cncsub import _core
@@ -27,15 +28,18 @@ def renumber(
     step: int = 10,
     which: Which = "numbered",
     *,
+    files: Iterable[str] | None = None,
     machine: str = "",
 ) -> Edits:
     """Return the edits that give the blocks of programs new sequence numbers, in order, and follow
     every jump, call, return and cycle that names one of them, in all programs of the library.
 
-    `programs`: names or numbers; all of the memory without it. `start`: the number of the first
+    `programs`: names or numbers; all of the memory without it. `files`: those of these files alone,
+    named as in `library.files`. `start`: the number of the first
     block of each program; `step`: what is added for each next one. `which`: `"numbered"`: the
     blocks that have a number; `"all"`: every block, as far as the control takes a number there;
-    `"targets"`: the blocks that something names; the others lose their number. `machine`: the kind
+    `"targets"`: the blocks that something names; the others lose their number, but for those that
+    have no other word. `machine`: the kind
     of machine, as in `Setup`, where P and Q of a cycle name blocks on a lathe only.
 
     A number that leads nowhere is kept, and no block gets it. Raises `EditError` where a number is
@@ -57,10 +61,12 @@ def renumber(
     """
     _check(start, step, which)
     kinds = "block unnumbered" if which == "all" else "block"
-    job = _Renumbering(
-        library, _chosen(library, programs), mentions(library, kinds, machine=machine)
-    )
-    return job.edits(start, step, which)
+    chosen = _chosen(library, programs)
+    if files is not None:
+        known = frozenset(files)
+        chosen = frozenset(i for i in chosen if library.code.program(i).file in known)
+    job = _Renumbering(library, chosen, mentions(library, kinds, machine=machine))
+    return replace(job.edits(start, step, which), machine=machine)
 
 
 def _check(start: int, step: int, which: str) -> None:
@@ -162,7 +168,7 @@ class _Renumbering:
         whole = self._whole_programs()
         for m in sorted(self._own, key=lambda m: (whole[m.program], m.line, m.column)):
             key = (m.program, m.block)
-            if which == "targets" and key not in targets:
+            if which == "targets" and key not in targets and m.word:
                 self._new[key] = None
                 continue
             n = next_of.get(whole[m.program], start)
@@ -212,13 +218,13 @@ class _Renumbering:
             n = self._new[m.program, m.block]
             if m.number is None:
                 yield Edit(m.file, m.line, m.column, m.text, f"N{n} {m.text}")
-            elif n is None and m.word:
+            elif n is None:
                 yield Edit(m.file, m.line, m.word_column, m.word, "")
             elif m.fixed:
                 causes.append(
                     (m.program, m.block, f"N{m.number} is written so that it cannot be changed")
                 )
-            elif n is not None and (new := _like(m.text, n)) != m.text:
+            elif (new := _like(m.text, n)) != m.text:
                 yield Edit(m.file, m.line, m.column, m.text, new)
         if causes:
             raise refusal(self._library, causes)
@@ -278,7 +284,7 @@ class _Renumbering:
         kept = tuple(e for e in made.edits if (e.file, e.line, e.column) not in lines)
         count = len(made.edits) - len(kept)
         note = f"{count} block{'' if count == 1 else 's'} can have no number on this control"
-        return Edits(self._library, kept, (*made.notes, note))
+        return replace(Edits(self._library, kept), notes=(*made.notes, note))
 
 
 def _like(old: str, n: int) -> str:

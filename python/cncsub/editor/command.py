@@ -10,9 +10,7 @@ from typing import Annotated, BinaryIO
 
 import typer
 
-from cncsub.cli.options import ControlName, WrongUseError
-
-_NEEDED = ("pygls", "lsprotocol", "cattrs")  # the extra `lsp`
+from cncsub.cli.options import ControlName, of_extra
 
 
 def lsp(
@@ -27,15 +25,8 @@ def lsp(
     The control of a file is that of a comment in its head, (cncsub: control=fanuc-0i-f), of the
     cncsub.toml beside it, of the editor's settings, or -c. It needs `pip install 'cncsub[lsp]'`.
     """
-    try:
+    with of_extra("lsp", "the server for editors", "pygls", "lsprotocol", "cattrs"):
         from cncsub.editor.requests import server_for
-    except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] not in _NEEDED:
-            raise
-        raise WrongUseError(
-            f"the server for editors needs {error.name}, which is not installed:"
-            " pip install 'cncsub[lsp]'"
-        ) from None
     server = server_for(control)
     if port is None:
         with _only_messages() as output:

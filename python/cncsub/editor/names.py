@@ -9,6 +9,7 @@ from lsprotocol.types import Location
 
 from cncsub import _core
 from cncsub.editing import Mention
+from cncsub.editing.mentions import mention_among
 from cncsub.editor.snapshot import Snapshot, place_of, token_at
 from cncsub.program import Block, Token
 
@@ -56,13 +57,7 @@ def at_of(mention: Mention) -> At:
 
 def mention_at(snap: Snapshot, path: str, line: int, character: int) -> Mention | None:
     """Return the mention at a place, both from 0, or the one that ends there."""
-    column = character + 1
-    found = [
-        mention
-        for mention in snap.mentions_on(path, line + 1)
-        if min(mention.column, mention.word_column) <= column <= mention.end
-    ]
-    return min(found, key=lambda m: (column == m.end, m.computed), default=None)
+    return mention_among(snap.mentions, path, line + 1, character + 1)
 
 
 def name_at(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name, At] | None:

@@ -145,10 +145,6 @@ class Snapshot:
     def _mentions(self) -> list[list[Mention]]:
         return []
 
-    def mentions_on(self, path: str, line: int) -> list[Mention]:
-        """Return the mentions on a line, from 1."""
-        return [each for each in self.mentions if each.line == line and each.file == path]
-
     @cached_property
     def setup(self) -> Setup | None:
         """The setup that the project names."""

@@ -11,7 +11,8 @@ from urllib.parse import quote
 from xml.etree import ElementTree
 
 from cncsub._core import Frame, __version__
-from cncsub.checking import Edit, Finding, Place, all_rules
+from cncsub.byte_edits import place_in
+from cncsub.checking import CheckRule, Edit, Finding, Place, all_rules
 from cncsub.escapes import for_github, for_xml, referred
 from cncsub.lines import lines_of, without_end
 from cncsub.reports.source_root import SourceRoot
@@ -55,11 +56,12 @@ def _facts(finding: Finding) -> dict[str, Any]:
 _LEVELS = {"error": "error", "warning": "warning", "note": "note"}
 
 
-def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
+def sarif(findings: Sequence[Finding], more: Sequence[CheckRule] = ()) -> dict[str, Any]:
     """Return a log of SARIF 2.1.0; the calls that lead to a finding are its code flow. Files are
-    named from the top of their repository.
+    named from the top of their repository. `more`: rules besides those of `check`.
     """
     root = _root_of(findings)
+    known = (*all_rules(), *more)
     rules = [
         {
             "id": rule.number,
@@ -68,7 +70,7 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
             "help": {"text": rule.hint},
             "defaultConfiguration": {"level": _LEVELS[rule.severity]},
         }
-        for rule in all_rules()
+        for rule in known
     ]
     driver = {
         "name": "cncsub",
@@ -76,7 +78,7 @@ def sarif(findings: Sequence[Finding]) -> dict[str, Any]:
         "semanticVersion": __version__,
         "rules": rules,
     }
-    numbers = [rule.number for rule in all_rules()]
+    numbers = [rule.number for rule in known]
     run: dict[str, Any] = {
         "tool": {"driver": driver},
         "columnKind": "unicodeCodePoints",
@@ -166,26 +168,32 @@ def _change(root: SourceRoot, edit: Edit) -> dict[str, Any]:
     }
 
 
-def junit(findings: Sequence[Finding], files: Iterable[str]) -> str:
+def junit(
+    findings: Sequence[Finding],
+    files: Iterable[str],
+    command: str = "check",
+    fails: Iterable[str] = ("error", "warning"),
+) -> str:
     """Return a JUnit test suite with a case for each file. The findings of a file are its failure,
-    or its output where all of them are notes.
+    or its output where none of them has a severity that `fails`. `command`: that finds them.
     """
+    severe = frozenset(fails)
 
     by_file: dict[str, list[Finding]] = {file: [] for file in files}
     for finding in findings:
         by_file.setdefault(finding.file, []).append(finding)
-    failing = {file for file, found in by_file.items() if any(f.severity != "note" for f in found)}
+    failing = {file for file, found in by_file.items() if any(f.severity in severe for f in found)}
     suite = ElementTree.Element(
-        "testsuite", name="cncsub check", tests=str(len(by_file)), failures=str(len(failing))
+        "testsuite", name=f"cncsub {command}", tests=str(len(by_file)), failures=str(len(failing))
     )
     for file, found in by_file.items():
         case = ElementTree.SubElement(
-            suite, "testcase", name=for_xml(file), classname="cncsub.check"
+            suite, "testcase", name=for_xml(file), classname=f"cncsub.{command}"
         )
         if not found:
             continue
         if file in failing:
-            worst = next(finding for finding in found if finding.severity != "note")
+            worst = next(finding for finding in found if finding.severity in severe)
             told = ElementTree.SubElement(
                 case, "failure", type=worst.rule, message=for_xml(worst.told)
             )
@@ -233,16 +241,14 @@ class Mended:
             self._new[edit.file] = list(self._old[edit.file])
         lines = self._new[edit.file]
         line, old = lines[edit.line - 1], edit.old.encode()
-        at = edit.column - 1
         if not old:
             lines[edit.line - 1] = self._lengthened(line, lines[0], edit.new.encode())
             return
-        if not line[:at].isascii() or not line.startswith(old, at):
-            if line.count(old) != 1:
-                self._left.add(edit)
-                return
-            at = line.index(old)
-        lines[edit.line - 1] = line[:at] + edit.new.encode() + line[at + len(old) :]
+        place = place_in(line, edit)
+        if place is None:
+            self._left.add(edit)
+            return
+        lines[edit.line - 1] = line[:place] + edit.new.encode() + line[place + len(old) :]
 
     @staticmethod
     def _lengthened(line: bytes, first: bytes, new: bytes) -> bytes:

@@ -1,0 +1,157 @@
+"""Laws of edits, over the rows of the conformance tables, the examples and generated programs."""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import cncsub
+from cncsub import testing
+from cncsub.editing import EditError, Edits, format, renumber
+
+sys.path.insert(0, str(Path(__file__).with_name("conformance")))
+from conformance import rows
+
+EXAMPLES = Path(__file__).parent.parent / "examples"
+EVERY = 29  # rows of which one is looked at; all of them differ in no more than what is named below
+
+# Programs that read the number of the block that ran last: another number is another program.
+READS_NUMBERS = ("#4014", "#4114", "#4107", "#4214", "#4314")
+
+EDITS: dict[str, Callable[[cncsub.Library, str], Edits]] = {
+    "format": lambda library, _: format(library),
+    "format without blanks": lambda library, _: format(library, spacing="none", points=True),
+    "numbered": lambda library, machine: renumber(library, machine=machine),
+    "all": lambda library, machine: renumber(library, which="all", machine=machine),
+    "targets": lambda library, machine: renumber(library, which="targets", machine=machine),
+}
+
+
+def libraries() -> Iterator[tuple[str, cncsub.Library, dict[str, object]]]:
+    for row in [row for place, row in enumerate(rows()) if place % EVERY == 3]:
+        library = testing.outcome.load(row.case, cncsub.controls[row.control])
+        setup = row.case.setup
+        yield str(row), library, {"max_blocks": 20_000, **({"setup": setup} if setup else {})}
+
+
+@pytest.mark.parametrize("what", EDITS)
+def test_an_edited_row_does_the_same_and_is_not_edited_again(what: str) -> None:
+    done = refused = 0
+    for name, library, options in libraries():
+        setup = options.get("setup") or {}
+        machine = str(setup.get("machine", ""))  # type: ignore[attr-defined]
+        try:
+            made = EDITS[what](library, machine)
+        except EditError:
+            refused += 1
+            continue
+        text = "".join(program.text for program in library.values())
+        if any(word in text for word in READS_NUMBERS):
+            continue
+        made.prove(**options)  # type: ignore[arg-type]
+        assert EDITS[what](made.after, machine).empty, name
+        words = [_words(each) for each in (library, made.after)]
+        if what.startswith("format"):
+            assert words[0] == words[1], name
+        done += 1
+    assert done > 650
+    assert refused < 30
+
+
+def _words(library: cncsub.Library) -> list[object]:
+    """Return the words of all blocks but for their blanks, points and small letters."""
+    return [
+        [(word.address.upper(), word.value) for word in block.words]
+        for program in library.values()
+        for block in program.blocks
+    ]
+
+
+CONTROLS = {
+    "fanuc": "fanuc-0i-f",
+    "gsk": "gsk-988ta",
+    "haas": "haas-ngc",
+    "hnc": "hnc-21m",
+    "linuxcnc": "linuxcnc",
+    "mitsubishi": "mitsubishi-m800",
+    "siemens": "siemens-one",
+    "syntec": "syntec-22ma",
+}
+
+
+@pytest.mark.parametrize("maker", CONTROLS)
+@pytest.mark.parametrize("what", EDITS)
+def test_an_edited_example_does_the_same(maker: str, what: str) -> None:
+    files = [
+        file
+        for file in sorted((EXAMPLES / maker).rglob("*"))
+        if file.suffix.lower() in (".nc", ".cnc", ".ngc", ".mpf", ".spf")
+    ]
+    assert files
+    for file in files:
+        library = cncsub.load(file, control=CONTROLS[maker])
+        try:
+            made = EDITS[what](library, "")
+        except EditError:
+            continue
+        made.prove(max_blocks=20_000)
+        assert EDITS[what](made.after, "").empty, file
+
+
+BLANK = st.sampled_from(["", " ", "  ", "\t"])
+WORDS = st.sampled_from(
+    ["G0", "g1", "X10.", "y-5", "F100", "M8", "(note)", "G 4", "P#1", "Z[#2+1.]"]
+)
+
+
+@st.composite
+def programs(draw: st.DrawFn) -> str:
+    """Return a program with jumps to blocks of any numbers, among them none and the same twice."""
+    lines = ["O1"]
+    numbers = draw(st.lists(st.integers(1, 12), min_size=1, max_size=8))
+    for n in numbers:
+        blank = draw(BLANK)
+        body = blank.join(draw(st.lists(WORDS, max_size=4)))
+        target = draw(st.integers(1, 12))
+        jump = draw(
+            st.sampled_from(["", f"IF[#1EQ{target}]GOTO{target}", f"#1=#1+{target}", "M98P2"])
+        )
+        lines += [f"{draw(BLANK)}N{n}{blank}{body}", jump] if draw(st.booleans()) else [body, jump]
+    lines += ["M30", "O2", "N7 #2=#2+1", f"M99{draw(st.sampled_from(['', 'P3', 'P30']))}"]
+    return "\n".join(lines) + "\n"
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(text=programs(), control=st.sampled_from(["fanuc-0i-f", "haas-ngc", "gsk-988ta"]))
+def test_a_generated_program_does_the_same(text: str, control: str) -> None:
+    library = cncsub.loads(text, control=control)
+    for edits_of in EDITS.values():
+        try:
+            made = edits_of(library, "")
+        except EditError:
+            continue
+        made.prove(max_blocks=2_000)
+        assert edits_of(made.after, "").empty
+        assert made.texts.keys() <= {"<text>"}
+        assert len(made.after.code.sources[0][2].split(b"\n")) == len(text.split("\n"))
+
+
+def test_a_long_program_is_edited_at_once() -> None:
+    blocks = 100_000
+    body = "".join(f"N{n} G1 X{n % 97}. Y{n % 89}. (cut)\n" for n in range(1, blocks))
+    library = cncsub.loads(f"O1\nF100\n{body}N{blocks} M30\n", control="fanuc-0i-f")
+    for edits_of in (
+        lambda: renumber(library, start=1, step=2),
+        lambda: renumber(library, which="all", step=1),
+        lambda: format(library, spacing="none"),
+    ):
+        began = time.perf_counter()
+        made = edits_of()
+        assert len(made.texts["<text>"]) > blocks
+        assert time.perf_counter() - began < 12  # a second or two where nothing else runs
