@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import doctest
 import importlib
+import json
 import os
 import pkgutil
 import re
@@ -80,9 +81,8 @@ PAGES = sorted(
     key=lambda page: (len(page.parts), page),
 )
 # The languages of a page. `sh` alone is not run: it builds, installs or takes minutes.
-LANGUAGES = {"console", "python", "py", "c", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"} | {
-    "json", "lisp", "lua",
-}  # fmt: skip
+LANGUAGES = {"console", "python", "py", "c", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"}
+LANGUAGES |= {"json", "lisp", "lua"}
 
 
 class Block(NamedTuple):
@@ -122,6 +122,10 @@ def test_a_page_shows_what_happens(
     names: dict[str, object] = {}
     runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
     for block in blocks:
+        if block.language == "json":
+            json.loads(block.text)
+        if block.language == "toml":
+            tomllib.loads(block.text)
         if block.title:
             file = tmp_path / block.title
             file.parent.mkdir(parents=True, exist_ok=True)

@@ -136,6 +136,9 @@ MAY_IMPORT = {
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
     | {"reports", "archive", "package", "resume", "dap", "debugging", "terminal"},
+    # The servers for editors and for agents: commands of their own, which no other room imports.
+    "agents": {"base", "tables", "face", "reports", "package", "cli"},
+    "editor": {"base", "tables", "analysis", "face", "editing", "reports", "cli"},
 }
 
 

@@ -45,6 +45,8 @@ COMMANDS = {
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "debug": ("cli.debug.debug", "Debug a program in the terminal."),
     "dap": ("cli.dap.dap", "Serve an editor that debugs programs (DAP)."),
+    "lsp": ("editor.command.lsp", "Serve an editor: findings, definitions, hints."),
+    "mcp": ("agents.command.mcp", "Serve an agent: run, check, explain, compare."),
     "batch": ("cli.batch.batch", "Run every program of some folders."),
     "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }

@@ -54,13 +54,7 @@ def explain(
     """
     asked = " ".join(name)
     among = list(cncsub.controls.values()) if control is None else [control_named(control)]
-    check = _check_rule(asked)
-    alarms = [] if _is_number_of_check(asked) else explanations(asked, among)
-    others = [
-        *_codes_of(asked, among),
-        *rule_explanations(asked, among),
-        *parameter_explanations(asked, among),
-    ]
+    alarms, others, check = known_facts(asked, among)
     if not (check or alarms or others):
         _explain_near(asked, among, format, output)
         return
@@ -86,6 +80,19 @@ def explain(
                 print_facts(console, others)
 
     write_text(output, write)
+
+
+def known_facts(
+    asked: str, among: list[cncsub.Control]
+) -> tuple[list[dict[str, Any]], list[dict[str, Any]], CheckRule | None]:
+    """Return what is called so: alarms, then codes, rules and parameters, and the rule of check."""
+    alarms = [] if _is_number_of_check(asked) else explanations(asked, among)
+    others = [
+        *_codes_of(asked, among),
+        *rule_explanations(asked, among),
+        *parameter_explanations(asked, among),
+    ]
+    return alarms, others, _check_rule(asked)
 
 
 def _is_number_of_check(asked: str) -> bool:

@@ -213,6 +213,19 @@ def wrong_use() -> Iterator[None]:
         raise WrongUseError(_by_option(error)) from None
 
 
+@contextlib.contextmanager
+def of_extra(extra: str, what: str, *packages: str) -> Iterator[None]:
+    """Report as wrong use that something needs one of these packages, which the extra installs."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] not in packages:
+            raise
+        raise WrongUseError(
+            f"{what} needs {error.name}, which is not installed: pip install 'cncsub[{extra}]'"
+        ) from None
+
+
 def told_of(error: OSError) -> str:
     """Return what the system says of a file, after the file's name."""
     named = f"{os.fsdecode(error.filename)}: " if error.filename is not None else ""

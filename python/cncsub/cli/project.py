@@ -112,6 +112,13 @@ def find_project(folder: Path) -> Project:
     return _found(folder, own=True)
 
 
+def project_beside(folder: Path) -> Project:
+    """Return the project of a folder that somebody else may have written: it is not the user's own,
+    and names nothing outside its folder.
+    """
+    return _found(folder, own=False)
+
+
 def _found(folder: Path, *, own: bool) -> Project:
     for place in (folder, *folder.parents):
         for name in ("cncsub.toml", "pyproject.toml"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from cncsub import _core
@@ -132,9 +133,14 @@ def mention_at(
     >>> mention_at(library, "<text>", 2, 11).shown
     'N20'
     """
+    return mention_among(mentions(library, machine=machine), file, line, column)
+
+
+def mention_among(every: Iterable[Mention], file: str, line: int, column: int) -> Mention | None:
+    """Return, of these mentions, the one at a place as `mention_at` does."""
     found = [
         mention
-        for mention in mentions(library, machine=machine)
+        for mention in every
         if mention.file == file
         and mention.line == line
         and min(mention.column, mention.word_column) <= column <= mention.end

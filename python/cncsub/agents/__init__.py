@@ -1,0 +1,1 @@
+"""What agents ask of programs: the server of the Model Context Protocol."""

@@ -1,0 +1,194 @@
+"""Where names lead to: definition, references, call hierarchy, links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from lsprotocol.types import (
+    CallHierarchyIncomingCall,
+    CallHierarchyItem,
+    CallHierarchyOutgoingCall,
+    DocumentHighlight,
+    DocumentHighlightKind,
+    DocumentLink,
+    Location,
+    Range,
+    SymbolKind,
+)
+
+from cncsub import _core
+from cncsub.editor.names import (
+    Name,
+    block_of,
+    label_of,
+    location,
+    mentions,
+    name_at,
+    writes,
+)
+from cncsub.editor.snapshot import Snapshot, uri_of
+from cncsub.program import Block, Program
+
+
+def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Location]:
+    """Return where the program, the block or the variable at a place is defined. That of a variable
+    is the last block before that writes it, else every block that does.
+    """
+    found = name_at(snap, path, line, character)
+    if found is None:
+        return []
+    name, here = found
+    if name.kind == "program":
+        return [snap.head_of(snap.program(int(name.key)))]
+    if name.kind == "block":
+        return [_block_place(snap, block_of(snap, name))]
+    writers = [mention for mention in mentions(snap, name) if writes(snap, mention)]
+    before = [
+        mention
+        for mention in writers
+        if mention.file == here.file and (mention.line, mention.column) < (here.line, here.column)
+    ]
+    if before:
+        return [location(snap, max(before, key=lambda m: (m.line, m.column)))]
+    others = [m for m in mentions(snap, name) if m.fixed or m.defines]  # as the letter of a call
+    every = dict.fromkeys([*others, *writers])
+    return [location(snap, mention) for mention in every] or list(_arguments(snap, name))
+
+
+def _block_place(snap: Snapshot, block: Block) -> Location:
+    label = label_of(block)
+    column, width = (label.column, len(label.text)) if label else (1, len(block.text))
+    return snap.location(block.program.file, block.line, column, width)
+
+
+def _arguments(snap: Snapshot, name: Name) -> Iterator[Location]:
+    """Yield the calls that may give a variable of a program its value."""
+    if name.program is None:
+        return
+    for caller, at, row in snap.calls:
+        if row[2] == name.program:
+            block = snap.program(caller).blocks[at]
+            yield snap.location(block.program.file, block.line, row[10], len(row[9]))
+
+
+def references(
+    snap: Snapshot, path: str, line: int, character: int, *, definitions: bool
+) -> list[Location]:
+    """Return every place that names the same as the word at a place."""
+    found = name_at(snap, path, line, character)
+    if found is None:
+        return []
+    name = found[0]
+    own = name.kind == "variable"  # whatever writes a variable is a use of it
+    return [
+        location(snap, each)
+        for each in mentions(snap, name)
+        if definitions or own or not each.defines
+    ]
+
+
+def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[DocumentHighlight]:
+    """Return every place of a file that names the same as the word at a place."""
+    found = name_at(snap, path, line, character)
+    if found is None:
+        return []
+    kinds = {True: DocumentHighlightKind.Write, False: DocumentHighlightKind.Read}
+    return [
+        DocumentHighlight(location(snap, each).range, kinds[each.defines or writes(snap, each)])
+        for each in mentions(snap, found[0])
+        if each.file == path
+    ]
+
+
+# ---- calls ----
+
+
+def call_item(snap: Snapshot, program: Program) -> CallHierarchyItem:
+    """Return a program as an item of the call hierarchy."""
+    head = snap.head_of(program)
+    return CallHierarchyItem(
+        program.name,
+        SymbolKind.Function,
+        head.uri,
+        head.range,
+        head.range,
+        detail=program.comment or None,
+        data={"program": program.name, "file": program.file, "line": program.line},
+    )
+
+
+def prepare_calls(snap: Snapshot, path: str, line: int, character: int) -> list[CallHierarchyItem]:
+    """Return the program that is called at a place, else the one in which the place is."""
+    found = name_at(snap, path, line, character)
+    if found is not None and found[0].kind == "program":
+        return [call_item(snap, snap.program(int(found[0].key)))]
+    program = snap.program_at(path, line)
+    return [] if program is None else [call_item(snap, program)]
+
+
+def _program_of(snap: Snapshot, item: CallHierarchyItem) -> Program | None:
+    told = item.data if isinstance(item.data, dict) else {}
+    for program in snap.programs_of(str(told.get("file", "")), inside=True):
+        if program.name == told.get("program"):
+            return program
+    return None
+
+
+def incoming(snap: Snapshot, item: CallHierarchyItem) -> list[CallHierarchyIncomingCall]:
+    """Return the programs that call a program, each with the words that do."""
+    program = _program_of(snap, item)
+    if program is None:
+        return []
+    callers = _grouped(snap, lambda caller, called: called == program.index, by_caller=True)
+    return [
+        CallHierarchyIncomingCall(
+            call_item(snap, snap.program(caller)), [_call_range(snap, *call) for call in calls]
+        )
+        for caller, calls in callers.items()
+    ]
+
+
+def outgoing(snap: Snapshot, item: CallHierarchyItem) -> list[CallHierarchyOutgoingCall]:
+    """Return the programs that a program calls, each with the words that do."""
+    program = _program_of(snap, item)
+    if program is None:
+        return []
+    called = _grouped(snap, lambda caller, called: caller == program.index, by_caller=False)
+    return [
+        CallHierarchyOutgoingCall(
+            call_item(snap, snap.program(to)), [_call_range(snap, *call) for call in calls]
+        )
+        for to, calls in called.items()
+    ]
+
+
+def _grouped(
+    snap: Snapshot, wanted: Callable[[int, int], bool], *, by_caller: bool
+) -> dict[int, list[tuple[int, int, _core._CallRow]]]:
+    found: dict[int, list[tuple[int, int, _core._CallRow]]] = {}
+    for call in snap.calls:
+        caller, _, row = call
+        if row[2] is not None and wanted(caller, row[2]):
+            found.setdefault(caller if by_caller else row[2], []).append(call)
+    return found
+
+
+def _call_range(snap: Snapshot, caller: int, at: int, row: _core._CallRow) -> Range:
+    block = snap.program(caller).blocks[at]
+    return snap.range(block.program.file, block.line, row[10], len(row[9]))
+
+
+def links(snap: Snapshot, path: str) -> list[DocumentLink]:
+    """Return the calls of a file that lead to another file."""
+    found = []
+    for caller, at, row in snap.calls:
+        data = snap.code.program(caller)
+        if data.file != path or data.inside or row[2] is None:
+            continue
+        called = snap.program(row[2])
+        if called.file == path or called.data.system:
+            continue
+        place = _call_range(snap, caller, at, row)
+        target = f"{uri_of(called.file)}#L{called.line}"
+        found.append(DocumentLink(place, target, tooltip=f"{called.name} {called.comment}".strip()))
+    return found

@@ -1,0 +1,311 @@
+"""The requests of an editor, each answered from one version of its memory."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeVar
+
+from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
+
+from cncsub.editing import EditError
+from cncsub.editor import completing, explaining, navigation, rewriting, shown, symbols
+from cncsub.editor.commands import plot_program, run_program
+from cncsub.editor.diagnostics import RENUMBER, actions
+from cncsub.editor.documents import UNITS, Document
+from cncsub.editor.server import Server, path_of
+from cncsub.editor.snapshot import Snapshot
+
+T = TypeVar("T")
+
+
+def server_for(control: str | None) -> Server:
+    """Return a server that answers all requests; `control` is that of files that name none."""
+    server = Server(control)
+    _register_life(server)
+    _register_documents(server)
+    _register_navigation(server)
+    _register_words(server)
+    _register_looks(server)
+    _register_changes(server)
+    _register_commands(server)
+    return server
+
+
+def _asked(server: Server, uri: str, answer: Callable[[Snapshot, str], T], otherwise: T) -> T:
+    path = path_of(uri)
+    snap = server.memories.snapshot(path)
+    return otherwise if snap is None else answer(snap, path)
+
+
+def _at(
+    server: Server, params: Any, answer: Callable[[Snapshot, str, int, int], T], otherwise: T
+) -> T:
+    """Answer a request about a place."""
+
+    def placed(snap: Snapshot, path: str) -> T:
+        line, character = snap.document(path).place(params.position)
+        return answer(snap, path, line, character)
+
+    return _asked(server, params.text_document.uri, placed, otherwise)
+
+
+def _register_life(server: Server) -> None:
+    @server.feature(lsp.INITIALIZE)
+    def initialize(ls: Server, params: lsp.InitializeParams) -> None:
+        encoding = ls.workspace.position_encoding
+        units = getattr(encoding, "value", encoding)
+        ls.memories.units = units if units in UNITS else UNITS[0]
+        folders = [folder.uri for folder in params.workspace_folders or ()]
+        folders = folders or ([params.root_uri] if params.root_uri else [])
+        ls.memories.folders = tuple(map(path_of, folders))
+        ls.configure(params.initialization_options or {})
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_CONFIGURATION)
+    def configured(ls: Server, params: lsp.DidChangeConfigurationParams) -> None:
+        if params.settings:
+            ls.configure(params.settings)
+        for path in ls.memories.documents:
+            ls.checked_soon(path)
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WORKSPACE_FOLDERS)
+    def folders(ls: Server, params: lsp.DidChangeWorkspaceFoldersParams) -> None:
+        ls.memories.folders = tuple(map(path_of, ls.workspace.folders))
+        ls.memories.read_disk_again()
+
+    @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def watched(ls: Server, params: lsp.DidChangeWatchedFilesParams) -> None:
+        ls.memories.read_disk_again()
+        for path in list(ls.memories.documents)[:1]:
+            ls.checked_soon(path)
+
+
+def _register_documents(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def opened(ls: Server, params: lsp.DidOpenTextDocumentParams) -> None:
+        item = params.text_document
+        path = path_of(item.uri)
+        ls.uris[path] = item.uri
+        ls.memories.put(path, Document.of(item.text, ls.memories.units, item.version))
+        ls.checked_soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def changed(ls: Server, params: lsp.DidChangeTextDocumentParams) -> None:
+        path = path_of(params.text_document.uri)
+        document = ls.memories.documents.get(path)
+        if document is None:
+            return
+        for change in params.content_changes:
+            document = document.edited(change.text, getattr(change, "range", None))
+        version = params.text_document.version
+        ls.memories.put(path, Document(document.lines, document.units, version))
+        ls.checked_soon(path)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_SAVE)
+    def saved(ls: Server, params: lsp.DidSaveTextDocumentParams) -> None:
+        ls.memories.read_disk_again()
+        ls.checked_soon(path_of(params.text_document.uri))
+
+    @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    def closed(ls: Server, params: lsp.DidCloseTextDocumentParams) -> None:
+        path = path_of(params.text_document.uri)
+        ls.memories.close(path)
+        ls.publish(path, [])
+
+
+def _register_navigation(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DEFINITION)
+    def definition(ls: Server, params: lsp.DefinitionParams) -> list[lsp.Location]:
+        return _at(ls, params, navigation.definition, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
+    def references(ls: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
+        wanted = params.context.include_declaration
+        return _at(ls, params, lambda *at: navigation.references(*at, definitions=wanted), [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
+    def highlight(ls: Server, params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight]:
+        return _at(ls, params, navigation.highlights, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
+    def prepare(ls: Server, params: lsp.CallHierarchyPrepareParams) -> list[lsp.CallHierarchyItem]:
+        return _at(ls, params, navigation.prepare_calls, [])
+
+    @server.feature(lsp.CALL_HIERARCHY_INCOMING_CALLS)
+    def incoming(
+        ls: Server, params: lsp.CallHierarchyIncomingCallsParams
+    ) -> list[lsp.CallHierarchyIncomingCall]:
+        return _hierarchy(ls, params.item, navigation.incoming)
+
+    @server.feature(lsp.CALL_HIERARCHY_OUTGOING_CALLS)
+    def outgoing(
+        ls: Server, params: lsp.CallHierarchyOutgoingCallsParams
+    ) -> list[lsp.CallHierarchyOutgoingCall]:
+        return _hierarchy(ls, params.item, navigation.outgoing)
+
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_LINK)
+    def links(ls: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
+        return _asked(ls, params.text_document.uri, navigation.links, [])
+
+
+def _hierarchy(
+    ls: Server,
+    item: lsp.CallHierarchyItem,
+    answer: Callable[[Snapshot, lsp.CallHierarchyItem], list[T]],
+) -> list[T]:
+    """Answer from the memory that has the file of the item, which may not be open."""
+    path = path_of(item.uri)
+    for shown_path in [path, *ls.memories.documents]:
+        snap = ls.memories.snapshot(shown_path)
+        if snap is not None and snap.programs_of(path, inside=True):
+            return answer(snap, item)
+    return []
+
+
+def _register_words(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_HOVER)
+    def hover(ls: Server, params: lsp.HoverParams) -> lsp.Hover | None:
+        return _at(ls, params, explaining.hover, None)
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=["#", "P", "O", " "])
+    )
+    def completion(ls: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
+        return _at(ls, params, completing.completions, [])
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_SIGNATURE_HELP, lsp.SignatureHelpOptions(trigger_characters=[" "])
+    )
+    def signature(ls: Server, params: lsp.SignatureHelpParams) -> lsp.SignatureHelp | None:
+        return _at(ls, params, completing.signature, None)
+
+    @server.feature(
+        lsp.TEXT_DOCUMENT_CODE_ACTION,
+        lsp.CodeActionOptions(
+            [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll, RENUMBER]
+        ),
+    )
+    def action(ls: Server, params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.CodeAction]:
+            return actions(snap, path, params.range)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+def _register_looks(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    def outline(ls: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
+        return _asked(ls, params.text_document.uri, symbols.document_symbols, [])
+
+    @server.feature(lsp.WORKSPACE_SYMBOL)
+    def workspace(ls: Server, params: lsp.WorkspaceSymbolParams) -> list[lsp.WorkspaceSymbol]:
+        snaps = {id(s): s for path in ls.memories.documents if (s := ls.memories.snapshot(path))}
+        return [each for s in snaps.values() for each in symbols.workspace_symbols(s, params.query)]
+
+    @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
+    def folding(ls: Server, params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange]:
+        return _asked(ls, params.text_document.uri, symbols.folding, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, shown.LEGEND)
+    def colours(ls: Server, params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
+        return _asked(ls, params.text_document.uri, shown.semantic_tokens, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, shown.LEGEND)
+    def some(ls: Server, params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> lsp.SemanticTokens | None:
+            return shown.semantic_tokens(snap, path, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
+    def hints(ls: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> list[lsp.InlayHint]:
+            return shown.inlay_hints(snap, path, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_CODE_LENS)
+    def lenses(ls: Server, params: lsp.CodeLensParams) -> list[lsp.CodeLens]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.CodeLens]:
+            return shown.code_lenses(snap, path, debugs=ls.debugs)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+def _register_changes(server: Server) -> None:
+    @server.feature(lsp.TEXT_DOCUMENT_PREPARE_RENAME)
+    def prepare(ls: Server, params: lsp.PrepareRenameParams) -> lsp.PrepareRenamePlaceholder | None:
+        return _at(ls, params, rewriting.prepare_rename, None)
+
+    @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
+    def rename(ls: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
+        with _refusals():
+            new = params.new_name
+            return _at(
+                ls, params, lambda s, p, line, at: rewriting.renamed(s, p, line, at, new), None
+            )
+
+    @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
+    def format(ls: Server, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
+        def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
+            return rewriting.formatted(snap, path, params.options)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+    @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
+    def format_some(ls: Server, params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit]:
+        first, last = params.range.start.line, params.range.end.line
+
+        def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
+            return rewriting.formatted(snap, path, params.options, first, last)
+
+        return _asked(ls, params.text_document.uri, answer, [])
+
+
+@contextlib.contextmanager
+def _refusals() -> Iterator[None]:
+    """Answer a change that cannot be made with the reason."""
+    try:
+        yield
+    except (EditError, KeyError, ValueError) as error:
+        raise JsonRpcException(
+            message=str(error.args[0] if isinstance(error, KeyError) else error),
+            code=lsp.LSPErrorCodes.RequestFailed.value,
+        ) from None
+
+
+def _register_commands(server: Server) -> None:
+    @server.command("cncsub.renumber")
+    def renumber(ls: Server, path: str) -> None:
+        snap = ls.memories.snapshot(path)
+        if snap is not None:
+            with _refusals():
+                edit = rewriting.renumbered(snap, path)
+            ls.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit, "Number the blocks anew"))
+
+    @server.command("cncsub.run")
+    def run(ls: Server, path: str, program: str | None = None) -> str:
+        return _command(ls, path, program, run_program)
+
+    @server.command("cncsub.plot")
+    def plot(ls: Server, path: str, program: str | None = None) -> str:
+        told = _command(ls, path, program, plot_program)
+        if Path(told).is_file():
+            uri = Path(told).as_uri()
+            ls.window_show_document(lsp.ShowDocumentParams(uri, external=True))
+        return told
+
+
+def _command(
+    ls: Server, path: str, program: str | None, command: Callable[[Snapshot, str, str | None], str]
+) -> str:
+    snap = ls.memories.snapshot(path)
+    told = f"{path} is not open" if snap is None else command(snap, path, program)
+    ls.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Info, told))
+    return told

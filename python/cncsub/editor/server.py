@@ -1,0 +1,124 @@
+"""The language server: its documents, its settings, and what it tells by itself."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Iterator
+from typing import Any
+
+from lsprotocol import types as lsp
+from pygls.lsp.server import LanguageServer
+from pygls.protocol import LanguageServerProtocol
+from pygls.protocol.language_server import lsp_method
+from pygls.uris import to_fs_path
+
+from cncsub._core import __version__
+from cncsub.editor.diagnostics import diagnostics
+from cncsub.editor.memory import Memories, Settings
+
+QUIET = 0.12  # seconds after the last key before the programs are checked
+
+
+class _Protocol(LanguageServerProtocol):
+    """The protocol without the documents of pygls: ours end their lines as the protocol says."""
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_OPEN)
+    def lsp_text_document__did_open(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_OPEN, params)
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_CHANGE)
+    def lsp_text_document__did_change(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_CHANGE, params)
+
+    @lsp_method(lsp.TEXT_DOCUMENT_DID_CLOSE)
+    def lsp_text_document__did_close(self, params: Any) -> Iterator[Any]:
+        yield from self._handed_on(lsp.TEXT_DOCUMENT_DID_CLOSE, params)
+
+    def _handed_on(self, name: str, params: Any) -> Iterator[Any]:
+        if (handler := self.fm.features.get(name)) is not None:
+            yield handler, (params,), None
+
+
+class Server(LanguageServer):
+    """The server of one client, with the memories of its documents."""
+
+    def __init__(self, control: str | None = None) -> None:
+        super().__init__("cncsub", __version__, protocol_cls=_Protocol)
+        self.memories = Memories(settings=Settings(control), tell=self._tell)
+        self.debugs = False  # whether the client has a command that debugs
+        self.uris: dict[str, str] = {}  # how the client calls its documents, by path
+        self._given = control
+        self._waiting: dict[str, asyncio.Task[None]] = {}
+
+    def _tell(self, message: str) -> None:
+        self.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, message))
+
+    def configure(self, told: Any) -> None:
+        """Take the settings of the client: `control`, `run`, `maxBlocks`, `maxSeconds`."""
+        told = told.get("cncsub", told) if isinstance(told, dict) else {}
+        control = told.get("control") or self._given
+        blocks, seconds = told.get("maxBlocks"), told.get("maxSeconds")
+        usual = Settings()
+        self.memories.settings = Settings(
+            control if isinstance(control, str) else None,
+            told.get("run") is not False,
+            blocks if isinstance(blocks, int) and blocks > 0 else usual.max_blocks,
+            float(seconds)
+            if isinstance(seconds, int | float) and seconds > 0
+            else usual.max_seconds,
+        )
+        self.debugs = told.get("debug") is True
+        self.memories.read_disk_again()
+
+    def checked_soon(self, path: str) -> None:
+        """Check the documents when no key was pressed for a while, the one at hand first."""
+        others = [each for each in self.memories.documents if each != path]
+        for waiting in self._waiting.values():
+            waiting.cancel()
+        self._waiting["check"] = asyncio.ensure_future(self._check([path, *others]))
+
+    async def _check(self, paths: list[str]) -> None:
+        await asyncio.sleep(QUIET)
+        for path in paths:
+            document = self.memories.documents.get(path)
+            found = await asyncio.to_thread(self._diagnostics, path)
+            if document is not None and self.memories.documents.get(path) is document:
+                self.publish(path, found, document.version)
+        more = await asyncio.to_thread(lambda: self._run(paths[0]))
+        if more:
+            self._refresh()
+
+    def _run(self, path: str) -> bool:
+        """Run a large document, and return whether an editor can be told more than before."""
+        snap = self.memories.snapshot(path)
+        if snap is None or snap.last_run(path) is not None:
+            return False
+        return snap.last_run(path, waits=True) is not None
+
+    def _refresh(self) -> None:
+        asked = self.client_capabilities.workspace
+        if asked is not None and asked.inlay_hint is not None and asked.inlay_hint.refresh_support:
+            self.workspace_inlay_hint_refresh(None)
+
+    def _diagnostics(self, path: str) -> list[lsp.Diagnostic]:
+        snap = self.memories.snapshot(path)
+        return [] if snap is None else diagnostics(snap, path)
+
+    def publish(self, path: str, found: list[lsp.Diagnostic], version: int | None = None) -> None:
+        """Send the diagnostics of a document."""
+        uri = self.uris.get(path, path)
+        self.text_document_publish_diagnostics(
+            lsp.PublishDiagnosticsParams(uri, found, version=version)
+        )
+
+
+def _more_than_none(value: object, otherwise: float) -> float:
+    """Return a number of the client's settings, if it is one that a limit can be."""
+    if isinstance(value, int | float) and not isinstance(value, bool) and 1e-3 < value < 1e12:
+        return value
+    return otherwise
+
+
+def path_of(uri: str) -> str:
+    """Return the path of a document; of one that is no file, its whole name."""
+    return (to_fs_path(uri) or uri) if uri.startswith("file:") else uri

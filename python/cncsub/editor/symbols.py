@@ -1,0 +1,169 @@
+"""The outline of files: programs, numbered blocks, tools, headings; and what can be folded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from lsprotocol.types import (
+    DocumentSymbol,
+    FoldingRange,
+    FoldingRangeKind,
+    Range,
+    SymbolKind,
+    WorkspaceSymbol,
+)
+
+from cncsub import _core
+from cncsub.editor.names import label_of
+from cncsub.editor.snapshot import Snapshot
+from cncsub.files import clean
+from cncsub.program import Block, Program
+
+MOST_NUMBERS = 2_000  # numbered blocks of a program; of more only those that something names
+MOST_FOUND = 500  # symbols of a workspace that are listed
+
+
+def document_symbols(snap: Snapshot, path: str) -> list[DocumentSymbol]:
+    """Return the programs of a file, each with what stands in it."""
+    programs = snap.programs_of(path)
+    ends = [program.line - 1 for program in programs[1:]] + [len(snap.document(path).lines)]
+    return [_program(snap, path, each, end) for each, end in zip(programs, ends)]
+
+
+def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentSymbol:
+    document = snap.document(path)
+    first = program.line - 1
+    last = max(first, end - 1)
+    head = document.whole_line(first)
+    whole = Range(head.start, document.whole_line(last).end)
+    inner = [*_headings(snap, path, program, last), *_words(snap, path, program)]
+    inner.sort(key=lambda symbol: (symbol.range.start.line, symbol.range.start.character))
+    return DocumentSymbol(
+        program.name or "program",
+        SymbolKind.Module,
+        whole,
+        head,
+        detail=program.comment or None,
+        children=inner,
+    )
+
+
+def _words(snap: Snapshot, path: str, program: Program) -> Iterator[DocumentSymbol]:
+    data, blocks = program.data, program.blocks
+    few = _named(program) if len(blocks) > MOST_NUMBERS else None
+    for place in range(data.blocks):
+        has_tool = _may_have_tool(data, place)
+        if few is not None and place not in few and not has_tool:
+            continue
+        block = blocks[place]
+        if (few is None or place in few) and (label := label_of(block)) is not None:
+            yield _symbol(snap, path, block, label.column, label.text, SymbolKind.Key)
+        for token in block.tokens if has_tool else ():
+            if token.word is not None and token.word.address == "T":
+                yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
+
+
+def _may_have_tool(data: _core.ProgramData, place: int) -> bool:
+    """Return whether it is worth reading the words of a block for a tool."""
+    text = data.block(place)[2]
+    return "T" in text or "t" in text
+
+
+def _named(program: Program) -> set[int]:
+    """Return the places of the blocks that jumps lead to."""
+    found: set[int] = set()
+    for place in range(program.data.blocks):
+        for jump in _core.references(program.data, place)[1]:
+            if jump[4] is not None:
+                found.add(jump[4])
+    return found
+
+
+def _symbol(
+    snap: Snapshot, path: str, block: Block, column: int, text: str, kind: SymbolKind
+) -> DocumentSymbol:
+    at = snap.range(path, block.line, column, len(text))
+    detail = block.text.strip()
+    return DocumentSymbol(text.rstrip(": ") or text, kind, at, at, detail=detail[:80])
+
+
+def _headings(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
+    """Yield the comments that stand alone on a line, each the head of what follows."""
+    document, data = snap.document(path), program.data
+    with_blocks = {data.block(place)[1] - 1 for place in range(data.blocks)}
+    for line in range(program.line, min(last + 1, len(document.lines))):
+        if line in with_blocks or document.lines[line].isspace():
+            continue
+        if not (comment := comment_alone(snap, document.line(line))):
+            continue
+        at = document.whole_line(line)
+        yield DocumentSymbol(comment, SymbolKind.String, at, at)
+
+
+def comment_alone(snap: Snapshot, text: str) -> str:
+    """Return the words of a comment that is all of a line; nothing where it is not."""
+    kinds = [(row[0], row[1]) for row in _core.tokens(snap.control, clean(text))]
+    comments = [part for kind, part in kinds if kind == "comment"]
+    if len(comments) != 1 or any(kind == "word" for kind, _ in kinds):
+        return ""
+    return comments[0].strip().strip("();").strip()
+
+
+def workspace_symbols(snap: Snapshot, query: str) -> list[WorkspaceSymbol]:
+    """Return the programs whose names or titles hold the words of a query."""
+    wanted = query.casefold()
+    found = []
+    for name, place in zip(snap.code.names(), snap.code.places(), strict=True):
+        program = snap.program(place)
+        if program.data.system:
+            continue
+        if wanted in name.casefold() or wanted in program.comment.casefold():
+            shown = f"{name} {program.comment}".strip()
+            head = snap.head_of(program)
+            found.append(WorkspaceSymbol(head, shown, SymbolKind.Module))
+            if len(found) == MOST_FOUND:
+                break
+    return found
+
+
+# ---- folding ----
+
+
+def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
+    """Return the programs, the loops and the stretches of one tool."""
+    document = snap.document(path)
+    programs = snap.programs_of(path)
+    ends = [program.line - 1 for program in programs[1:]] + [len(document.lines)]
+    found: dict[tuple[int, int], FoldingRange] = {}
+    for program, end in zip(programs, ends):
+        last = end - 1
+        while last >= program.line and not document.line(last).strip():
+            last -= 1
+        regions = [(program.line - 1, last), *_loops(snap, program), *_tools(program, last)]
+        for first, to in regions:
+            if to > first:
+                found[first, to] = FoldingRange(first, to, kind=FoldingRangeKind.Region)
+    return [found[key] for key in sorted(found)]
+
+
+def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
+    """Yield the lines, from 0, of what jumps back: a loop ends with the block that does."""
+    edges, *_ = _core.flow(snap.flows, program.data)
+    size = len(program.blocks)
+    for block, to, kind in edges:
+        if kind == "jump" and block is not None and to is not None and to < block < size:
+            yield program.blocks[to].line - 1, program.blocks[block].line - 1
+
+
+def _tools(program: Program, last: int) -> Iterator[tuple[int, int]]:
+    data, begin = program.data, None
+    for place in range(data.blocks):
+        if not _may_have_tool(data, place):
+            continue
+        block = program.blocks[place]
+        if any(word.address == "T" for word in block.words):
+            if begin is not None:
+                yield begin, block.line - 2
+            begin = block.line - 1
+    if begin is not None:
+        yield begin, last
