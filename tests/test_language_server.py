@@ -281,7 +281,7 @@ def test_a_large_program_is_opened_and_edited_while_one_types(tmp_path: Path) ->
         codes = [each.code for each in await found(client)]
         checked = time.monotonic() - begun
         assert codes == ["CS201"]
-        # An idle machine takes 0.4 s, 60 ms and 0.3 s; this one may have other work.
+        # A free machine takes 0.4 s, 50 ms and 0.2 s; this one may have other work.
         assert opened < 10
         assert answered < 3
         assert checked < 6

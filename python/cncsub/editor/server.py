@@ -13,6 +13,7 @@ from pygls.protocol.language_server import lsp_method
 from pygls.uris import to_fs_path
 
 from cncsub._core import __version__
+from cncsub.editor.completing import codes_of
 from cncsub.editor.diagnostics import diagnostics
 from cncsub.editor.memory import Memories, Settings
 
@@ -89,8 +90,12 @@ class Server(LanguageServer):
             self._refresh()
 
     def _run(self, path: str) -> bool:
-        """Run a large document, and return whether an editor can be told more than before."""
+        """Run a large document, and return whether an editor can be told more than before. The
+        list of codes is made here, too: the first completion does not wait for it.
+        """
         snap = self.memories.snapshot(path)
+        if snap is not None:
+            codes_of(snap.control)
         if snap is None or snap.last_run(path) is not None:
             return False
         return snap.last_run(path, waits=True) is not None
