@@ -280,7 +280,13 @@ NOT_RENAMED = [
     ("O1\n#1=2\nM30\n", MILL, "#1", 100, "#1 is local and #100 is common"),
     ("O1\nG65 P2 A1.\nM30\nO2\n#3=#1\nM99\n", MILL, ("<text>", 5, 5), 5, "A1. means #1"),
     ("O1\nM98 P2\nM30\nO2\nM99\n", "gsk-928te", "O2", 300, "the control has numbers to 254"),
-    ("N1 CYCLE84(5,0,1,-5,,,,3,,1)\nM30\n", "siemens-one", ("<text>", 1, 5), "NEWER", "a program of the control"),
+    (
+        "N1 CYCLE84(5,0,1,-5,,,,3,,1)\nM30\n",
+        "siemens-one",
+        ("<text>", 1, 5),
+        "NEWER",
+        "a program of the control",
+    ),
     ("#1=#<_x>\nM2\n", "linuxcnc", ("<text>", 1, 7), "new", "_x means"),
     ("O1\nN1 GOTO20\nN20 M30\n", "fanuc-16i", "N20", 100000, "the control has numbers to 99999"),
 ]

@@ -14,6 +14,7 @@ import pytest
 
 import cncsub
 import cncsub.testing
+from cncsub import editing
 
 CONTROL = "fanuc-0i-f"
 
@@ -146,7 +147,8 @@ def public_classes() -> list[type]:
     handed += [machine.variables, machine.signals, machine.coverage(), machine.coverage().blocks]
     handed += [cncsub.controls, machine.steps.program]
     named = [getattr(cncsub, name) for name in cncsub.__all__ if name != "__version__"]
-    named += [getattr(cncsub.testing, name) for name in cncsub.testing.__all__]
+    for module in (cncsub.testing, editing):
+        named += [getattr(module, name) for name in module.__all__]
     classes = [value for value in named if inspect.isclass(value)]
     return [*classes, *map(type, handed)]
 
@@ -178,7 +180,8 @@ def test_every_member_has_words_and_names_its_options(kind: type) -> None:
 
 def test_every_function_has_words_and_names_its_options() -> None:
     found = [getattr(cncsub, name) for name in cncsub.__all__ if name != "__version__"]
-    found += [getattr(cncsub.testing, name) for name in cncsub.testing.__all__]
+    for module in (cncsub.testing, editing):
+        found += [getattr(module, name) for name in module.__all__]
     some = [function for function in found if inspect.isfunction(function)]
     assert len(some) > 8
     for function in some:

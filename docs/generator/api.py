@@ -110,6 +110,32 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
             "TranslateError",
         ],
     ),
+    "editing": (
+        "Editing",
+        "Other numbers, names and layout, proved by a run.",
+        [
+            "editing.renumber",
+            "editing.rename",
+            "editing.format",
+            "editing.mentions",
+            "editing.mention_at",
+            "editing.Edits",
+            "editing.EditError",
+            "editing.Mention",
+            "editing.proof.Proof",
+        ],
+    ),
+    "gate": (
+        "Gate",
+        "Whether the output of a post processor may go to the machine.",
+        [
+            "archive.gate.gate",
+            "archive.gate.read_allow_list",
+            "archive.gate.Gate",
+            "archive.gate.GatedFile",
+            "archive.gating.Allowed",
+        ],
+    ),
     "archives": ("Archives", "Every program of some folders.", ["run_many", "check_many"]),
     "testing": (
         "Testing",

@@ -56,6 +56,7 @@ class BlockLayout {
   std::string between(const BlockToken& before, std::string_view blanks,
                       const BlockToken& behind) const;
   void write(std::vector<LayoutChange>& changes);
+  bool same_word(const WrittenWord& old, const WrittenWord& now) const;
   bool reads_alike(const std::string& written) const;
 
   const Code& code_;
@@ -143,31 +144,25 @@ void BlockLayout::write(std::vector<LayoutChange>& changes) {
   end_stretch();
 }
 
-/// Return whether a text has the same words, but for small letters, blanks and points.
+/// Return whether a word is another one but for small letters, blanks and its point.
+bool BlockLayout::same_word(const WrittenWord& old, const WrittenWord& now) const {
+  const bool same_value = old.known == now.known && (!old.known || old.value == now.value);
+  const std::string with_point = takes_point(old) ? old.text + '.' : old.text;
+  return same_value && same_letters(old.address, now.address) && same_letters(with_point, now.text);
+}
+
+/// Return whether a text has the same tokens, but for its blanks.
 bool BlockLayout::reads_alike(const std::string& written) const {
-  const std::vector<BlockToken> now = tokens_of(code_.read_word, written);
-  const auto next = [](const std::vector<BlockToken>& of, std::size_t at) {
-    while (at < of.size() && of[at].kind == Kind::Blank) ++at;
-    return at;
-  };
-  std::size_t i = 0, k = 0;
-  for (;; ++i, ++k) {
-    i = next(tokens_, i);
-    k = next(now, k);
-    if (i == tokens_.size() || k == now.size()) return i == tokens_.size() && k == now.size();
-    const WrittenWord &a = tokens_[i].word, &b = now[k].word;
-    if (tokens_[i].kind != now[k].kind) return false;
-    if (tokens_[i].kind != Kind::Word) {
-      if (text_.substr(tokens_[i].at, tokens_[i].width) !=
-          std::string_view(written).substr(now[k].at, now[k].width))
-        return false;
-      continue;
-    }
-    const bool same_value = a.known == b.known && (!a.known || a.value == b.value);
-    const std::string with_point = takes_point(a) ? a.text + '.' : a.text;
-    if (!same_letters(a.address, b.address) || !same_value || !same_letters(with_point, b.text))
-      return false;
-  }
+  std::vector<BlockToken> now = tokens_of(code_.read_word, written), old = tokens_;
+  for (auto* const of : {&now, &old})
+    std::erase_if(*of, [](const BlockToken& token) { return token.kind == Kind::Blank; });
+  return std::equal(old.begin(), old.end(), now.begin(), now.end(),
+                    [&](const BlockToken& a, const BlockToken& b) {
+                      if (a.kind != b.kind) return false;
+                      if (a.kind == Kind::Word) return same_word(a.word, b.word);
+                      return text_.substr(a.at, a.width) ==
+                             std::string_view(written).substr(b.at, b.width);
+                    });
 }
 
 std::optional<std::vector<LayoutChange>> BlockLayout::changes() {
@@ -184,7 +179,7 @@ std::optional<std::vector<LayoutChange>> BlockLayout::changes() {
 
 /// Reduce a change to what differs. A change that only adds text replaces a character beside it, so
 /// that it has a place of its own.
-LayoutChange reduced(std::string_view file, LayoutChange change) {
+LayoutChange reduced(std::string_view file, const LayoutChange& change) {
   const std::string_view old = file.substr(change.at, change.width);
   const std::string_view text = change.text;
   std::size_t before = 0, behind = 0;
@@ -247,7 +242,7 @@ void FileLayout::block(const Block& block, const Program& program, int depth) {
   }
   for (LayoutChange& change : *changes) {
     change.at += block.text;
-    change = reduced(text_, std::move(change));
+    change = reduced(text_, change);
   }
   std::erase_if(*changes, [](const LayoutChange& of) { return of.width == 0; });
   if (auto blanks = indent(block, depth)) {

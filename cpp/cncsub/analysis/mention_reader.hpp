@@ -41,6 +41,9 @@ class MentionReader {
   void head();
   void block(const Block& block);
 
+  void definitions(const Block& block);
+  void references(const Block& block);
+  void unnumbered(const Block& block);
   void sequence_number(const Block& block);
   void profile(const Block& block);
   void unknown_profile(const Block& block);

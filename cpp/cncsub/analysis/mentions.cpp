@@ -73,35 +73,38 @@ std::optional<TextPlace> MentionReader::word(std::string_view address, double va
 
 // ---- blocks ----
 
+/// Add the beginning of a block that has no number.
+void MentionReader::unnumbered(const Block& block) {
+  const std::string_view whole = code_.text_of(block, own());
+  std::size_t from = 0;
+  auto first = code_.read_word(whole, from);
+  while (first && first->address == "/") first = code_.read_word(whole, from);
+  if (!first || block.op == Op::Fault) return;
+  const auto width = static_cast<std::uint32_t>(first_character(whole.substr(first->at)).size());
+  Mention& mention = add(Mention::Kind::Number, {block.text + first->at, width});
+  mention.defines = true;
+  mention.to_program = program_;
+  mention.to = at_;
+}
+
 void MentionReader::sequence_number(const Block& block) {
   const std::string_view whole = code_.text_of(block, own());
   std::size_t from = 0;
-  std::optional<WrittenWord> first, n;
-  std::size_t others = 0;
-  while (!(n && others > 0)) {
-    auto word = code_.read_word(whole, from);
-    if (!word) break;
-    if (word->address == "/") continue;
-    const bool is_n = !n && word->address == "N" && word->known && word->value == block.n;
-    if (!is_n) ++others;
-    if (!first) first = *word;
-    if (is_n) n = std::move(word);
-    if (block.n < 0) break;
-  }
-  if (block.n < 0) {
-    if (!asked_.unnumbered || !first || block.op == Op::Fault) return;
-    const auto width = static_cast<std::uint32_t>(first_character(whole.substr(first->at)).size());
-    add(Mention::Kind::Number, {block.text + first->at, width}).defines = true;
-    found_.back().to_program = program_;
-    found_.back().to = at_;
-    return;
+  std::optional<WrittenWord> n;
+  bool others = false;
+  for (auto word = code_.read_word(whole, from); word; word = code_.read_word(whole, from)) {
+    if (!n && word->address == "N" && word->known && word->value == block.n)
+      n = std::move(word);
+    else
+      others = others || word->address != "/";
+    if (n && others) break;
   }
   const TextPlace place =
       n ? TextPlace{block.text + n->at, n->width} : TextPlace{block.text, block.length};
   Mention& mention = number(place, block.n);
   mention.defines = true;
   mention.to = at_;
-  if (!n || others == 0) return;
+  if (!n || !others) return;
   std::size_t end = std::size_t{n->at} + n->width;
   while (end < whole.size() && is_blank(whole[end])) ++end;
   mention.word = {place.at, static_cast<std::uint32_t>(end - n->at)};
@@ -244,6 +247,24 @@ void MentionReader::block(const Block& block) {
   }
 }
 
+/// Add what a block gives a name to.
+void MentionReader::definitions(const Block& block) {
+  if (block.n >= 0)
+    sequence_number(block);
+  else if (asked_.unnumbered)
+    unnumbered(block);
+  if (!labelled_.empty()) label_of(at_);
+}
+
+/// Add what a block calls and where it jumps.
+void MentionReader::references(const Block& block) {
+  const References found = references_of(code_, block, program_);
+  for (const CallReference& of : found.calls)
+    if (block.op != Op::RepeatPart) call(of);
+  if (!asked_.blocks) return;
+  for (const JumpReference& of : found.jumps) jump(of);
+}
+
 void MentionReader::program(std::int32_t index, InterruptCheck& interrupt) {
   program_ = index;
   head();
@@ -251,18 +272,9 @@ void MentionReader::program(std::int32_t index, InterruptCheck& interrupt) {
     const Block& block = code_.blocks[at_];
     if (interrupt.requested(block.length + InterruptCheck::kBlock)) return;
     if (code_.program_at(at_) != program_) continue;
-    if (asked_.blocks) {
-      if (block.n >= 0 || asked_.unnumbered) sequence_number(block);
-      if (!labelled_.empty()) label_of(at_);
-    }
+    if (asked_.blocks) definitions(block);
     each_variant(code_, block, [this](const Block& of) { this->block(of); });
-    if (may_name(block.op)) {
-      const References references = references_of(code_, block, program_);
-      for (const CallReference& of : references.calls)
-        if (block.op != Op::RepeatPart) call(of);
-      if (asked_.blocks)
-        for (const JumpReference& of : references.jumps) jump(of);
-    }
+    if (may_name(block.op)) references(block);
     if (asked_.programs && code_.spelling->program_name.before.empty()) declared(block);
     if (asked_.variables) variables(block);
   }

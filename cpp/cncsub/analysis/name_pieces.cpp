@@ -109,7 +109,10 @@ std::vector<NamePiece> name_pieces(const Spelling& spelling, std::string_view te
 
 std::optional<TextPlace> digits_in(std::string_view file, TextPlace place, std::int64_t number) {
   const std::size_t end = std::min<std::size_t>(file.size(), std::size_t{place.at} + place.width);
-  Scanner s{file.data() + place.at, file.data() + end, file.data()};
+  Scanner s;
+  s.file = file.data();
+  s.at = s.file + place.at;
+  s.end = s.file + end;
   while (s.peek() != '\0' && !is_digit(*s.at)) ++s.at;
   const std::uint32_t from = s.offset();
   std::uint32_t behind = from;

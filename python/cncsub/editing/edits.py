@@ -16,7 +16,7 @@ from cncsub.byte_edits import edited
 from cncsub.checking import Edit
 from cncsub.library import Library
 from cncsub.lines import lines_of
-from cncsub.run_options import FlattenOptions
+from cncsub.run_options import FlattenOptions, takes
 from cncsub.writing import replace_whole
 
 if TYPE_CHECKING:
@@ -106,6 +106,7 @@ class Edits:
     def _read(self) -> dict[str, bytes]:
         return {name: data for name, _, data, outside in self.library.code.sources if not outside}
 
+    @takes(FlattenOptions)
     def prove(self, main: str | int | None = None, **options: Unpack[FlattenOptions]) -> Proof:
         """Compare the programs before and after, as they are written and as they run: see `Proof`.
 
