@@ -212,8 +212,17 @@ def test_a_head_puts_in_force_what_the_run_has(
 def test_the_safe_height_and_the_order_of_axes_are_chosen(job: cncsub.Library) -> None:
     resumed = job.resume(at="O2:N120", safe_height=80, order=["Y", "X", "Z"])
     lines = resumed.text.splitlines()
+    assert "G00 Z-5." in job.resume(at="O2:N120", order=["X"]).text  # what it does not name, last
     at = lines.index("G00 G43 H1 Z80.")
     assert lines[at + 1 : at + 3] == ["G00 X20.", "G00 Z-5."]
+
+
+@pytest.mark.parametrize("order", [["Q"], ["XY", "Y"], [], "X Z"])
+def test_an_order_that_names_no_axes_is_refused(job: cncsub.Library, order: Any) -> None:
+    with pytest.raises(ValueError, match="order must name axes, each once"):
+        job.resume(at="O2:N120", order=order)
+    with pytest.raises(ValueError, match="safe_height must be a number"):
+        job.resume(at="O2:N120", safe_height=float("nan"))
 
 
 @pytest.mark.parametrize(

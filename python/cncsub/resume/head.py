@@ -200,7 +200,9 @@ class Head:
         mill = "Y" in axes
         if mill and "Z" in axes:
             self._retract(safe)
-        for group in order or (("".join(a for a in axes if a != "Z"), "Z") if mill else ("Z", "X")):
+        groups = order or (() if mill else ("Z", "X"))
+        left = "".join(axis for axis in axes if axis not in "".join(groups))
+        for group in (*groups, left.replace("Z", ""), "Z"):
             self._go({axis: _at(aim, axis) or 0.0 for axis in group if axis in axes})
 
     def _retract(self, safe: float | None) -> None:

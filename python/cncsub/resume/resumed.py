@@ -18,6 +18,7 @@ from cncsub.resume.proof import Part, parting
 from cncsub.resume.state import RestartState, state_of
 from cncsub.resume.tails import NoTailsError, Tails
 from cncsub.run_options import FlattenOptions, check_names, takes, whole
+from cncsub.setup import AXES
 from cncsub.writing import write_whole
 
 if TYPE_CHECKING:
@@ -234,6 +235,25 @@ def _named(work: _Work, programs: Mapping[str, str]) -> dict[str, str]:
     return {f"{name}{suffix or '.nc'}": text for name, text in programs.items()}
 
 
+def _height(height: Any) -> float | None:
+    if height is None:
+        return None
+    if isinstance(height, bool) or not isinstance(height, int | float) or not abs(height) < 1e15:
+        raise ValueError(f"safe_height must be a number of mm, not {height!r}")
+    return float(height)
+
+
+def _order(order: Iterable[str] | None) -> tuple[str, ...] | None:
+    """Return the groups of axes; raise `ValueError` for what are none."""
+    if order is None:
+        return None
+    groups = tuple(str(group).upper() for group in order)
+    letters = "".join(groups)
+    if not letters or not set(letters) <= set(AXES) or len(set(letters)) < len(letters):
+        raise ValueError(f"order must name axes, each once, such as ['XY', 'Z'], not {order!r}")
+    return groups
+
+
 @takes(FlattenOptions)
 def resume(
     library: Library,
@@ -251,7 +271,7 @@ def resume(
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
     work = _Work(library, main, place, dict(options))
-    approach = safe_height, None if order is None else tuple(order)
+    approach = _height(safe_height), _order(order)
     reasons = []
     for form, repeats in ((_of_calls, False), (_flat, False), (_of_calls, True), (_flat, True)):
         try:
