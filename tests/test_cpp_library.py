@@ -9,12 +9,16 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 import cncsub
+
+sys.path.insert(0, str(Path(__file__).parent / "conformance"))
+import conformance
 
 ROOT = Path(__file__).resolve().parent.parent
 INCLUDE = ROOT / "cpp" / "library" / "include" / "cncsub"
@@ -574,6 +578,32 @@ def test_a_comparison_through_c_is_that_of_python(installed: Path, file: Path) -
         c.cncsub_comparison_free(compared)
 
 
+ROWS = [row for row in conformance.rows()[::97] if isinstance(row.case.program, str)]
+
+
+def test_comparisons_of_rows_through_c_are_those_of_python(installed: Path) -> None:
+    """The same law over programs of the conformance tables, on the control of a row and another."""
+    c = face(installed)
+    apart = []
+    others = list(cncsub.controls)
+    for number, row in enumerate(ROWS):
+        text, one = textwrap.dedent(row.case.program).strip() + "\n", row.control
+        other = others[number % len(others)]
+        first = read(c, one, text)
+        second = ctypes.c_void_p(c.cncsub_library_for(first, other.encode(), None))
+        options = ctypes.c_void_p(c.cncsub_options_new())
+        c.cncsub_options_number(options, b"max_blocks", ctypes.c_double(2000))
+        compared = ctypes.c_void_p(c.cncsub_compare(first, second, options))
+        library = cncsub.loads({"file0.nc": text}, control=one)
+        same = cncsub.compare(library, controls=[one, other], max_blocks=2000)
+        told = c.cncsub_comparison_what(compared).decode() if compared else c.cncsub_error()
+        if told != ("" if same.same else same.what):
+            apart.append((row.case.claim, one, other, told, same.what))
+        for free, handle in (("comparison", compared), ("options", options)):
+            getattr(c, f"cncsub_{free}_free")(handle)
+    assert not apart, apart[:3]
+
+
 def test_what_cannot_be_is_refused_with_a_reason(installed: Path) -> None:
     c = face(installed)
     assert read(c, "fanuc-99", MOVING) is None
@@ -616,3 +646,54 @@ def test_null_is_refused_everywhere(installed: Path) -> None:
 def test_what_is_no_file_is_no_program(examples: Path, tmp_path: Path) -> None:
     ran = call(examples / "run_files", "fanuc-0i-f", tmp_path)
     assert (ran.returncode, ran.stderr) == (2, f"{tmp_path} cannot be read\n")
+
+
+ODD = [
+    *(b"", b"\x00", b"%", b"O", b"(" * 5000, b"N" * 5000, bytes(range(256)) * 20, b"\xff\xfe\x00O"),
+    b"O1\nN10 GOTO10\n",
+    b"O1\nM98 P1\n",
+    b"O1\nG1 X#1 F[" + b"[" * 3000,
+    b"O1\nX99999999999999999999999.\nM30\n",
+    "O1(äöü 深さ 🙂)\nN10 #3000=1(\u202e)\n".encode(),
+]
+
+
+@pytest.mark.parametrize("control", list(cncsub.controls))
+def test_odd_input_has_a_defined_outcome(installed: Path, control: str) -> None:
+    """Whatever is given, each function answers, and indices after the last one are refused."""
+    c = face(installed)
+    for text in ODD:
+        names, data = (ctypes.c_char_p * 1)(b"\xff<odd>"), (ctypes.c_char_p * 1)(text)
+        size = (ctypes.c_size_t * 1)(len(text))
+        library = ctypes.c_void_p(
+            c.cncsub_library_new(control.encode(), ctypes.c_size_t(1), names, data, size)
+        )
+        assert library, c.cncsub_error()
+        c.cncsub_library_check(library)
+        far = ctypes.c_size_t(2**64 - 1)
+        assert not c.cncsub_library_finding(library, far, ctypes.byref(Finding()))
+        options = ctypes.c_void_p(c.cncsub_options_new())
+        c.cncsub_options_number(options, b"max_blocks", ctypes.c_double(500))
+        for value in (float("nan"), float("inf"), -1e308):
+            for name in (b"start", b"max_seconds", b"block_skip", b"record", b"max_cycles"):
+                wrong = ctypes.c_void_p(c.cncsub_options_new())
+                c.cncsub_options_number(wrong, name, ctypes.c_double(value))
+                c.cncsub_options_length_offset(wrong, -1, ctypes.c_double(value))
+                c.cncsub_options_start_position(wrong, ctypes.c_char(b"?"), ctypes.c_double(value))
+                assert not c.cncsub_library_run(library, wrong)  # "?" is no axis
+                c.cncsub_options_free(wrong)
+        run = ctypes.c_void_p(c.cncsub_library_run(library, options))
+        if run:
+            assert c.cncsub_run_stop(run) in (b"end", b"alarm", b"limit", b"cycles", b"waiting")
+            c.cncsub_run_alarm(run, ctypes.byref(Alarm()))
+            assert not c.cncsub_run_step(run, far, ctypes.byref(StepRow()))
+            assert not c.cncsub_run_call(run, far, ctypes.byref(CallMade()))
+            assert not c.cncsub_run_alarm_call(run, far, ctypes.byref(Call()))
+            assert not c.cncsub_run_variable_at(run, far, ctypes.byref(Variable()))
+            for tolerance in (float("nan"), -1.0, 0.0, 1e308):
+                c.cncsub_run_path(run, ctypes.c_double(tolerance))
+            value = c.cncsub_run_variable(run, ctypes.c_int64(-(2**63)))
+            assert value != value
+            c.cncsub_run_free(run)
+        for free, handle in (("options", options), ("library", library)):
+            getattr(c, f"cncsub_{free}_free")(handle)

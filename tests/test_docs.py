@@ -80,8 +80,9 @@ PAGES = sorted(
     [*ROOT.glob("*.md"), *DOCS.rglob("*.md"), *(ROOT / ".github").rglob("*.md")],
     key=lambda page: (len(page.parts), page),
 )
-# The languages of a page. `sh` alone is not run: it builds, installs or takes minutes.
-LANGUAGES = {"console", "python", "py", "c", "cpp", "toml", "nc", "sh", "text", "yaml", "sql"}
+# The languages of a page. `sh` alone is not run: it builds, installs or takes minutes. Those of other
+# compilers run in tests of their own (test_cpp_library, test_javascript).
+LANGUAGES = {"console", "python", "py", "c", "cpp", "js", "toml", "nc", "sh", "text", "yaml", "sql"}
 LANGUAGES |= {"json", "lisp", "lua"}
 
 

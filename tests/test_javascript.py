@@ -78,13 +78,13 @@ def test_the_example_tells_what_python_tells(package: Path) -> None:
     assert "because of zero_repeats: once and skip" in printed
 
 
-def test_the_readme_runs_as_it_says(package: Path, tmp_path: Path) -> None:
-    text = (package / "README.md").read_text(encoding="utf-8")
+@pytest.mark.parametrize("page", ["javascript/README.md", "docs/trying.md"])
+def test_a_page_runs_as_it_says(package: Path, tmp_path: Path, page: str) -> None:
+    text = (ROOT / page).read_text(encoding="utf-8")
     snippets = re.findall(r"```js\n(.*?)```\n+```text\n(.*?)```", text, re.DOTALL)
-    assert snippets
+    assert len(snippets) == text.count("```js\n") > 0
+    shutil.copytree(package, tmp_path / "node_modules" / "cncsub")
     for source, printed in snippets:
-        (tmp_path / "node_modules").mkdir(exist_ok=True)
-        shutil.copytree(package, tmp_path / "node_modules" / "cncsub", dirs_exist_ok=True)
         (tmp_path / "snippet.mjs").write_text(source)
         assert done("node", "snippet.mjs", cwd=tmp_path) == printed
 
