@@ -477,11 +477,18 @@ def test_an_alarm_is_shown_as_the_command_line_prints_it() -> None:
         assert [line.rstrip() for line in screen.messages.splitlines()] == printed
         assert "alarm PS0076 program-not-found at O1 N20" in screen.foot
         assert "!3 ▶ N20 M98 P77" in screen.text
+        assert all(line in screen.text for line in printed)
         await screen.press("u")
         assert screen.at == 10
         assert "!3" not in screen.text
 
+    async def whole(screen: Screen) -> None:
+        await screen.press("c")
+        for part in ("stopped: alarm", "PS0076", "row.nc:3:9", "^^^", "cure: load", "N20 M98 P77"):
+            assert part in screen.text
+
     drive(text, steps, size=(140, 50))
+    drive(text, whole, size=(80, 24))
 
 
 def test_a_program_waits_and_goes_on_after_the_input() -> None:

@@ -110,6 +110,7 @@ class DebugApp(App[None]):
 
     def _show(self, facts: Shown) -> None:
         self.board.show(facts, self.frame)
+        self.screen_stack[0].set_class(facts.alarm is not None, "-alarm")
         stopped = facts.pause.reason in (Reason.ALARM, Reason.LIMIT, Reason.WAITING)
         self.tell(pause_words(facts), wrong=stopped)
 
