@@ -512,3 +512,14 @@ def test_another_thread_sees_the_code_while_conditions_are_evaluated() -> None:
     while worker.is_alive():
         assert machine.core.code is code
     assert machine.variables[1] == 400_000
+
+
+def test_a_line_of_a_file_is_not_that_of_a_file_of_the_same_name_in_a_folder() -> None:
+    files = {"row.nc": "O1\nN10 M98 P2\nN20 M30\n", "sub/row.nc": "O2\nN30 X1.\nN40 M99\n"}
+    machine = cncsub.loads(files, control="fanuc-0i-f").machine()
+    assert machine.run(until="row.nc:3") is None
+    assert machine.next is not None
+    assert machine.next.n == 20
+    machine.back(0)
+    assert machine.run(until="sub/row.nc:3") is None
+    assert machine.next.n == 40
