@@ -15,6 +15,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import cncsub
+import pictures
 from cncsub.debugging import PausePoint, Session
 
 pytest.importorskip("textual", reason="textual is not installed")
@@ -81,12 +82,10 @@ class Screen:
             await asyncio.sleep(0.005)
         await self.pilot.pause()
 
-    async def type(self, text: str) -> None:
-        """Put a text into the field that has the focus, in place of what it holds."""
-        field = self.app.focused
-        assert isinstance(field, Input)
-        field.value = text
-        await self.pilot.pause()
+    async def letters(self, text: str) -> None:
+        """Type a text, letter by letter."""
+        names = {" ": "space", "#": "number_sign", ":": "colon", "-": "minus"}
+        await self.press(*(names.get(letter, letter) for letter in text))
 
     async def answer(self, *texts: str | None) -> None:
         """Fill in the fields of a question, `None` leaves one as it is, and press Enter."""
@@ -478,11 +477,18 @@ def test_an_alarm_is_shown_as_the_command_line_prints_it() -> None:
         assert [line.rstrip() for line in screen.messages.splitlines()] == printed
         assert "alarm PS0076 program-not-found at O1 N20" in screen.foot
         assert "!3 ▶ N20 M98 P77" in screen.text
+        assert all(line in screen.text for line in printed)
         await screen.press("u")
         assert screen.at == 10
         assert "!3" not in screen.text
 
+    async def whole(screen: Screen) -> None:
+        await screen.press("c")
+        for part in ("stopped: alarm", "PS0076", "row.nc:3:9", "^^^", "cure: load", "N20 M98 P77"):
+            assert part in screen.text
+
     drive(text, steps, size=(140, 50))
+    drive(text, whole, size=(80, 24))
 
 
 def test_a_program_waits_and_goes_on_after_the_input() -> None:
@@ -705,6 +711,52 @@ def test_no_keys_end_it() -> None:
     check()
 
 
+# ---- the page ----
+
+_NAMED = {"Tab": "tab", "Enter": "enter", "Esc": "escape", "Del": "delete", "Home": "home",
+          "Ctrl+U": "ctrl+u", "/": "slash", "=": "equals_sign"}  # fmt: skip
+
+
+def test_the_page_shows_what_happens() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    (text,) = re.findall(r'^```nc title="row.nc"\n(.*?)^```$', page, re.M | re.S)
+    rows = re.findall(r"^\| (`.*?) \| .*? \|(.*) \|$", page, re.M)
+    assert len(rows) == 17
+
+    async def steps(screen: Screen) -> None:
+        for keys, seen in rows[:-1]:
+            for key in re.findall(r"`(.*?)`", keys):
+                if key in _NAMED or len(key) == 1:
+                    await screen.press(_NAMED.get(key, key))
+                else:
+                    await screen.letters(key)
+            for text in re.findall(r"`(.*?)`", seen):
+                assert text in screen.text, (keys, text, screen.text)
+        holes = [round(move.x or 0) for move in screen.app.session.machine.moves if move.z == -8]
+        assert holes == [0, 20, 40, 60]
+
+    drive(text, steps)
+    mended = text.replace("[#30 LT #6-1]", "[#30 LT #6]")
+    run = cncsub.loads(mended, control=CONTROL).run()
+    assert len([move for move in run.moves if move.z == -8]) == 4
+
+
+def test_the_picture_of_the_screen_shows_the_same() -> None:
+    def words(svg: str) -> list[str]:
+        return sorted(re.findall(r">([^<>]+)</text>", svg))
+
+    assert words(pictures.SCREEN.read_text(encoding="utf-8")) == words(pictures.screen())
+
+
+def test_every_key_that_the_page_names_is_one() -> None:
+    known = {
+        name_of(key) for group in KEYS.values() for each in group for key in each.keys.split(",")
+    }
+    page = PAGE.read_text(encoding="utf-8")
+    after = page.partition("## What is worth knowing")[2]
+    assert set(re.findall(r"`([A-Za-z=/?])`", after)) <= known
+
+
 # ---- the command ----
 
 
@@ -713,7 +765,7 @@ def command(*arguments: str, terminal: bool = True) -> tuple[int, str, list[Any]
     opened: list[Any] = []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("cncsub.cli.debug.on_terminal", lambda: terminal)
-        patch.setattr(DebugApp, "run", opened.append)
+        patch.setattr(DebugApp, "run", lambda app: opened.append(app))
         result = CliRunner().invoke(commands, ["debug", *arguments])
     return result.exit_code, result.output, opened
 

@@ -541,3 +541,14 @@ def test_arrays_by_reference_and_characters_are_set_and_what_is_no_number_is_ref
     ):
         with pytest.raises(ValueError, match=f"a value is none of the type of {name}"):
             named[name] = wrong
+
+
+def test_a_line_of_a_file_is_not_that_of_a_file_of_the_same_name_in_a_folder() -> None:
+    files = {"row.nc": "O1\nN10 M98 P2\nN20 M30\n", "sub/row.nc": "O2\nN30 X1.\nN40 M99\n"}
+    machine = cncsub.loads(files, control="fanuc-0i-f").machine()
+    assert machine.run(until="row.nc:3") is None
+    assert machine.next is not None
+    assert machine.next.n == 20
+    machine.back(0)
+    assert machine.run(until="sub/row.nc:3") is None
+    assert machine.next.n == 40

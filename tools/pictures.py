@@ -1,13 +1,15 @@
 """Draws the pictures of the documentation from runs of the examples.
 
-python tools/pictures.py            # writes docs/pictures/path.svg
+python tools/pictures.py            # writes docs/pictures/path.svg and debug.svg
 python tools/pictures.py --check    # exit status 1 where it would be another picture
 """
 
 from __future__ import annotations
 
 import argparse
+import asyncio
 import math
+import re
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -15,6 +17,7 @@ import cncsub
 
 ROOT = Path(__file__).resolve().parent.parent
 PATH = ROOT / "docs" / "pictures" / "path.svg"
+SCREEN = ROOT / "docs" / "pictures" / "debug.svg"
 MARGIN = 8.0  # mm around the drawing
 Point = tuple[float, float]
 
@@ -64,6 +67,32 @@ def path() -> str:
     return "\n".join([*lines, "</svg>"]) + "\n"
 
 
+def screen() -> str:
+    """The debugger in the terminal, at the third hole of the macro of its page. It needs what
+    `cncsub[debug]` installs, and is drawn as the version of Textual that is installed does it.
+    """
+    from cncsub.debugging import PausePoint, Session
+    from cncsub.terminal.app import DebugApp
+
+    page = (ROOT / "docs" / "guides" / "debugging-terminal.md").read_text(encoding="utf-8")
+    text = page.partition('title="row.nc"\n')[2].partition("```")[0]
+    session = Session(cncsub.loads({"row.nc": text}, control="fanuc-0i-f"))
+    session.set_points("screen", [PausePoint("O9100:N140", when="#30 GE 2")])
+    app = DebugApp(session, "cncsub debug: O1 on FANUC Series 0i-F")
+
+    async def drawn() -> str:
+        async with app.run_test(size=(80, 24)) as pilot:
+            await pilot.press("c")
+            while app.moving:
+                await pilot.pause(0.01)
+            await pilot.pause()
+            return app.export_screenshot(title="cncsub debug", simplify=True)
+
+    svg = re.sub(r"@font-face \{.*?\}", "", asyncio.run(drawn()), flags=re.DOTALL)
+    svg = svg.replace("Fira Code", "DejaVu Sans Mono, DejaVu Sans")
+    return re.sub(r"[ \t]+$|\n(?=\n)", "", svg, flags=re.MULTILINE)
+
+
 def _strokes(ends: Iterable[tuple[Point, cncsub.Move]], *, rapid: bool) -> str:
     """The moves that are rapid, or those that are not, as the data of an SVG path; Y points up."""
     data: list[str] = []
@@ -100,6 +129,7 @@ def main() -> int:
     if parser.parse_args().check:
         return int(PATH.read_text(encoding="utf-8") != path())
     PATH.write_text(path(), encoding="utf-8")
+    SCREEN.write_text(screen(), encoding="utf-8")
     return 0
 
 

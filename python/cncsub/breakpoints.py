@@ -181,7 +181,8 @@ class Compiled:
         """Return the blocks on a line of a file, or of the file in which a program stands."""
         code = self._core.code
         programs = [(i, code.program(i)) for i in range(len(code))]
-        found = [(i, p) for i, p in programs if name in (p.file, p.file.rpartition("/")[2])]
+        named = [(i, p) for i, p in programs if p.file == name]
+        found = named or [(i, p) for i, p in programs if p.file.rpartition("/")[2] == name]
         if not found:
             index = find_program(code, name)
             if index < 0:

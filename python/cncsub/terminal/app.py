@@ -104,14 +104,15 @@ class DebugApp(App[None]):
         status.set_class(wrong, "-wrong")
         status.update(Content(shown(words.partition("\n")[0])))
 
-    def look_again(self, words: str) -> None:
+    def look_again(self) -> None:
         """Show the state after something was set."""
-        self._show(shown_of(self.session), words)
+        self._show(shown_of(self.session))
 
-    def _show(self, facts: Shown, words: str = "") -> None:
+    def _show(self, facts: Shown) -> None:
         self.board.show(facts, self.frame)
+        self.screen_stack[0].set_class(facts.alarm is not None, "-alarm")
         stopped = facts.pause.reason in (Reason.ALARM, Reason.LIMIT, Reason.WAITING)
-        self.tell(words or pause_words(facts), wrong=stopped)
+        self.tell(pause_words(facts), wrong=stopped)
 
     # ---- movements ----
 
@@ -203,7 +204,11 @@ class DebugApp(App[None]):
         self.session.pause()
 
     def action_ask(self, name: str) -> None:
-        self.push_screen(asking.ASKING[name](self))
+        self.push_screen(asking.ASKING[name](self), self._answered)
+
+    def _answered(self, told: str | None) -> None:
+        if told:
+            self.tell(told)
 
     def action_toggle_point(self) -> None:
         answer = asking.toggle(self, self.board.place_of_cursor())
@@ -252,9 +257,9 @@ class DebugApp(App[None]):
             self.frame = chosen.index
             self.board.show_frame(chosen.index)
         elif isinstance(chosen, Value):
-            self.push_screen(asking.ask_set(self, chosen))
+            self.push_screen(asking.ask_set(self, chosen), self._answered)
         elif isinstance(chosen, PlacedPoint):
-            self.push_screen(asking.ask_point(self, chosen))
+            self.push_screen(asking.ask_point(self, chosen), self._answered)
 
     # ---- searches ----
 

@@ -177,7 +177,8 @@ def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
 
         answer = answered(lambda: while_awake(app.session, change))
         if not answer.wrong:
-            app.look_again(f"set {answer.text}")
+            app.look_again()
+            return Answer(f"set {answer.text}")
         return answer
 
     fields = [Field("variable or mode", name, "#100"),
@@ -189,7 +190,7 @@ def ask_mdi(app: DebugApp) -> Ask:
     def put(given: list[str]) -> Answer:
         answer = answered(lambda: app.session.mdi(given[0]).text)
         if not answer.wrong:
-            app.look_again(answer.text)
+            app.look_again()
         return answer
 
     return Ask("MDI", [Field("block", "", "G0 X10.")], put, partial(completion, app))
@@ -224,7 +225,7 @@ def ask_switches(app: DebugApp) -> Ask:
     def put(given: list[str]) -> Answer:
         answer = answered(lambda: while_awake(app.session, lambda: change(given)))
         if not answer.wrong:
-            app.look_again(answer.text)
+            app.look_again()
         return answer
 
     return Ask("Switches and signals", fields, put)

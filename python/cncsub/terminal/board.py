@@ -70,7 +70,7 @@ class Board:
             pane.set_class(pane.id == name, "-chosen")
             if name in _RIGHT:
                 pane.set_class(pane.id == name, "-picked")
-        self._app.screen.set_class(name in _RIGHT, "-right")
+        self._app.screen_stack[0].set_class(name in _RIGHT, "-right")
 
     # ---- what a pause shows ----
 

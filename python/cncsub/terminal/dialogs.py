@@ -47,8 +47,10 @@ class Completing(Suggester):
         return self._complete(value)
 
 
-class Ask(ModalScreen[None]):
-    """Asks for some texts. What was wrong with them is told below, and they can be mended."""
+class Ask(ModalScreen[str]):
+    """Asks for some texts. What was wrong with them is told below, and they can be mended. The
+    result is what came of them.
+    """
 
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "leave", "Leave"),
@@ -88,17 +90,17 @@ class Ask(ModalScreen[None]):
     def on_input_submitted(self) -> None:
         answer = self._put([field.value for field in self.query(Input)])
         if answer.closes and not answer.wrong:
-            self.dismiss()
+            self.dismiss(answer.text)
             return
         told = self.query_one("#answer", Static)
         told.set_class(answer.wrong, "-wrong")
         told.update(Content("\n".join(map(shown, answer.text.splitlines()))))
 
     def action_leave(self) -> None:
-        self.dismiss()
+        self.dismiss("")
 
 
-class Choose(ModalScreen[None]):
+class Choose(ModalScreen[str]):
     """Offers rows; the one that is chosen with Enter is handed on."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q", "leave", "Leave")]
@@ -126,12 +128,12 @@ class Choose(ModalScreen[None]):
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()
         chosen = self.query_one(Pane).chosen
-        self.dismiss()
+        self.dismiss("")
         if chosen is not None:
             self._take(chosen)
 
     def action_leave(self) -> None:
-        self.dismiss()
+        self.dismiss("")
 
 
 class Tell(ModalScreen[None]):

@@ -57,7 +57,7 @@ KEYS: dict[str, tuple[Key, ...]] = {
         Key("i", "tell", "what is known of the block, or of the chosen value"),
     ),
     "The screen": (
-        Key("1", "pane('variables')", "variables (`*`: changed since the last pause)"),
+        Key("1", "pane('variables')", "variables (*: changed since the last pause)"),
         Key("2", "pane('modes')", "modes, offsets, tool, spindle, feed"),
         Key("3", "pane('path')", "the path so far, and the last moves"),
         Key("4", "pane('points')", "breakpoints; Enter changes one"),

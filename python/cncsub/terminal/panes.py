@@ -166,8 +166,8 @@ class PathPane(Widget, can_focus=True):
         if facts.left_out:
             words.append(f"without the first {facts.left_out:,} moves")
         room = Size(size.width, size.height - len(listed) - len(words))
-        lines = [Text(" ".join(words[:1]), style="dim"), drawing(facts.path, room)]
-        lines += [Text(each, style="dim") for each in words[1:]]
+        told = [Text(each[: size.width], style="dim") for each in words]
+        lines = [told[0], drawing(facts.path, room), *told[1:]]
         lines += [Text(shown(each)[: size.width]) for each in listed]
         text = Text("\n").join(lines)
         text.no_wrap = True
