@@ -133,9 +133,13 @@ def test_t_of_a_lathe_names_its_rules() -> None:
     }
 
 
-def test_each_code_of_a_block_is_explained() -> None:
+def test_each_part_of_a_block_is_explained() -> None:
     found = facts("G91", "G28", "Z0", "-c", "haas-ngc")
-    assert [fact["code"] for fact in found] == ["G91", "G28"]
+    assert [fact["code"] for fact in found] == ["G91", "G28", "Z"]
+    found = facts("N10 IF R1==2 GOTOF END", "-c", "siemens-one")
+    assert [fact["code"] for fact in found] == ["N", "IF", "R1", "GOTOF"]
+    found = facts("IF[#1EQ#3006]GOTO10", "-c", CONTROL)
+    assert [fact["code"] for fact in found] == ["IF", "#1", "EQ", "#3006", "GOTO"]
 
 
 # ---- words of the languages ----

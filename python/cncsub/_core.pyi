@@ -30,6 +30,11 @@ def keywords(control: Control) -> list[tuple[str, str, str]]:
     (`computed`, `passed-over`, `not-computed`, `not-known`, `refused`), and what it does.
     """
 
+def names_in(control: Control, block: str) -> list[str]:
+    """Return what a block is written with, in its order, each name once: codes, addresses with
+    their numbers, words, variables, and the names that programs give.
+    """
+
 def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
     """Return each G code of a control on a kind of machine, and the engine's name for what it does
     there: `Neutral` and `Ignored` are skipped, `Uncomputed` and `Unknown` alarm, `None` is refused.
