@@ -108,6 +108,9 @@ struct CallExtras {
   std::uint32_t name_at = 0, name_width = 1;
   char count = 'L';             // the address of `l` as it is written
   Address part_end = kNowhere;  // of RepeatPart: the block before which a pass ends
+  // Of RepeatPart: the texts that name its first and its last block, where they are searched for as
+  // it runs.
+  Operand first_text, last_text;
   // Of a return: it has values: the block after the one that it names is meant, and how many
   // levels it goes back.
   bool by_values = false;
