@@ -95,6 +95,31 @@ std::optional<CodeName> code_named(const Control& control, std::string_view name
   return CodeName{'G', tenfold};
 }
 
+/// Return what is known of ,C or ,R, whose letter rules of the control name.
+std::optional<CodeFacts> comma_facts(const Control& control, std::string_view name) {
+  struct Comma {
+    std::string_view rule, does;
+  };
+  static constexpr Comma kCommas[] = {
+      {"chamfer_words", "a chamfer to the next move"},
+      {"round_words", "a rounding to the next move"},
+      {"angle_words", "the angle of a line whose end point is not written in full"}};
+  for (const RuleView& rule : rules(control)) {
+    const auto* const letters = std::get_if<std::string>(&rule.value);
+    for (const Comma& of : kCommas) {
+      if (letters == nullptr || rule.name != of.rule) continue;
+      if (letters->find(capitals(name)) == std::string::npos) continue;
+      CodeFacts facts;
+      facts.name = capitals(name);
+      facts.does = of.does;
+      facts.treatment = "computed";
+      facts.sources = {{std::string(rule.name), std::string(rule.source), rule.evidence}};
+      return facts;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Return what is known of a word or of an address without its number.
 std::optional<CodeFacts> plain_facts(const Control& control, std::string_view name) {
   auto facts = word_facts(control, name);
@@ -113,6 +138,12 @@ std::optional<CodeFacts> named_facts(const Control& control, MachineType machine
   }
   if (auto facts = plain_facts(control, name)) return facts;
   if (auto facts = variable_facts(control, name)) return facts;
+  if (name.starts_with("#<_")) return plain_facts(control, "#<_name>");
+  if (name.starts_with("#<")) return plain_facts(control, "#<name>");
+  if (name.starts_with(',')) return comma_facts(control, name);
+  const bool system = name.starts_with('$') && name.find_first_of("[=(") == std::string_view::npos;
+  const std::size_t prefix = system ? name.find('_') : std::string_view::npos;
+  if (prefix != std::string_view::npos) return plain_facts(control, name.substr(0, prefix + 1));
   const std::string_view letters = letters_before_number(name);
   return letters.empty() ? std::nullopt : plain_facts(control, letters);
 }
@@ -142,12 +173,14 @@ class NameReader {
     if (std::none_of(to_.begin(), to_.end(), same)) to_.emplace_back(name);
     at_ += characters;
   }
+  void pass(std::size_t characters) { at_ += characters; }
   void pass_up_to(char close) {
     const std::size_t end = text_.find(close, at_ + 1);
     at_ = end == std::string_view::npos ? text_.size() : end + 1;
   }
   void one();
   void number();
+  void exponent();
   void name();
 
   const Spelling& spelling_;
@@ -165,21 +198,29 @@ void NameReader::one() {
   if (c == '"') return pass_up_to('"');
   if (comment) return pass_up_to(')');
   if (is_of_number(c)) return number();
+  if (c == '\'') return pass_up_to('\'');  // 'HFF'
+  if (c == '<' && spelling_.numbered && text_.find('>', at_) != std::string_view::npos)
+    return pass_up_to('>');  // the name of a program
   if (c == '#') {
-    if (ahead(1) != '<') return take(run_of(1, is_digit));
+    if (is_digit(ahead(1))) return take(run_of(1, is_digit));
+    if (ahead(1) != '<') return pass(1);
     const std::size_t end = text_.find('>', at_);
     return take(end == std::string_view::npos ? text_.size() - at_ : end + 1 - at_);
   }
   if (c == '<' && ahead(1) == '<') return take(2);
   if (c == '$' && is_letter(ahead(1))) return take(run_of(1, is_of_name));
   if (c == ',' && at_ == 0 && is_letter(ahead(1))) return take(2);
-  if (is_letter(c) || c == '_') return name();
-  ++at_;
+  if (is_letter(c) || (c == '_' && !spelling_.numbered)) return name();
+  pass(1);
 }
 
 /// Pass over a number, which may have an exponent: 1.5EX-3.
 void NameReader::number() {
   at_ += run_of(0, is_of_number);
+  exponent();
+}
+
+void NameReader::exponent() {
   if (upper(ahead(0)) != 'E' || upper(ahead(1)) != 'X') return;
   at_ += ahead(2) == '-' || ahead(2) == '+' ? 3 : 2;
   at_ += run_of(0, is_digit);
@@ -194,6 +235,7 @@ void NameReader::name() {
   const bool indexed = letters == 1 && ahead(1) == '[' && !spelling_.numbered;
   if (indexed) return take(2);  // R[R1] and G[8] are no feeds or axes, as F and X are
   take(spelling_.numbered || code ? run_of(letters, is_of_number) : whole);
+  if (code) exponent();
 }
 
 }  // namespace

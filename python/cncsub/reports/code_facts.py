@@ -39,8 +39,8 @@ def names_of(asked: str, control: Control) -> list[str]:
 
     >>> import cncsub
     >>> one = cncsub.controls["siemens-one"]
-    >>> names_of("CR=", one), names_of("$AA_IW[X]", one), names_of("gotof", one), names_of("R10", one)
-    (['CR'], ['$AA_IW'], ['GOTOF'], ['R10'])
+    >>> names_of("CR=", one), names_of("$AA_IW[X]", one), names_of("gotof", one)
+    (['CR'], ['$AA_IW'], ['GOTOF'])
     >>> names_of("IF R1==2 GOTOF END", one), names_of("how many characters has a text", one)
     (['IF', 'R1', 'GOTOF'], [])
     """

@@ -27,6 +27,11 @@ void pass_operand(Line& line) {
          capitals(line.name()) == "B_NOT")
     line.pass(line.name().empty() ? 1 : line.name().size());
   if (line.peek() == '"') return line.pass_quoted();
+  if (line.take('\'')) {  // 'HFF'
+    while (line.ahead(0) != '\'' && line.ahead(0) != '\0') line.pass(1);
+    if (line.ahead(0) == '\'') line.pass(1);
+    return;
+  }
   if (line.take('$')) line.peek();
   if (line.name().empty())
     line.take_number();
