@@ -238,7 +238,7 @@ def _names_given(library: cncsub.Library) -> set[str]:
     given = {name.upper() for name in library}
     for program in library.values():
         for block in program.blocks:
-            names = [name.upper() for name in _core.names_in(library.control, block.text)]
+            names = [name.upper() for name in _core.names_in_block(library.control, block.text)]
             given |= {token.text[:-1].upper() for token in block.tokens if token.text[-1:] == ":"}
             given |= {str(call.program).upper() for call in block.calls}
             given |= {
@@ -262,7 +262,7 @@ def test_what_a_control_reads_is_explained() -> None:
         unknown: dict[str, int | None] = {}
         for program in library.values():
             for block in program.blocks:
-                for name in map(str.upper, _core.names_in(control, block.text)):
+                for name in map(str.upper, _core.names_in_block(control, block.text)):
                     if (row.control, name) not in asked:
                         known = _core.code_facts(control, name) is not None
                         asked[row.control, name] = known

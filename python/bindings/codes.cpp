@@ -78,12 +78,20 @@ std::vector<std::tuple<std::string, std::string, std::string>> keywords(const Co
   return rows;
 }
 
+/// Return a variable as programs of a control write it: #500, R5, $TC_DP3[5,1].
+std::string variable_name(const Control& control, std::int64_t number) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  return dialect == nullptr ? "#" + std::to_string(number)
+                            : dialect->spelling->name_of_variable(control, number);
+}
+
 }  // namespace
 
 void add_codes(py::module_& m) {
   m.def("code_facts", &facts_of, py::arg("control"), py::arg("name"), py::arg("machine") = "");
   m.def("keywords", &keywords, py::arg("control"));
-  m.def("names_in", &names_in, py::arg("control"), py::arg("block"));
+  m.def("variable_name", &variable_name, py::arg("control"), py::arg("number"));
+  m.def("names_in_block", &names_in, py::arg("control"), py::arg("block"));
   m.def("g_codes", &codes_of, py::arg("control"), py::arg("machine") = "");
 }
 

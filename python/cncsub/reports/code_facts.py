@@ -47,7 +47,7 @@ def names_of(asked: str, control: Control) -> list[str]:
     whole = code_named(asked) or asked.strip().upper()
     if _core.code_facts(control, whole) is not None:
         return [whole]
-    names = [code_named(name) or name.upper() for name in _core.names_in(control, asked)]
+    names = [code_named(name) or name.upper() for name in _core.names_in_block(control, asked)]
     if names and _has_index_alone(asked.strip(), names[0]):
         names = names[:1]
     known = [name for name in names if _core.code_facts(control, name) is not None]
