@@ -156,4 +156,33 @@ std::vector<ProgramFlow> flow_of(const Code& code, InterruptCheck& interrupt) {
   return all;
 }
 
+std::vector<bool> ProgramFlow::reached() const {
+  std::vector<Address> waiting{first_};
+  waiting.insert(waiting.end(), entries_.begin(), entries_.end());
+  return reached(std::move(waiting));
+}
+
+Arrows ProgramFlow::backwards() const {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  all.reserve(exits_.size());
+  for (Address at = first_; at <= anywhere(); ++at)
+    for (const Exit* exit = begin(at); exit != end(at); ++exit)
+      all.emplace_back(exit->to - first_, at - first_);
+  return {size(), all};
+}
+
+std::vector<bool> ProgramFlow::reached_from(Address start) const { return reached({start}); }
+
+std::vector<bool> ProgramFlow::reached(std::vector<Address> waiting) const {
+  std::vector<bool> found(size(), false);
+  while (!waiting.empty()) {
+    const Address at = waiting.back();
+    waiting.pop_back();
+    if (at < first_ || at > anywhere() || found[at - first_]) continue;
+    found[at - first_] = true;
+    for (const Exit* exit = begin(at); exit != end(at); ++exit) waiting.push_back(exit->to);
+  }
+  return found;
+}
+
 }  // namespace cncsub
