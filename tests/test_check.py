@@ -281,6 +281,31 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a break out of the do loop": (
         "linuxcnc", "o1 do\ng0 x1\no1 break\no1 while [1]\no2 do\ng0 x2\no2 while [0]\nm2\n", ""),
     "two subprograms of a label": ("linuxcnc", "o100 sub\no100 endsub\no100 sub\ng0 x1\no100 endsub\nm2\n", "CS205 :3"),
+    # Jumps and returns whose targets are texts
+    "a jump by a text leads to labels": (
+        "siemens-one", 'N10 R1=2\nN15 GOTOF "LAB"<<R1\nG0 X1\nLAB1: X3\nLAB2: X2\nN30 M30\n', "CS301 :3"),
+    "one of several jumps by a text": (
+        "siemens-one", 'DEF STRING[9] WAY="LAB"\nN10 IF R1==1 GOTOF WAY IF R1==0 GOTOF WAY\nGOTOF OUT\nG0 X1\nLAB: X2\nOUT: M30\n', "CS301 :4"),
+    "a CASE by a text": (
+        "siemens-one", 'DEF STRING[9] WAY="LAB"\nCASE(R1) OF 1 GOTOF WAY DEFAULT GOTOF OUT\nG0 X1\nLAB: X2\nOUT: M30\n', "CS301 :3"),
+    "a return to a label": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 PART\nN15 M30\nLAB: G0 X1\nN30 M30\n%_N_PART_SPF\nN60 RET("LAB")\n', ""),
+    "a return to a block number, and the block after it": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 PART\nN15 M30\nN20 G0 X1\nN30 M30\n%_N_PART_SPF\nN60 RET("N15",1)\n', ""),
+    "a return over two levels": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 PART\nN15 M30\nG0 X1\nLAB: X2\nN30 M30\n%_N_PART_SPF\nN60 PART2\nM17\n%_N_PART2_SPF\nN70 RET("LAB",,2)\n',
+        "CS301 :4"),
+    "a return to a label that the caller has not": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 PART\nN15 M30\n%_N_PART_SPF\nN60 RET("LAB")\n', "CS203 N60"),
+    "a return to a block of the main program ends the run": (
+        "siemens-one", 'N10 RET("N20")\nN20 G0 X1\nM30\n', "CS301 N20"),
+    "a part that texts name": (
+        "siemens-one", 'DEF STRING[9] ONE="LAB"\nN10 CALL BLOCK ONE TO ONE\nN20 M30\nG0 X1\nLAB: X2\nN30 M30\n', "CS301 :4"),
+    "a part of another program": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 CALL "PART" BLOCK ONE1 TO ONE1\nN20 M30\n%_N_PART_SPF\nN30 M17\nONE1: R1=1\nN40 M17\n', ""),
+    "a part of a program that is not there": ("siemens-one", 'N10 CALL "NONE" BLOCK AA1 TO AA2\nN20 M30\n', "CS201 N10"),
+    "a part of a program that lacks its end": (
+        "siemens-one", '%_N_MAIN_MPF\nN10 CALL "PART" BLOCK ONE1 TO TWO2\nN20 M30\n%_N_PART_SPF\nN30 M17\nONE1: R1=1\nN40 M17\n', "CS202 N10"),
     "a jump to a label that is nowhere": ("siemens-one", "N10 GOTOF LAB\nN20 M30\n", "CS202 N10"),
     # Modes that are restored, and modes of the caller
     "a mode that a computed code puts back": (
@@ -753,6 +778,23 @@ def test_any_text_is_checked(text: str, control: str) -> None:
         library.flow(name)
     run = library.run(max_blocks=200)
     assert 0 <= run.coverage().percent <= 100
+
+
+def test_no_block_that_a_row_executes_is_told_as_unreachable() -> None:
+    seen, wrong = set(), []
+    for row in rows():
+        case = row.case
+        dialect = row.control if row.control in ("linuxcnc", "siemens-one") else "iso"
+        if (case.program, dialect) in seen or not case.program:
+            continue
+        seen.add((case.program, dialect))
+        library = outcome.load(case, cncsub.controls[row.control])
+        unreached = {(f.program, f.line) for f in library.check(rules=["CS301"])}
+        if unreached:
+            ran = {(step.program, step.line) for step in outcome.execute(case, library).steps}
+            wrong += [f"{row}: {place}" for place in unreached & ran]
+    assert not wrong
+    assert len(seen) > 3000
 
 
 def test_flow_holds_every_way_that_a_run_takes() -> None:

@@ -358,8 +358,8 @@ def test_a_number_is_found_however_it_is_written() -> None:
         (["run", "{job}/good.nc", "-c", CONTROL, "--nonsense"], "--nonsense"),
         (["controls", "fanuc"], "'fanuc' may be fanuc-0i-d, fanuc-0i-f,"),
         (
-            ["explain", "P9999", "-c", "mitsubishi-m700"],
-            "no code, alarm, cause, rule or parameter is called 'P9999'",
+            ["explain", "PS9999", "-c", "mitsubishi-m700"],
+            "no code, alarm, cause, rule or parameter is called 'PS9999'",
         ),
         (["explain", "program-not-fond"], "did you mean program-not-found"),
         (["rum"], "rum"),

@@ -133,9 +133,13 @@ def test_t_of_a_lathe_names_its_rules() -> None:
     }
 
 
-def test_each_code_of_a_block_is_explained() -> None:
+def test_each_part_of_a_block_is_explained() -> None:
     found = facts("G91", "G28", "Z0", "-c", "haas-ngc")
-    assert [fact["code"] for fact in found] == ["G91", "G28"]
+    assert [fact["code"] for fact in found] == ["G91", "G28", "Z"]
+    found = facts("N10 IF R1==2 GOTOF END", "-c", "siemens-one")
+    assert [fact["code"] for fact in found] == ["N", "IF", "R1", "GOTOF"]
+    found = facts("IF[#1EQ#3006]GOTO10", "-c", CONTROL)
+    assert [fact["code"] for fact in found] == ["IF", "#1", "EQ", "#3006", "GOTO"]
 
 
 # ---- words of the languages ----
@@ -190,6 +194,7 @@ def test_the_return_of_a_sinumerik_has_no_words_of_another_control() -> None:
     assert "CR" in [word["letters"] for word in on("G2", "siemens-one")["words"]]
 
 
+_REFUSED = ("CS101", "CS102", "CS103", "CS104", "CS105", "CS201", "CS202")
 READER = CONTROL_FILES.parent / "dialect" / "sinumerik"
 
 # Texts of the reader that are no words of the language.
@@ -213,6 +218,66 @@ def test_every_word_that_the_reader_of_the_sinumerik_knows_is_explained() -> Non
     assert len(words) > 300
     unknown = {w for w in words - _NO_WORDS if _core.code_facts(control, w) is None}
     assert not {w for w in unknown if _core.code_facts(control, f"${w}") is None}
+
+
+# Names of the language that some control reads and `explain` does not know: the short forms of
+# functions, letters that several words share, text that a device prints.
+_NOT_KNOWN = frozenset(
+    re.split(
+        " ", "RO SQ SI FI FU AB EX ET WH GO TO NOT ANDABS LEABS GTSQRT HOLE DONE TOOL NOSUCH ,A ,D"
+    )
+)
+
+
+def _language_of(control: str) -> str:
+    return "sinumerik" if control.startswith("siemens") else control.partition("-")[0]
+
+
+def _names_given(library: cncsub.Library) -> set[str]:
+    """Return the names that programs give: of programs, labels and variables."""
+    given = {name.upper() for name in library}
+    for program in library.values():
+        for block in program.blocks:
+            names = [name.upper() for name in _core.names_in_block(library.control, block.text)]
+            given |= {token.text[:-1].upper() for token in block.tokens if token.text[-1:] == ":"}
+            given |= {str(call.program).upper() for call in block.calls}
+            given |= {
+                name for name in names if name.removesuffix("_SPF") in library or name[:3] == "_N_"
+            }
+            if {"DEF", "DEFINE", "PROC", "SETVN", "GOTOC"} & set(names) or "P[" in block.text:
+                given |= set(names)
+    return given
+
+
+def test_what_a_control_reads_is_explained() -> None:
+    """Each name of each block of the rows is explained, or given by the program, or in the list."""
+    seen, wrong, asked, met = set(), set(), {}, set()
+    for row in rows():
+        key = (_language_of(row.control), row.case.program, str(row.case.files))
+        if key in seen:
+            continue
+        seen.add(key)
+        control = cncsub.controls[row.control]
+        library = load(row.case, control)
+        unknown: dict[str, int | None] = {}
+        for program in library.values():
+            for block in program.blocks:
+                for name in map(str.upper, _core.names_in_block(control, block.text)):
+                    if (row.control, name) not in asked:
+                        known = _core.code_facts(control, name) is not None
+                        asked[row.control, name] = known
+                    if not asked[row.control, name]:
+                        unknown[name] = block.line
+        if not unknown:
+            continue
+        met |= unknown.keys() & _NOT_KNOWN
+        unknown = {name: unknown[name] for name in unknown.keys() - _NOT_KNOWN}
+        unknown = {name: unknown[name] for name in unknown.keys() - _names_given(library)}
+        refused = {finding.line for finding in library.check(rules=_REFUSED)}
+        wrong |= {(name, row.control) for name, line in unknown.items() if line not in refused}
+    assert not wrong, "\n".join(map(str, sorted(wrong)))
+    assert met == _NOT_KNOWN
+    assert len(asked) > 3000
 
 
 def test_a_word_of_the_language_is_found_by_its_meaning() -> None:
@@ -293,7 +358,7 @@ def test_the_alarms_of_a_code_are_those_that_rows_raise_at_it() -> None:
         count += 1
         if cause not in told["causes"]:
             wrong.add((code, cause, control.name))
-    assert not wrong
+    assert not wrong, "\n".join(map(str, sorted(wrong)))
     assert count > 1000
 
 

@@ -124,6 +124,29 @@ def test_frames_and_axes_beside_the_path_are_not_written(block: str, reason: str
         library.flatten()
 
 
+def test_data_of_tools_are_written_by_their_names() -> None:
+    text = (
+        '$TC_DP3[1,1]=10\n$TC_DP6[1,1]=R7+3\n$TC_TP2[1]="MILL"\nT="MILL" M6\nD1\n'
+        "G0 X=$TC_DP3[1,1] Z=100\nG1 G41 X20 Y5 F100\nX40\nG40 Y50\nM30\n"
+    )
+    library = cncsub.loads(text, control="siemens-one")
+    flat = library.flatten()
+    flat.verify()
+    assert flat.text.startswith('$TC_DP3[1,1]=10\n$TC_DP6[1,1]=3\n$TC_TP2[1]="MILL"\nT1 M6\n')
+    with pytest.raises(cncsub.FlattenError, match=r"\$TC_DP3\[1,1\] gets a value"):
+        library.flatten(control="fanuc-0i-f")
+
+
+def test_a_flat_program_holds_the_blocks_of_a_part_that_texts_name() -> None:
+    text = (
+        '%_N_MAIN_MPF\nDEF STRING[9] ONE="ONE1"\nG0 X0\nCALL "PART" BLOCK ONE TO TWO2\nM30\n'
+        "%_N_PART_SPF\nX9\nONE1: X1\nTWO2: X2\nX8\nM17\n"
+    )
+    flat = cncsub.loads(text, control="siemens-one").flatten()
+    flat.verify()
+    assert [line for line in flat.text.split("\n") if "X" in line] == ["G0 X0", "X1", "X2"]
+
+
 @pytest.mark.parametrize("word", ["AX[X]=IC(2)", "G91 AX[X]=AC(2)", "AX[AXX]=IC(2)"])
 def test_a_form_whose_word_names_no_address_is_not_lost(word: str) -> None:
     library = cncsub.loads(f"DEF AXIS AXX=X\nG0 X5 F100\nG1 {word}\nM30\n", control="siemens-one")

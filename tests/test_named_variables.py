@@ -1,6 +1,9 @@
 """The variables that programs define, by name."""
 
+import pytest
+
 import cncsub
+from cncsub import _core
 
 TEXT = """
 N10 DEF INT COUNT=2, SIDES[2,3]=SET(1,2,3,4,5,6)
@@ -109,3 +112,22 @@ def test_a_definition_that_is_refused_is_found_by_check() -> None:
 
 def test_a_run_of_a_control_without_names_has_none() -> None:
     assert cncsub.loads("O1\n#100=5\nM30\n", control="fanuc-0i-f").run().variables.named == {}
+
+
+def test_variables_are_named_as_programs_of_the_control_write_them() -> None:
+    library = cncsub.loads("N10 R1=5\nN20 G0 X=R1\nM30\n", control="siemens-one")
+    run = library.run(watch=[1])
+    assert repr(run.watch).endswith("1 change of R1")
+    assert str(next(iter(run.listing()))).endswith("->  R1 = 5")
+    with pytest.raises(ValueError, match="R9 was not watched"):
+        run.listing(variable=9)
+    with pytest.raises(KeyError, match="R9 is not watched"):
+        run.watch(9)
+    with pytest.raises(AssertionError, match="variables: R1 = 5"):
+        run.assert_alarm("illegal-variable")
+    control = library.control
+    assert _core.variable_name(control, 1_902_400_041) == "$TC_DP3[2,1]"
+    assert [_core.variable_name(control, 2_000_000_000 + n) for n in (5001, 5002, 1001, 6002)] == [
+        "$AA_IW[X]", "$AA_IW[Y]", "$A_IN[1]", "$P_UIFR[1]"
+    ]  # fmt: skip
+    assert _core.variable_name(cncsub.controls["fanuc-0i-f"], 500) == "#500"

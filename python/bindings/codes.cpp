@@ -12,7 +12,6 @@
 #include "bindings.hpp"
 #include "cncsub/control/code_facts.hpp"
 #include "cncsub/control/g_codes.hpp"
-#include "cncsub/dialect/asked.hpp"
 #include "cncsub/dialect/word_facts.hpp"
 
 namespace py = pybind11;
@@ -64,25 +63,10 @@ py::dict row_of(const CodeFacts& facts) {
                   "causes"_a = causes, "sources"_a = sources, "programs"_a = programs);
 }
 
-/// Return the code of a name such as G54.1 or M98, or of a word that is a G code of the control:
-/// TRANS.
-std::optional<CodeName> code_named(const Control& control, const std::string& name) {
-  if (const auto code = CodeName::read(name)) return code;
-  const int tenfold = code_of_word(name);
-  if (tenfold < 0 || !control.reading.g_codes.value.has(tenfold)) return std::nullopt;
-  return CodeName{'G', tenfold};
-}
-
-/// Return what is known of a code, of a word of the control's language such as GOTOF, or of an
-/// address such as T; None where the text is none of these.
+/// Return what is known of a code, of a word of the control's language such as GOTOF, of an address
+/// such as T or N10, or of a variable by its number; None where the text is none of these.
 py::object facts_of(const Control& control, const std::string& name, const std::string& machine) {
-  if (const auto code = code_named(control, name)) {
-    CodeFacts facts = code_facts(control, machine_of(control, machine), *code);
-    keep_taken(control, *code, facts.words);
-    return row_of(facts);
-  }
-  auto facts = word_facts(control, name);
-  if (!facts && name.size() == 1) facts = address_facts(control, name[0]);
+  const auto facts = named_facts(control, machine_of(control, machine), name);
   return facts ? py::object(row_of(*facts)) : py::none();
 }
 
@@ -94,11 +78,20 @@ std::vector<std::tuple<std::string, std::string, std::string>> keywords(const Co
   return rows;
 }
 
+/// Return a variable as programs of a control write it: #500, R5, $TC_DP3[5,1].
+std::string variable_name(const Control& control, std::int64_t number) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  return dialect == nullptr ? "#" + std::to_string(number)
+                            : dialect->spelling->name_of_variable(control, number);
+}
+
 }  // namespace
 
 void add_codes(py::module_& m) {
   m.def("code_facts", &facts_of, py::arg("control"), py::arg("name"), py::arg("machine") = "");
   m.def("keywords", &keywords, py::arg("control"));
+  m.def("variable_name", &variable_name, py::arg("control"), py::arg("number"));
+  m.def("names_in_block", &names_in, py::arg("control"), py::arg("block"));
   m.def("g_codes", &codes_of, py::arg("control"), py::arg("machine") = "");
 }
 

@@ -30,6 +30,14 @@ def keywords(control: Control) -> list[tuple[str, str, str]]:
     (`computed`, `passed-over`, `not-computed`, `not-known`, `refused`), and what it does.
     """
 
+def variable_name(control: Control, number: int) -> str:
+    """Return a variable as programs of a control write it: `#500`, `R5`, `$TC_DP3[5,1]`."""
+
+def names_in_block(control: Control, block: str) -> list[str]:
+    """Return what a block is written with, in its order, each name once: codes, addresses with
+    their numbers, words, variables, and the names that programs give.
+    """
+
 def g_codes(control: Control, machine: str = "") -> list[tuple[str, str]]:
     """Return each G code of a control on a kind of machine, and the engine's name for what it does
     there: `Neutral` and `Ignored` are skipped, `Uncomputed` and `Unknown` alarm, `None` is refused.

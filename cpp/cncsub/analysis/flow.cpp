@@ -43,7 +43,9 @@ class FlowReader {
   void jump(const Operand& number);
   void go_to(const Statement& statement);
   void back(const CallRecord& record);
+  void back_by_name(const CallRecord& record);
   void call(const Block& block);
+  void part(const CallRecord& record);
   void h_code(const HCode& h);
   void o_word(const Block& block, const OWord& own);
   void call_label(const Block& block, const OWord& own);
@@ -69,8 +71,8 @@ void FlowReader::exit(Address to, ExitKind kind) {
   if (!known) found_.push_back({to, kind});
 }
 
-/// Add the exit of a jump: to the block of a number, or to any block with a number where the number
-/// is computed.
+/// Add the exit of a jump: to the block of a number, or to any block that a jump can name where the
+/// number is computed.
 void FlowReader::jump(const Operand& number) {
   if (number.kind != Operand::Kind::Expression) {
     exit(code_.jump_target(program_, to_whole<std::int64_t>(number.value), at_), ExitKind::Jump);
@@ -93,7 +95,7 @@ void FlowReader::back(const CallRecord& record) {
   const bool own = code_.control->calls.return_with_p.value == ReturnWithP::OwnProgram;
   if (!record.p.present()) {
     mark(ProgramFlow::kReturns);
-    return;
+    return back_by_name(record);
   }
   if (own) {
     jump(record.p);
@@ -103,6 +105,22 @@ void FlowReader::back(const CallRecord& record) {
   const bool computed = record.p.kind == Operand::Kind::Expression;
   to_.return_numbers_.push_back({at_, computed ? -1 : to_whole<std::int64_t>(record.p.value),
                                  TextPlace{record.p.at, record.p.width}});
+}
+
+/// Record the block that a return with values names. [RET("N10", 1, 2)]
+void FlowReader::back_by_name(const CallRecord& record) {
+  const CallExtras& to = record.extras.get();
+  const bool computed = to.by_values && to.name_text.present();
+  if (record.name().empty() && !computed) return;
+  const auto is_more_than = [](const Operand& of, double value) {
+    return of.kind == Operand::Kind::Expression || (of.present() && of.value > value);
+  };
+  to_.return_numbers_.push_back({at_,
+                                 -1,
+                                 {to.name_at, to.name_width},
+                                 computed ? std::string_view() : record.name(),
+                                 is_more_than(to.levels, 1),
+                                 is_more_than(to.after, 0)});
 }
 
 void FlowReader::call(const Block& block) {
@@ -120,6 +138,14 @@ void FlowReader::call(const Block& block) {
   next();
   to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
   if (target.program == to_.program_) to_.entries_.push_back(target.start);
+}
+
+/// Read the call of a part: of the own program, or of another one, which is found as it runs.
+void FlowReader::part(const CallRecord& record) {
+  if (!record.extras.get().first_text.present()) return exit(record.target.start, ExitKind::Jump);
+  if (record.target.program == to_.program_) return exit(to_.anywhere(), ExitKind::Computed);
+  mark(ProgramFlow::kCallsComputed);
+  mark(ProgramFlow::kStartsComputed);
 }
 
 /// G65 H80 to H86 jump to N(P), H99 raises an alarm; the others compute.
@@ -226,7 +252,7 @@ void FlowReader::variant(const Block& block) {
       return exit(statement().to + 1, ExitKind::Jump);
     case Op::RepeatPart:
       next();
-      return exit(code_.calls[block.aux].target.start, ExitKind::Jump);
+      return part(code_.calls[block.aux]);
     case Op::Jump:
       if (code_.jumps[block.aux].reads_input) next();
       return jump(code_.jumps[block.aux].p);
@@ -310,7 +336,8 @@ void FlowReader::read(Address at) {
   to_.all_marks_ = static_cast<std::uint8_t>(to_.all_marks_ | marks_);
 }
 
-ProgramFlow::ProgramFlow(const Code& code, std::int32_t program, InterruptCheck& interrupt)
+ProgramFlow::ProgramFlow(const Code& code, std::int32_t program,
+                         const std::vector<Address>& labelled, InterruptCheck& interrupt)
     : code_(code), program_(program) {
   const Program& own = code.programs[static_cast<std::size_t>(program)];
   first_ = own.first;
@@ -328,6 +355,9 @@ ProgramFlow::ProgramFlow(const Code& code, std::int32_t program, InterruptCheck&
   for (std::uint32_t i = own.first_entry; i < own.last_entry; ++i)
     if (code.sequence[i].address < last_)
       exits_.push_back({code.sequence[i].address, ExitKind::Computed});
+  for (auto of = std::lower_bound(labelled.begin(), labelled.end(), first_);
+       of != labelled.end() && *of < last_; ++of)
+    exits_.push_back({*of, ExitKind::Computed});
   places_.push_back(static_cast<std::uint32_t>(exits_.size()));
   marks_.insert(marks_.end(), 2, 0);
 }
@@ -348,35 +378,6 @@ void ProgramFlow::close() {
   exits_ = std::move(exits);
   places_ = std::move(places);
   added_.clear();
-}
-
-std::vector<bool> ProgramFlow::reached() const {
-  std::vector<Address> waiting{first_};
-  waiting.insert(waiting.end(), entries_.begin(), entries_.end());
-  return reached(std::move(waiting));
-}
-
-Arrows ProgramFlow::backwards() const {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-  all.reserve(exits_.size());
-  for (Address at = first_; at <= anywhere(); ++at)
-    for (const Exit* exit = begin(at); exit != end(at); ++exit)
-      all.emplace_back(exit->to - first_, at - first_);
-  return {size(), all};
-}
-
-std::vector<bool> ProgramFlow::reached_from(Address start) const { return reached({start}); }
-
-std::vector<bool> ProgramFlow::reached(std::vector<Address> waiting) const {
-  std::vector<bool> found(size(), false);
-  while (!waiting.empty()) {
-    const Address at = waiting.back();
-    waiting.pop_back();
-    if (at < first_ || at > anywhere() || found[at - first_]) continue;
-    found[at - first_] = true;
-    for (const Exit* exit = begin(at); exit != end(at); ++exit) waiting.push_back(exit->to);
-  }
-  return found;
 }
 
 }  // namespace cncsub

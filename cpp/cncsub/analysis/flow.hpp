@@ -17,8 +17,8 @@ namespace cncsub {
 enum class ExitKind : std::uint8_t {
   Next,      // the block after it
   Jump,      // GOTO, M97, a branch or a loop
-  Computed,  // a jump whose number is computed: any block with a number may be its target
-  Returned   // M99 P of a program that the block calls
+  Computed,  // a jump whose target is computed: any block with a number or a label may be it
+  Returned   // M99 P, or RET with a block, of a program that the block calls
 };
 std::string_view to_string(ExitKind kind);
 
@@ -40,11 +40,13 @@ struct CallEdge {
 };
 
 /// The paths through one program. The place after its last block stands for its end. The place
-/// after that stands for any block with a number: computed jumps lead there, and it leads to each
-/// of them.
+/// after that stands for any block with a number or a label: computed jumps lead there, and it
+/// leads to each of them.
 class ProgramFlow {
  public:
-  ProgramFlow(const Code& code, std::int32_t program, InterruptCheck& interrupt);
+  /// `labelled`: the blocks of all programs that have a label, by address.
+  ProgramFlow(const Code& code, std::int32_t program, const std::vector<Address>& labelled,
+              InterruptCheck& interrupt);
 
   Address first() const { return first_; }
   Address last() const { return last_; }
@@ -68,11 +70,14 @@ class ProgramFlow {
 
   /// The calls of its blocks whose programs are known.
   const std::vector<CallEdge>& calls() const { return calls_; }
-  /// A number of M99 P with its block; the number is -1 where it is computed.
+  /// The block that a return names: by its number, -1 where it is computed, or by a name. A named
+  /// one may go back over several levels, and to the block after the one it names.
   struct ReturnTo {
     Address from = kNowhere;
     std::int64_t n = -1;
     TextPlace place;
+    std::string_view name{};
+    bool over_levels = false, after = false;
   };
   const std::vector<ReturnTo>& return_numbers() const { return return_numbers_; }
   /// The blocks other than the first at which the program is entered.

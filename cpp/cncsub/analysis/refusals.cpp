@@ -56,6 +56,28 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
 }
 
+/// Check the call of a part whose program and blocks are written, and found as it runs.
+void check_part(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
+  const CallExtras& part = record.extras.get();
+  if (!part.first_text.present() || record.name_text().present()) return;
+  Target target;
+  target.program = record.target.program;
+  if (auto fault = find_target(c.code, record, target)) {
+    c.refused(Check::ProgramMissing, at, std::move(*fault));
+    return;
+  }
+  const Program& in = c.program(target.program);
+  if (target.program != program) c.named[static_cast<std::size_t>(target.program)] = true;
+  for (const Operand& text : {part.first_text, part.last_text}) {
+    if (text.kind != Operand::Kind::Constant) continue;
+    const std::string& name = c.code.texts.at(to_whole<std::size_t>(text.value));
+    if (c.code.named_return_target(in, name, in.first - 1) != kNowhere) continue;
+    c.refused(Check::TargetMissing, at,
+              {Cause::PartIncomplete, text.at, text.width,
+               "no block of " + c.code.name_of(in) + " has this label"});
+  }
+}
+
 /// Report calls by a label that no file and no block has.
 void check_labelled(Checker& c, Address at, std::int32_t program, const Block& block) {
   for (const CallReference& call : references_of(c.code, block, program).calls)
@@ -212,6 +234,7 @@ void check_block(Checker& c, Address at, std::int32_t program, bool structure_re
     if (of.op == Op::Fault)
       check_fault(c, at, c.program(program), c.code.faults[of.aux], structure_refused);
     if (is_call(of.op)) check_call(c, at, program, c.code.calls[of.aux]);
+    if (of.op == Op::RepeatPart) check_part(c, at, program, c.code.calls[of.aux]);
     if (is_call(of.op) && (of.flags & Block::kDrops) != 0)
       mark_dropped(c, at, program, c.code.calls[of.aux]);
     if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);

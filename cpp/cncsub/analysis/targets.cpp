@@ -185,9 +185,10 @@ void TargetCheck::block(Address at, const Block& block) {
 }
 
 Finding& TargetCheck::no_return_block(const ProgramFlow::ReturnTo& to, const Program& where) {
-  return c_.refused(
-      Check::ReturnMissing, to.from,
-      {Cause::ReturnTargetNotFound, to.place.at, to.place.width, c_.code.no_block(to.n, where)});
+  return c_.refused(Check::ReturnMissing, to.from,
+                    {Cause::ReturnTargetNotFound, to.place.at, to.place.width,
+                     to.name.empty() ? c_.code.no_block(to.n, where)
+                                     : c_.code.name_of(where) + " has no such block"});
 }
 
 /// Check M99 P of a main program that starts over: it leads into itself.
@@ -212,13 +213,16 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     if (++looked_up_ > kMostReturns || c_.over()) break;
     if (edge->caller == before) continue;
     before = edge->caller;
-    const Address found = c_.code.return_target(c_.program(edge->caller), to.n, edge->from);
+    const Program& caller = c_.program(edge->caller);
+    const Address found = to.name.empty()
+                              ? c_.code.return_target(caller, to.n, edge->from)
+                              : c_.code.named_return_target(caller, to.name, edge->from);
     if (found == kNowhere) {
       if (lacks == nullptr) lacks = edge;
       ++lacking;
       continue;
     }
-    ambiguous(to.from, c_.program(edge->caller), to.n, to.place);
+    if (to.name.empty()) ambiguous(to.from, caller, to.n, to.place);
     const Address end = all_.of(edge->caller).entered(edge->from, found);
     if (end == kNowhere || enters != nullptr) continue;
     enters = edge;
@@ -234,7 +238,7 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
 
 void TargetCheck::returns() {
   for (const ProgramFlow::ReturnTo& to : flow_.return_numbers())
-    if (to.n >= 0) one_return(to);
+    if (to.n >= 0 || (!to.name.empty() && !to.over_levels)) one_return(to);
   for (const CallEdge& edge : flow_.calls()) {
     const CallRecord& record = c_.code.calls[edge.record];
     if (record.target.start_n >= 0)

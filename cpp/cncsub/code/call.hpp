@@ -109,6 +109,9 @@ struct CallExtras {
   char count = 'L';                           // the address of `l` as it is written
   Address part_end = kNowhere;                // of RepeatPart: the block before which a pass ends
   std::uint32_t last_at = 0, last_width = 0;  // the same: where its last block is named, if it is
+  // The same: the texts that name its first and its last block, where they are searched for as it
+  // runs.
+  Operand first_text, last_text;
   // Of a return: it has values: the block after the one that it names is meant, and how many
   // levels it goes back.
   bool by_values = false;

@@ -212,6 +212,9 @@ struct Code {
   Address last_of(const Program& program, std::int64_t n, Address before) const;
   Address jump_target(const Program& program, std::int64_t n, Address from) const;
   Address return_target(const Program& program, std::int64_t n, Address call) const;
+  /// Return the block of a program that a return names, N10 or a label, in capitals: the nearest
+  /// after the call, or else the first; kNowhere where there is none.
+  Address named_return_target(const Program& in, std::string_view name, Address call) const;
 };
 
 /// Return whether a list of the user's programs has this one: its name leads to it, and it is no

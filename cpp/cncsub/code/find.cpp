@@ -1,6 +1,7 @@
 // Finds programs by their numbers and names, and blocks by theirs.
 #include <algorithm>
 #include <bit>
+#include <charconv>
 
 #include "cncsub/code/code.hpp"
 #include "cncsub/text/scan.hpp"
@@ -200,6 +201,21 @@ Address Code::return_target(const Program& program, std::int64_t n, Address call
     }
   }
   return kNowhere;
+}
+
+Address Code::named_return_target(const Program& in, std::string_view name, Address call) const {
+  if (name.size() > 1 && name[0] == 'N' && is_digit(name[1])) {
+    std::int32_t number = -1;
+    std::from_chars(name.data() + 1, name.data() + name.size(), number);
+    const Address behind = next_of(in, number, call);
+    return behind != kNowhere && behind < in.last ? behind : first_of(in, number);
+  }
+  const auto label = label_places.find(std::string(name));
+  if (label == label_places.end()) return kNowhere;
+  const Address behind = head_behind(label->second, call);
+  if (behind < in.last) return behind;
+  const Address first = head_from(label->second, in.first);
+  return first < in.last ? first : kNowhere;
 }
 
 bool Code::leads_inside(Address from, Address to) const {

@@ -1,6 +1,7 @@
 #include "cncsub/code/references.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 #include <tuple>
 
@@ -29,6 +30,7 @@ class ReferenceReader {
   void o_word(const OWord& own);
   void label_of(const OWord& own, CallReference& reference) const;
   void back(const CallRecord& back, bool conditional);
+  void back_by_name(const CallExtras& to, bool conditional);
   void jump(const JumpRecord& record);
   void statement(Op op, const Statement& statement, bool conditional);
   void go_to(const Statement& statement, bool conditional);
@@ -110,7 +112,14 @@ void ReferenceReader::part(const CallRecord& call) {
   reference.kind = call.kind;
   reference.place = {call.at, call.width};
   reference.found = call.target.program;
-  reference.program = code_.name_of(reference.found);
+  const CallExtras& named = call.extras.get();
+  for (const Operand* of : {&named.first_text, &named.last_text}) used_.operand(*of);
+  if (call.name_text().present()) reference.computed_program = place_of(call.name_text());
+  if (reference.found == kNoProgram && !reference.computed_program) {
+    reference.found = code_.find(call.name());
+    reference.program = call.name();
+  }
+  if (reference.found != kNoProgram) reference.program = code_.name_of(reference.found);
   if (call.l.kind == Operand::Kind::Expression)
     reference.computed_repeats = place_of(call.l.expression);
   else if (call.l.present())
@@ -163,10 +172,26 @@ void ReferenceReader::o_word(const OWord& own) {
 
 // ---- jumps ----
 
+/// List the jump of RET("N10").
+void ReferenceReader::back_by_name(const CallExtras& to, bool conditional) {
+  JumpReference jump;
+  jump.kind = "RET";
+  jump.conditional = conditional;
+  jump.in_caller = true;
+  jump.place = {to.name_at, to.name_width};
+  used_.operand(to.name_text);
+  if (to.name_text.present()) jump.computed = place_of(to.name_text.expression);
+  if (to.name.size() > 1 && to.name[0] == 'N')
+    std::from_chars(to.name.data() + 1, to.name.data() + to.name.size(), jump.n);
+  to_.jumps.push_back(jump);
+}
+
 /// List the jump of M99 P.
 void ReferenceReader::back(const CallRecord& back, bool conditional) {
-  used_.operand(back.p);
-  used_.operand(back.l);
+  const CallExtras& to = back.extras.get();
+  for (const Operand* of : {&back.p, &back.l, &to.after, &to.levels}) used_.operand(*of);
+  if (!to.name.empty() || (to.by_values && to.name_text.present()))
+    return back_by_name(to, conditional);
   if (!back.p.present()) return;
   JumpReference jump;
   jump.kind = "M99";
@@ -239,6 +264,7 @@ void ReferenceReader::h_code(const HCode& h) {
 void ReferenceReader::print(const Print& print) {
   for (const PrintField& field : print.fields)
     if (field.is_variable) used_.reads(field.expression);
+  if (print.last_number != 0) used_.reads(print.number);
 }
 
 void ReferenceReader::statement(Op op, const Statement& statement, bool conditional) {

@@ -23,6 +23,11 @@ std::string_view Spelling::bare_name(std::string_view name) const {
   return name.size() > around ? name.substr(before, name.size() - around) : name;
 }
 
+std::string Spelling::name_of_variable(const Control& control, std::int64_t number) const {
+  std::string name = variable_name == nullptr ? "" : variable_name(control, number);
+  return name.empty() ? std::string(variable) + std::to_string(number) : name;
+}
+
 int Spelling::place_of(std::string_view address) const {
   if (address == radius) return 'R' - 'A';
   for (const LongAddress& of : long_addresses)

@@ -2,6 +2,7 @@
 // and flat programs.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -36,6 +37,9 @@ struct Spelling {
   bool long_numbers = false;  // no rule says how many digits a number in an expression may have
   bool numbered = true;       // variables are assigned by their number: #5221=5
   std::string_view variable = "#";  // what stands before the number of a variable
+  // The name of a variable that has no sign before its number: $TC_DP3[5,1]; empty where it has
+  // one. Null: all have one.
+  std::string (*variable_name)(const Control& control, std::int64_t number) = nullptr;
 
   /// An address of several characters, and the place in the mask of a block that holds its value.
   struct LongAddress {
@@ -61,6 +65,8 @@ struct Spelling {
                                // a run goes on without it
   bool open_comments = false;  // a comment that is not closed may be read
 
+  /// Return a variable as programs write it: #500, R5, $TC_DP3[5,1].
+  std::string name_of_variable(const Control& control, std::int64_t number) const;
   /// Return a program's name without what the control puts around it: _N_SHAFT_MPF is SHAFT.
   std::string_view bare_name(std::string_view name) const;
   /// Return the place of a written address in the mask of a block; -1 where it has none.

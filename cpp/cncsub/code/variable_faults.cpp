@@ -8,9 +8,8 @@ namespace cncsub {
 
 namespace {
 
-/// Return a variable as the language writes it: #5 or R5.
 std::string name_of(const Code& code, std::int64_t number) {
-  return std::string(code.spelling->variable) + std::to_string(number);
+  return code.spelling->name_of_variable(*code.control, number);
 }
 
 Fault missing(const Code& code, std::int64_t number) {

@@ -231,4 +231,70 @@ std::string option_with(const Control& control, std::int64_t number) {
   return "";
 }
 
+namespace {
+
+struct KindText {
+  VariableKind kind;
+  std::string_view holds;
+};
+constexpr KindText kKinds[] = {
+    {VariableKind::Vacant, "is always vacant"},
+    {VariableKind::Local, "a local variable of the program that runs, at its level"},
+    {VariableKind::LevelImage, "the local variables of a level, by its number"},
+    {VariableKind::Common, "a variable of all programs, cleared at power-off"},
+    {VariableKind::Kept, "a variable of all programs, kept at power-off"},
+    {VariableKind::Input, "a signal from the machine, 0 or 1"},
+    {VariableKind::InputWord, "signals from the machine, as one number"},
+    {VariableKind::Output, "a signal to the machine, 0 or 1"},
+    {VariableKind::OutputWord, "signals to the machine, as one number"},
+    {VariableKind::UserAlarm, "raises an alarm of the program, with the text after it"},
+    {VariableKind::Milliseconds, "a clock that counts milliseconds"},
+    {VariableKind::Hours, "a clock that counts hours"},
+    {VariableKind::Control1, "switches of the automatic operation: single block, feed hold"},
+    {VariableKind::Settings, "settings of the control, bit by bit"},
+    {VariableKind::Message, "stops the program and shows the text after it"},
+    {VariableKind::Mirror, "the axes that are mirrored, bit by bit"},
+    {VariableKind::Restart, "whether the program is being restarted"},
+    {VariableKind::Date, "the date, as YYYYMMDD"},
+    {VariableKind::Time, "the time of the day, as HHMMSS"},
+    {VariableKind::PartsCount, "a count of parts"},
+    {VariableKind::ModalCode, "the code in force of a G group, before this block"},
+    {VariableKind::ModalWord, "the value in force of an address, before this block"},
+    {VariableKind::ActiveCode, "the code in force of a G group, in this block"},
+    {VariableKind::ActiveWord, "the value in force of an address, in this block"},
+    {VariableKind::BlockEnd, "where the block before ended, in work coordinates"},
+    {VariableKind::MachinePosition, "where an axis stands, in machine coordinates"},
+    {VariableKind::WorkPosition, "where an axis stands, in work coordinates"},
+    {VariableKind::SkipPosition, "where the last skip ended, in work coordinates"},
+    {VariableKind::SkipTouched, "whether the signal of the last skip came"},
+    {VariableKind::ActiveLength, "the length offset in force"},
+    {VariableKind::ToolLength, "the length of the tool in the spindle"},
+    {VariableKind::ServoError, "how far an axis is behind its command"},
+    {VariableKind::WorkOffset, "an offset of a work coordinate system"},
+    {VariableKind::AxisWorkOffset, "an offset of a work coordinate system, axis by axis"},
+    {VariableKind::Shift, "the shift of the coordinates, and whether it counts"},
+    {VariableKind::ReferencePoint, "a reference point, in machine coordinates"},
+    {VariableKind::MessageSwitch, "whether messages are shown"},
+    {VariableKind::WorkSystem, "which work coordinate system is in force"},
+    {VariableKind::ExtraWorkOffset, "an offset of a further work coordinate system"},
+    {VariableKind::LengthWear, "the wear of a tool's length"},
+    {VariableKind::LengthGeometry, "the length of a tool"},
+    {VariableKind::RadiusWear, "the wear of a tool's radius"},
+    {VariableKind::RadiusGeometry, "the radius of a tool"},
+    {VariableKind::EdgeDatum, "a datum of an edge of a tool"},
+    {VariableKind::ToolName, "the name of a tool"},
+    {VariableKind::ParameterChoice, "which parameter of the control is read"},
+    {VariableKind::ParameterValue, "the value of the parameter that was chosen"},
+    {VariableKind::StoredFrame, "the frame of a work system"},
+    {VariableKind::FrameInForce, "a frame in force"},
+    {VariableKind::FrameNumber, "which of the stored frames is in force"}};
+
+}  // namespace
+
+std::string_view what_it_holds(VariableKind kind) {
+  for (const KindText& of : kKinds)
+    if (of.kind == kind) return of.holds;
+  return "";
+}
+
 }  // namespace cncsub

@@ -34,6 +34,9 @@ std::string numbers_of(const VariableOption& option);
 /// Return whether these are other names of commons.
 bool is_alias(const VariableRange& range);
 
+/// Return what variables of a kind hold, or do.
+std::string_view what_it_holds(VariableKind kind);
+
 /// Return every range that the control has, by number.
 std::vector<VariableRange> variable_ranges(const Control& control);
 

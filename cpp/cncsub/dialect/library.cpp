@@ -177,11 +177,24 @@ class Reading {
   void resolve_calls(std::size_t from) {
     to_.names().sort_heads();
     if (code_.calls.empty()) return;
+    mark_part_ends();
     seen_.assign(code_.variants.size(), false);
     for (std::size_t p = from; p < code_.programs.size(); ++p)
       for (Address a = code_.programs[p].first;
            a < code_.programs[p].last && !interrupt_.requested(InterruptCheck::kBlock); ++a)
         resolve_block(code_.blocks[a], static_cast<std::int32_t>(p));
+  }
+
+  /// Let each block at which a part may end ask for its end, where parts are found as they run.
+  void mark_part_ends() {
+    const auto searched = [](const CallRecord& of) { return of.extras.get().first_text.present(); };
+    if (std::none_of(code_.calls.begin(), code_.calls.end(), searched)) return;
+    const auto mark = [this](std::size_t last) {
+      if (last + 1 < code_.blocks.size()) code_.blocks[last + 1].skip |= Block::kPartEnd;
+    };
+    for (const LabelledHead& head : code_.heads) mark(head.address);
+    for (std::size_t i = 0; i < code_.blocks.size(); ++i)
+      if (code_.blocks[i].n >= 0) mark(i);
   }
 
   bool interrupted(std::size_t bytes) { return interrupt_.requested(bytes); }

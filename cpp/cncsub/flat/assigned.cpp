@@ -42,19 +42,34 @@ void FlatRun::write_raised(std::string& text, FlatOrigins& origins) {
   end_line(text, origins);
 }
 
+/// Return how a program of the other control writes a variable; nothing where it has none, or no
+/// statement that assigns it.
+std::string FlatRun::assigned_name(std::int64_t number) const {
+  const Code& there = *for_;
+  const Spelling& spelling = *there.spelling;
+  const bool numbered =
+      spelling.numbered || (spelling.variable_name != nullptr &&
+                            !spelling.variable_name(*there.control, number).empty());
+  if (!numbered || there.place(number).kind != machine_.code().place(number).kind ||
+      there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
+    return "";
+  return spelling.name_of_variable(*there.control, number);
+}
+
 bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
   for (const Observer::Assigned& of : observer_.assigned) {
     if (!has_effect(code, of.number)) continue;
     if (is_frame(code.place(of.number).kind))
       return refuse("a frame of the control gets a value, and a flat program cannot write frames");
-    const std::string name = "#" + std::to_string(of.number);
-    const Code& there = *for_;
-    if (!there.spelling->numbered || there.place(of.number).kind != code.place(of.number).kind ||
-        there.lacking.test(static_cast<std::size_t>(StatementKind::Variables)))
-      return refuse(name + " gets a value, and the control has no statement that assigns a number");
-    text += name + "=" + value_text(of.value, there);
+    const std::string name = assigned_name(of.number);
+    if (name.empty())
+      return refuse(code.spelling->name_of_variable(*code.control, of.number) +
+                    " gets a value, and the control has no statement that assigns it");
     const VariableKind kind = code.place(of.number).kind;
+    const bool is_text = kind == VariableKind::ToolName;
+    text += name + "=" +
+            (is_text ? "\"" + machine_.text(of.value) + "\"" : value_text(of.value, *for_));
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";
     end_line(text, origins);

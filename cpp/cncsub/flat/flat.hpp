@@ -90,6 +90,7 @@ class FlatRun {
                    const std::array<std::int64_t, 2>* profile = nullptr);
   bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
                        OtherWriter& other);
+  std::string assigned_name(std::int64_t number) const;
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);

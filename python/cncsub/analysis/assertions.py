@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Protocol
 
+from cncsub import _core
 from cncsub._core import Alarm, Machine
 from cncsub.analysis.steps_text import calls_to, place_of
 from cncsub.program import find_program
@@ -105,7 +106,8 @@ def _lines(run: Stopped) -> Iterator[str]:
     values = [(number, value) for number, value in run.variables.items() if value is not None]
     if values:
         yield "variables: " + ", ".join(
-            f"#{number} = {value:g}" for number, value in values[:_VARIABLES]
+            f"{_core.variable_name(run.steps.core.control, number)} = {value:g}"
+            for number, value in values[:_VARIABLES]
         )
     if len(values) > _VARIABLES:
         yield f"  and {len(values) - _VARIABLES} more with a value"

@@ -29,7 +29,8 @@ class Listed:
     watched variables. `codes`: the M, T and S codes it sent to the machine. `conditions`: the
     comparisons of its condition, in a run with `conditions=True`. `on_to`: the block that ran next,
     where that is not the one after it: `on to N80` after a jump, `back to O1 line 7` after a
-    return. `skipped`: the blocks after it that block skip left out.
+    return. `skipped`: the blocks after it that block skip left out. `variables`: the variables of
+    `changes` as programs write them: `#100`, `R5`.
     """
 
     step: int
@@ -46,6 +47,7 @@ class Listed:
     conditions: tuple[Compared, ...] = ()
     on_to: str = ""
     skipped: tuple[str, ...] = ()
+    variables: tuple[str, ...] = ()
 
     def __str__(self) -> str:
         done = ", ".join(filter(None, ("; ".join(self._done()), self.on_to)))
@@ -65,8 +67,8 @@ class Listed:
         for program in self.calls:  # the other words of a block come before its call
             yield f"calls {program}"
         yield from map(str, self.conditions)
-        for change in self.changes:
-            yield f"#{change.variable} = {number_text(change.value)}"
+        for name, change in zip(self.variables, self.changes, strict=True):
+            yield f"{name} = {number_text(change.value)}"
 
     def _more(self) -> Iterator[str]:
         """Yield a line for each move where there are several, and for each skipped block."""
@@ -159,7 +161,8 @@ def listing_of(
     watched: Mapping[int, float | None] = run.watch.beginning
     if variable is not None and variable not in watched:
         raise ValueError(
-            f"#{variable} was not watched: run(watch=[{variable}]) records its changes"
+            f"{_core.variable_name(run.recorded.control, variable)} was not watched:"
+            f" run(watch=[{variable}]) records its changes"
         )
     if len(run.steps) == 0 and len(run.calls) > 0:
         raise ValueError('the run recorded no blocks: trace="blocks" or "moves" records them')
@@ -216,6 +219,9 @@ def _rows(run: Tables, asked: Mapping[str, int | None], variable: int | None) ->
                 compared,
                 _on_to(steps, row) if way in (_JUMPS, _RETURNS) else "",
                 tuple(run.recorded.texts_after(row)) if way == _SKIPS else (),
+                tuple(
+                    _core.variable_name(run.recorded.control, change.variable) for change in changes
+                ),
             )
 
 

@@ -32,8 +32,6 @@ from cncsub.reports.facts import explanations, unknown_alarm
 from cncsub.reports.nearest import is_told_by, nearest
 from cncsub.reports.printing import Console, print_explanations
 
-_WORD = re.compile(r"[A-Z][-+.\d]*", re.IGNORECASE)
-
 
 def explain(
     name: Annotated[
@@ -86,13 +84,12 @@ def known_facts(
     asked: str, among: list[cncsub.Control]
 ) -> tuple[list[dict[str, Any]], list[dict[str, Any]], CheckRule | None]:
     """Return what is called so: alarms, then codes, rules and parameters, and the rule of check."""
+    check = _check_rule(asked)
     alarms = [] if _is_number_of_check(asked) else explanations(asked, among)
-    others = [
-        *_codes_of(asked, among),
-        *rule_explanations(asked, among),
-        *parameter_explanations(asked, among),
-    ]
-    return alarms, others, _check_rule(asked)
+    others = [*rule_explanations(asked, among), *parameter_explanations(asked, among)]
+    if code_named(asked) is not None or not (check or alarms or others):
+        others = [*code_explanations(asked, among), *others]
+    return alarms, others, check
 
 
 def _is_number_of_check(asked: str) -> bool:
@@ -104,17 +101,6 @@ def _check_rule(asked: str) -> CheckRule | None:
         return None
     with wrong_use():
         return rule_named(asked)
-
-
-def _codes_of(asked: str, among: list[cncsub.Control]) -> list[dict[str, Any]]:
-    """Return what is known of a code, or of each code of a block."""
-    words = asked.split()
-    if len(words) == 1:
-        return code_explanations(asked, among)
-    codes = [word for word in words if code_named(word) is not None]
-    if not all(map(_WORD.fullmatch, words)):
-        return []
-    return [fact for code in codes for fact in code_explanations(code, among)]
 
 
 def _explain_near(asked: str, among: list[cncsub.Control], format: Format, output: Any) -> None:

@@ -13,7 +13,6 @@ from cncsub.loading import loads
 
 _CODE = re.compile(r"([GM])(\d{1,4}(?:\.\d)?)", re.IGNORECASE)
 _ADDRESS = re.compile(r"[A-Z]", re.IGNORECASE)
-_KEYWORD = re.compile(r"(\$?[A-Z_]\w*)\s*(?:=.*|\(.*\)|\[.*\])", re.IGNORECASE)
 _NAMED = re.compile(r"\b([GM])(\d+(?:\.\d)?)(?: to [GM]?(\d+)\b)?")
 _ARGUMENTS = "ABCDEFHIJKMQRSTUVWXYZ"
 _MACRO_CALL = "macro-call"
@@ -34,34 +33,65 @@ def code_named(asked: str) -> str | None:
     return text.upper() if _ADDRESS.fullmatch(text) else None
 
 
-def word_named(asked: str) -> str:
-    """Return a word of a language without what may stand after it.
+def names_of(asked: str, control: Control) -> list[str]:
+    """Return what a control knows of a text: a code, a word, an address, a variable, or each of
+    these in a block. Nothing where the text is a question.
 
-    >>> word_named("CR="), word_named("AC(10)"), word_named("$AA_IW[X]"), word_named("gotof")
-    ('CR', 'AC', '$AA_IW', 'GOTOF')
+    >>> import cncsub
+    >>> one = cncsub.controls["siemens-one"]
+    >>> names_of("CR=", one), names_of("$AA_IW[X]", one), names_of("gotof", one)
+    (['CR'], ['$AA_IW'], ['GOTOF'])
+    >>> names_of("IF R1==2 GOTOF END", one), names_of("how many characters has a text", one)
+    (['IF', 'R1', 'GOTOF'], [])
     """
-    found = _KEYWORD.fullmatch(asked.strip())
-    return found[1].upper() if found else asked.strip().upper()
+    whole = code_named(asked) or asked.strip().upper()
+    if _core.code_facts(control, whole) is not None:
+        return [whole]
+    names = [code_named(name) or name.upper() for name in _core.names_in_block(control, asked)]
+    if names and _has_index_alone(asked.strip(), names[0]):
+        names = names[:1]
+    known = [name for name in names if _core.code_facts(control, name) is not None]
+    return known if known and _is_block(asked, names, known) else []
+
+
+def _has_index_alone(asked: str, name: str) -> bool:
+    """Return whether brackets, or an equals sign, and nothing else follow a name: `$AA_IW[X]`."""
+    rest = asked[len(name) :].strip()
+    return rest == "=" or (rest[:1] + rest[-1:] in ("[]", "()"))
+
+
+def _is_block(asked: str, names: list[str], known: list[str]) -> bool:
+    """Return whether a text is one of a program, and no question: its first name is known, and so
+    are most of its names, or half of them in capitals.
+    """
+    if names[0] != known[0]:
+        return False
+    signs = any(sign in asked for sign in "=[(")
+    bare = [name for name in known[1:] if len(name) == 1 and not signs]  # an X without a number
+    known = [name for name in known if name not in bare]
+    unknown = len(names) - len(known)
+    as_typed = asked == asked.upper() and len(known[0]) > 1
+    return unknown < len(known) or (as_typed and unknown == len(known))
 
 
 def code_explanations(asked: str, among: list[Control]) -> list[Facts]:
-    """Return what a code, or a word of a control's language, does: an entry for each thing that it
-    does, with the controls.
+    """Return what a code, or a word of a control's language, does, or what each part of a block
+    does: an entry for each thing that it does, with the controls.
     """
-    code = code_named(asked) or word_named(asked)
-    if not code:
-        return []
     entries: dict[tuple[Any, ...], Facts] = {}
+    places: dict[str, int] = {}
     for control in among:
-        for machine in _machines(control) if _CODE.fullmatch(code) and code[0] == "G" else [""]:
-            facts = _core.code_facts(control, code, machine)
-            if facts is None:
-                continue
-            words = tuple((letters, says) for letters, says, _ in facts["words"])
-            key = (facts["treatment"], facts["does"], words)
-            entry = entries.setdefault(key, _entry(facts))
-            entry["on"].append(_on(control, machine, facts))
-    return [_joined(entry) for entry in entries.values()]
+        for code in names_of(asked, control):
+            places.setdefault(code, len(places))
+            for machine in _machines(control) if _CODE.fullmatch(code) and code[0] == "G" else [""]:
+                facts = _core.code_facts(control, code, machine)
+                if facts is None:
+                    continue
+                words = tuple((letters, says) for letters, says, _ in facts["words"])
+                key = (code, facts["treatment"], facts["does"], words)
+                entry = entries.setdefault(key, _entry(facts))
+                entry["on"].append(_on(control, machine, facts))
+    return [_joined(entries[key]) for key in sorted(entries, key=lambda key: places[key[0]])]
 
 
 def _entry(facts: Facts) -> Facts:

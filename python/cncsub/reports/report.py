@@ -9,6 +9,7 @@ from importlib.resources import files
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
 
+from cncsub import _core
 from cncsub.analysis.static_tree import letters
 from cncsub.analysis.steps_text import place_of
 from cncsub.escapes import escape
@@ -202,7 +203,7 @@ def _findings(findings: list[Finding], anchors: Anchors) -> Iterator[str]:
 
 def _tables(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
     variables = [
-        (f"#{number}", f"{value:.10g}")
+        (_core.variable_name(library.control, number), f"{value:.10g}")
         for number, value in run.variables.items()
         if value is not None
     ]
@@ -212,7 +213,12 @@ def _tables(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
     )
     yield table("modal codes", ("group", "code"), _escaped(run.modal.items()), len(run.modal))
     changes = (
-        (f"#{c.variable}", _value(c.value), anchors.of_step(c.step), str(c.step))
+        (
+            _core.variable_name(library.control, c.variable),
+            _value(c.value),
+            anchors.of_step(c.step),
+            str(c.step),
+        )
         for c in itertools.islice(run.watch, MOST_ROWS)
     )
     yield table("watched", ("variable", "value", "block", "step"), list(changes), len(run.watch))

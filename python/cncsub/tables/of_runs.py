@@ -135,8 +135,10 @@ class Watch(Table[Change]):
         """
         for number in variables:
             if number not in self.beginning:
-                watched = ", ".join(f"#{known}" for known in self.beginning) or "nothing"
-                raise KeyError(f"#{number} is not watched: run(watch=[{number}]); {watched} is")
+                watched = ", ".join(map(self._name, self.beginning)) or "nothing"
+                raise KeyError(
+                    f"{self._name(number)} is not watched: run(watch=[{number}]); {watched} is"
+                )
         return Watch(self.core, tuple(variables) or self._only)
 
     @property
@@ -204,8 +206,12 @@ class Watch(Table[Change]):
         return self.programs if name == "program" else None
 
     def size_words(self) -> str:
-        watched = ", ".join(f"#{number}" for number in self.beginning)
-        return f"{super().size_words()} of {watched or 'nothing: run(watch=[100]) watches #100'}"
+        watched = ", ".join(map(self._name, self.beginning))
+        nothing = f"nothing: run(watch=[100]) watches {self._name(100)}"
+        return f"{super().size_words()} of {watched or nothing}"
+
+    def _name(self, number: int) -> str:
+        return _core.variable_name(self.core.control, number)
 
 
 class Conditions(Table[Compared]):

@@ -187,6 +187,20 @@ for words in ('CALL ""', "PCALL /_N_SPF_DIR/"):
     case(
         f"{words} names no program", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="illegal-program-name", at="MAIN N10",
     )
+TYPES = {"control": ONE, "source": "general knowledge of the SINUMERIK alarms", "evidence": "inferred"}
+for words, word in (("CALL 5", "5"), ("CALL R1", "R1"), ("EXTCALL(5)", "5"), ("EXTCALL(R1+1)", "R1+1"), ("CALL TRUE", "TRUE")):
+    case(
+        f"{words} calls nothing: a program is named by a text", number="12150", **TYPES,
+        program=f"N10 {words}\nN20 M30", runs="", alarm="type-mismatch", at="MAIN N10", word=word,
+    )
+for words in ("CALL", "EXTCALL", "EXTCALL()"):
+    case(
+        f"{words} without a name is a fault of its text", number="12080", **TYPES, program=f"N10 {words}\nN20 M30", runs="", alarm="expression-format", at="MAIN N10",
+    )
+for words in ("PCALL", 'EXTCALL("")', 'EXTCALL("/NC_DIR/")', 'CALL "" BLOCK AA1 TO AA2'):
+    case(
+        f"{words} names no program either", **KNOWN, program=f"N10 {words}\nN20 M30", runs="", alarm="illegal-program-name", at="MAIN N10",
+    )
 for words in ("CALL NAME", 'ISOCALL "PART"'):
     case(
         f"{words} is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
@@ -282,9 +296,19 @@ case(
 )
 case("the values of RET stand in brackets that close", **RET, program="N10 RET(,,1\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("nothing follows them", **RET, program="N10 RET() X5\nN20 M30", runs="", alarm="statement-format", at="MAIN N10", word="X5")
+for words, word in (("RET(R1)", "R1"), ("RET(10)", "10")):
+    case(
+        f"{words} names no block: a text does", number="12150", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+        program=f"N10 {words}\nN20 M30", runs="", alarm="type-mismatch", at="MAIN N10", word=word,
+    )
+for back in ('RET("N"<<R7)', 'RET("N7"<<"0")', 'RET(WAY,,R8)'):
+    case(
+        f"the text of {back} is computed", **RET,
+        program=_two_levels("DEF STRING[9] WAY\nN85 R7=70 R8=1 WAY=\"n70\"\nN90 " + back), runs="N10 N60 N80 N85 N90 N70 N20 N30 N40 N50",
+    )
 case(
-    "a block that is no text is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program="N10 RET(R1)\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word="R1",
+    "and names a block that is not there", number="14080", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program=_two_levels('R1=9\nN90 RET("LAB"<<R1)'), runs="N10 N60 N80", alarm="return-target-not-found", at="TWO2 N90", word='"LAB"<<R1',
 )
 
 # ---- an MPF and an SPF of one name ----

@@ -156,6 +156,61 @@ case(
     program="N10 CALL BLOCK ONE1 TWO2\nN30 ONE1: R1=R1+1\nN60 M30", runs="", alarm="statement-format", at="MAIN N10",
 )
 case(
-    "a part of another program is not computed", control=ONE, source="policy, nobody says", evidence="inferred",
-    program='N10 CALL "PART" BLOCK ONE1 TO TWO2\nN60 M30', runs="", alarm="code-not-computed", at="MAIN N10",
+    "the labels of CALL BLOCK may be texts", **KNOWN,
+    program='N1 DEF STRING[20] FROM1="ONE1", TO1\nN10 TO1="TWO"<<2\nN15 CALL BLOCK FROM1 TO TO1\nN20 GOTOF DONE\nN30 ONE1: R1=R1+1\nN40 TWO2: R2=R2+1\nN50 R3=1\nN60 DONE: M30',
+    runs="N1 N10 N15 N30 N40 N20 N60", calls="BLOCK:MAIN",
+)
+case(
+    "one of them may be a text, and the text a block number", **KNOWN,
+    program='N1 DEF STRING[20] TO1="n40"\nN15 CALL BLOCK ONE1 TO TO1\nN20 GOTOF DONE\nN30 ONE1: R1=R1+1\nN40 R2=R2+1\nN50 R3=1\nN60 DONE: M30',
+    runs="N1 N15 N30 N40 N20 N60",
+)
+case(
+    "of several labels that a text names the nearest before the call counts", **KNOWN,
+    program='N1 DEF STRING[20] FROM1="LAB"\nN10 LAB: R1=R1+1\nN20 LAB: R2=R2+1\nN25 R3=R3+1\nN30 CALL BLOCK FROM1 TO N25\nN40 LAB: R4=1\nN50 M30',
+    vars={1: 1, 2: 2, 3: 2, 4: 1},
+)
+case(
+    "a text that names no label is 14082", number="14082", **ALARM,
+    program='N1 DEF STRING[20] FROM1="NONE"\nN10 CALL BLOCK FROM1 TO LAST\nN30 LAST: M30', runs="N1", alarm="part-incomplete", at="MAIN N10", word="FROM1",
+)
+case(
+    "nor is the end one that stands before the beginning", number="14082", **ALARM,
+    program='N1 DEF STRING[20] TO1="ONE1"\nN10 GOTOF TWO2\nN20 ONE1: R1=1\nN30 TWO2: CALL BLOCK THREE TO TO1\nN40 THREE: M30', runs="N1 N10",
+    alarm="part-incomplete", at="MAIN N30", word="TO1",
+)
+OTHER = "\n%_N_PART_SPF\nN70 R4=9\nN75 ONE1: R1=R1+1\nN80 TWO2: R2=R2+1\nN85 R3=9\nN90 M17"
+case(
+    "CALL with a name and BLOCK runs a part of another program", **KNOWN,
+    program='%_N_MAIN_MPF\nN10 CALL "PART" BLOCK ONE1 TO TWO2\nN20 M30' + OTHER, runs="N10 N75 N80 N20", calls="BLOCK:PART", vars={1: 1, 2: 1, 3: None, 4: None},
+)
+case(
+    "its name and its labels may be texts", **KNOWN,
+    program='%_N_MAIN_MPF\nN5 DEF STRING[30] NAME="/_N_SPF_DIR/_N_PART_SPF", FIRST="ONE1", LAST="TWO2"\nN10 CALL NAME BLOCK FIRST TO LAST\nN20 M30' + OTHER,
+    runs="N5 N10 N75 N80 N20",
+)
+case(
+    "M17 in such a part returns", **KNOWN,
+    program='%_N_MAIN_MPF\nN10 CALL "PART" BLOCK TWO2 TO N90\nN20 M30' + OTHER, runs="N10 N80 N85 N90 N20",
+)
+case(
+    "a program that is not there is 14011", number="14011", control=ONE, source="828Dj p.198, the program is cancelled", evidence="secondary",
+    program='N10 CALL "NONE" BLOCK ONE1 TO TWO2\nN60 M30', runs="", alarm="named-program-not-found", at="MAIN N10", word='"NONE"',
+)
+case(
+    "nor is a label of another program one of this", number="14082", **ALARM,
+    program='%_N_MAIN_MPF\nN10 CALL "PART" BLOCK MINE TO TWO2\nN20 MINE: M30' + OTHER, runs="", alarm="part-incomplete", at="MAIN N10", word="MINE",
+)
+case(
+    "each such call takes a program level", number="14012", control=ONE, source="828D p.490, 16 program levels; CW-S, 14012", evidence="secondary",
+    program='%_N_MAIN_MPF\nN10 REC\nN20 M30\n%_N_REC_SPF\nN40 DEEPER: R1=R1+1\nN50 CALL "REC" BLOCK DEEPER TO LAST\nN60 LAST: R2=1\nN80 M17',
+    vars={1: 15, 2: None}, alarm="nesting-too-deep", at="REC N50",
+)
+case(
+    "nothing follows it", **KNOWN,
+    program='N10 CALL "PART" BLOCK ONE1 TO TWO2 X5\nN60 M30', runs="", alarm="statement-format", at="MAIN N10", word="X5",
+)
+case(
+    "CALL needs TO there too", **KNOWN,
+    program='N10 CALL "PART" BLOCK ONE1\nN60 M30', runs="", alarm="statement-format", at="MAIN N10",
 )

@@ -177,3 +177,29 @@ for words, end, cause in (("IF R1==0", "ENDIF", "if-too-deep"), ("LOOP", "ENDLOO
         program="".join("IF R1==0\n" for _ in range(16)) + f"N10 {words}\n{end}\n" + "".join("ENDIF\n" for _ in range(16)) + "N20 M30",
         alarm=cause, at="MAIN N10",
     )
+
+# ---- the word that an alarm points at ----
+
+for words, word, cause in (
+    ("N10 IF R1==1\nN20 M30", "IF", "if-without-end"),
+    ("N10 WHILE R1==1\nN20 M30", "WHILE", "missing-end"),
+    ("N10 ENDIF\nN20 M30", "ENDIF", "if-without-end"),
+    ("N10 ELSE\nN20 M30", "ELSE", "if-without-end"),
+    ("N10 ENDLOOP\nN20 M30", "ENDLOOP", "missing-do"),
+    ("N10 ENDWHILE\nN20 M30", "ENDWHILE", "missing-do"),
+    ("N10 ENDFOR\nN20 M30", "ENDFOR", "missing-do"),
+    ("N10 UNTIL R1==1\nN20 M30", "UNTIL", "missing-do"),
+):
+    case(
+        f"the alarm points at {word}, not at the head of its block", number="12640", **KNOWN,
+        program=words, runs="", alarm=cause, at="MAIN N10", word=word,
+    )
+case(
+    "and at an ELSE whose ENDIF is missing", number="12640", **SEARCHED,
+    program="N10 IF R1==0\nN20 R2=1\nN30 ELSE\nN40 M30", runs="N10 N20", alarm="if-without-end", at="MAIN N30", word="ELSE",
+)
+for first, word, cause in (("IF R1==0", "IF", "if-too-deep"), ("FOR R1=1 TO 2", "FOR", "loops-too-deep")):
+    case(
+        f"and at the seventeenth {word}", number="12641", **KNOWN,
+        program="".join("IF R1==0\n" for _ in range(16)) + f"N10 {first}\nN20 M30", alarm=cause, at="MAIN N10", word=word,
+    )

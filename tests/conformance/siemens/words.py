@@ -180,3 +180,23 @@ for text in ("DRFOF", "CYCLE832(0.01,1,1)", "NEWCONF", "CTABDEL(1)", "MMC(\"A\",
         f"{text} changes no path, and is reported", control="siemens-one", source="general knowledge of the SINUMERIK 840D",
         evidence="inferred", program=f"N10 {text}\nN20 G0 X1\nN30 M30", runs="N10 N20 N30", dropped=[text],
     )
+
+# ---- words of the language that no run computes are no names of programs ----
+
+for words, word in (
+    ("LIFTFAST", "LIFTFAST"), ("LFTXT", "LFTXT"), ("SETINT(3) PRIO=1 LIFT_Z", "SETINT"), ("ID=1 WHEN $AA_IM[X]>5 DO M8", "ID"),
+    ("WHENEVER R1>0 DO M8", "WHENEVER"), ("OSCTRL[X]=(1,0)", "OSCTRL"), ("MASLON(X)", "MASLON"), ("TANG(C,X,Y)", "TANG"),
+    ('EXECSTRING("X5")', "EXECSTRING"), ('CALLPATH("/_N_SPF_DIR")', "CALLPATH"), ("CTABLOCK(1)", "CTABLOCK"), ("PRIO=1", "PRIO"),
+):
+    case(
+        f"{words} is not computed, and no call of a program", control=ONE, source="policy, nobody says", evidence="inferred",
+        program=f"N10 {words}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
+    )
+case(
+    "a program may define a variable of such a name", control=ONE, source="NCI, defaults.mpf", evidence="secondary",
+    program="N10 DEF REAL LEAD=2\nN20 G0 X=LEAD\nN30 M30", runs="N10 N20 N30", moves_x=[2],
+)
+case(
+    "a word of the language is no value", number="12080", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
+    program="N10 IF GOTOF DONE\nN20 DONE: M30", runs="", alarm="expression-format", at="MAIN N10", word="GOTOF",
+)

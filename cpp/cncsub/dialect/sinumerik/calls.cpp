@@ -103,15 +103,6 @@ bool call_named_by(OpenBlock& open, Block& block, const Value& path, std::uint32
   return true;
 }
 
-/// Read CALL "/_N_SPF_DIR/_N_SUB_SPF".
-bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
-  Value path;
-  if (!open.expression.text(path)) return open.refuse(block);
-  link.kind = Link::Kind::None;
-  if (capitals(open.line.name()) != "BLOCK") return call_named_by(open, block, path, at);
-  return open.not_computed(block, "the call of a part of another program", at);
-}
-
 /// Write a block that executes a part of the program as a call.
 bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_t at,
           const Operand& count) {
@@ -136,8 +127,37 @@ bool part(OpenBlock& open, Block& block, Link& link, CallKind kind, std::uint32_
   return true;
 }
 
-/// Read CALL BLOCK FIRST TO LAST.
-bool call_block(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
+/// Return the text that names a block of a part, which may be computed.
+Operand text_of_target(OpenBlock& open, const JumpTarget& target) {
+  Operand text;
+  text.kind = target.computed ? Operand::Kind::Expression : Operand::Kind::Constant;
+  text.expression = target.text;
+  text.at = target.at;
+  text.width = target.width;
+  if (target.computed) return text;
+  const std::string named =
+      target.label.empty() ? "N" + std::to_string(target.number) : target.label;
+  text.value = static_cast<double>(open.to.names().constant_text(named));
+  return text;
+}
+
+/// Write the call of a part whose blocks are found when it is made: it is one of another program,
+/// or texts name its blocks.
+bool searched_part(OpenBlock& open, Block& block, const Link& link, CallRecord call,
+                   std::uint32_t at) {
+  if (!open.end_of_statement(block)) return false;
+  call.kind = CallKind::CallBlock;
+  call.at = at;
+  call.width = open.line.width_from(at);
+  CallExtras& part = call.extras.make();
+  part.first_text = text_of_target(open, link.target);
+  part.last_text = text_of_target(open, link.last);
+  open.to.become(block, Op::RepeatPart, std::move(call));
+  return true;
+}
+
+/// Read BLOCK FIRST TO LAST.
+bool part_of_program(OpenBlock& open, Block& block, Link& link) {
   open.line.pass(open.line.name().size());
   link.part_end = Link::PartEnd::Called;
   if (!jump_target(open, block, "CALL", link.target)) return false;
@@ -146,8 +166,53 @@ bool call_block(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
     return open.refuse(block, Cause::StatementFormat, "TO is missing: CALL BLOCK FIRST TO LAST",
                        to);
   open.line.pass(2);
-  return jump_target(open, block, "CALL", link.last) &&
-         part(open, block, link, CallKind::CallBlock, at, Operand());
+  return jump_target(open, block, "CALL", link.last);
+}
+
+/// Read CALL BLOCK FIRST TO LAST.
+bool call_block(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
+  if (!part_of_program(open, block, link)) return false;
+  if (!link.target.computed && !link.last.computed)
+    return part(open, block, link, CallKind::CallBlock, at, Operand());
+  CallRecord call;
+  call.target.program = static_cast<std::int32_t>(open.to.code().programs.size()) - 1;
+  call.extras.make().name = "BLOCK";  // the running program
+  return searched_part(open, block, link, std::move(call), at);
+}
+
+/// Read the text that names a program: a number is none, and CALL 5 calls nothing.
+bool program_text(OpenBlock& open, Block& block, Value& path) {
+  const std::uint32_t at = open.line.offset();
+  Type type = Type::Real;
+  if (!open.expression.value_of_any(path, type)) return open.refuse(block);
+  path.at = at;
+  path.width = open.line.width_from(at);
+  return type == Type::String ||
+         open.refuse(block, Cause::TypeMismatch, "a program is named by a text: CALL \"PART\"", at);
+}
+
+/// Read CALL "/_N_SPF_DIR/_N_SUB_SPF", or a part of that program: CALL "L10" BLOCK FIRST TO LAST.
+bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
+  Value path;
+  if (!program_text(open, block, path)) return false;
+  link.kind = Link::Kind::None;
+  if (capitals(open.line.name()) != "BLOCK") return call_named_by(open, block, path, at);
+  if (!part_of_program(open, block, link)) return false;
+  CallRecord call;
+  call.locals = CallRecord::Locals::Own;
+  CallExtras& named = call.extras.make();
+  named.name_at = path.at;
+  named.name_width = path.width;
+  if (path.computed) {
+    named.name_text = operand_of(path);
+  } else {
+    const std::string& written = open.to.code().texts.at(to_whole<std::size_t>(path.number));
+    named.name = open.to.code().spelling->bare_name(last_of_path(written, kPathSigns));
+    if (named.name.empty())
+      return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing",
+                         path.at);
+  }
+  return searched_part(open, block, link, std::move(call), at);
 }
 
 /// Read PCALL /_N_WKS_DIR/_N_SHAFT_WPD/SUB(1, R2).
@@ -166,7 +231,7 @@ bool call_by_path(OpenBlock& open, Block& block, std::uint32_t at) {
 bool external_call(OpenBlock& open, Block& block, std::uint32_t at) {
   const bool bracket = open.line.take('(');
   Value path;
-  if (!open.expression.text(path)) return open.refuse(block);
+  if (!program_text(open, block, path)) return false;
   if (bracket && !open.line.take(')'))
     return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
   return call_named_by(open, block, path, at);
@@ -245,7 +310,9 @@ bool other_call(OpenBlock& open, Block& block, Link& link, const std::string& wo
   if (word == "PCALL") return call_by_path(open, block, at);
   if (word == "EXTCALL") return external_call(open, block, at);
   if (word == "SETAL") return user_alarm(open, block, at);
-  return open.not_computed(block, "a program in ISO mode, which is one of another dialect",
+  return open.not_computed(block,
+                           "a program in ISO mode: run it by itself on a FANUC, with "
+                           "`-c fanuc-0i-f`",
                            at);  // ISOCALL
 }
 
@@ -263,6 +330,23 @@ bool text_here(OpenBlock& open, Block& block, std::string& text) {
   return open.not_computed(block, "a text that is computed here", at);
 }
 
+/// Read the text that names the block to return to.
+bool return_text(OpenBlock& open, Block& block, CallExtras& to) {
+  Value text;
+  Type type = Type::Real;
+  if (!open.expression.value_of_any(text, type)) return open.refuse(block);
+  text.at = to.name_at;
+  text.width = open.line.width_from(text.at);
+  if (type != Type::String)
+    return open.refuse(block, Cause::TypeMismatch,
+                       "a return goes to a block that a text names: RET(\"N10\")", text.at);
+  if (text.computed)
+    to.name_text = operand_of(text);
+  else
+    to.name = capitals(trimmed(open.to.code().texts.at(to_whole<std::size_t>(text.number))));
+  return true;
+}
+
 /// Read RET("N10", 1, 2): the block to return to, whether the one after it is meant, and how many
 /// levels. A fourth value counts in ISO mode alone. [general knowledge]
 bool return_by_values(OpenBlock& open, Block& block, std::uint32_t at) {
@@ -271,13 +355,8 @@ bool return_by_values(OpenBlock& open, Block& block, std::uint32_t at) {
   CallExtras& to = back.extras.make();
   to.by_values = true;
   to.name_at = open.line.offset();
-  if (open.line.peek() == '"') {
-    std::string text;
-    if (!text_here(open, block, text)) return false;
-    to.name = capitals(trimmed(text));
-  } else if (open.line.peek() != ',' && open.line.peek() != ')') {
-    return open.not_computed(block, "a block to return to that is no text", to.name_at);
-  }
+  if (open.line.peek() != ',' && open.line.peek() != ')' && !return_text(open, block, to))
+    return false;
   to.name_width = open.line.width_from(to.name_at);
   Operand fourth;
   for (Operand* const operand : {&to.after, &to.levels, &fourth})
@@ -302,6 +381,9 @@ bool repeat(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
     return true;
   }
   if (!jump_target(open, block, "REPEAT", link.target)) return false;
+  constexpr const char* kByText =
+      "the repetition of a part that a text names: CALL BLOCK takes texts, REPEAT the label itself";
+  if (link.target.computed) return open.not_computed(block, kByText, link.target.at);
   const auto has_count = [&open] {
     return open.line.peek() == 'P' &&
            (open.line.name().size() == 1 || is_digit(open.line.name()[1]));
@@ -309,6 +391,7 @@ bool repeat(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
   if (link.part_end == Link::PartEnd::Here && !open.line.at_end() && !has_count()) {
     link.part_end = Link::PartEnd::Label;
     if (!jump_target(open, block, "REPEAT", link.last)) return false;
+    if (link.last.computed) return open.not_computed(block, kByText, link.last.at);
   }
   Operand count;
   if (has_count() && !pass_count(open, block, count)) return false;

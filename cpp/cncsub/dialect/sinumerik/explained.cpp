@@ -97,6 +97,34 @@ void add_system_variables(Collection& to) {
             "[5,1]: the tool and its edge", "+array-element", kKnown});
 }
 
+/// Beginnings of the names of system variables that no run knows.
+struct Prefix {
+  std::string_view name, does;
+};
+constexpr Prefix kPrefixes[] = {{"$A_", "begins the names of data of the machine and its clock"},
+                                {"$AA_", "begins the names of data of an axis"},
+                                {"$AC_", "begins the names of data of the channel"},
+                                {"$AN_", "begins the names of data of the control"},
+                                {"$VA_", "begins the names of data of the drives"},
+                                {"$P_", "begins the names of what is programmed"},
+                                {"$C_", "begins the names of parameters of cycles"},
+                                {"$MN_", "begins the names of machine data of the control"},
+                                {"$MC_", "begins the names of machine data of the channel"},
+                                {"$MA_", "begins the names of machine data of an axis"},
+                                {"$SN_", "begins the names of setting data of the control"},
+                                {"$SC_", "begins the names of setting data of the channel"},
+                                {"$SA_", "begins the names of setting data of an axis"},
+                                {"$NP_", "begins the names of data of protection areas"},
+                                {"$NK_", "begins the names of data of the kinematics"},
+                                {"$NT_", "begins the names of data of transformations"}};
+
+void add_prefixes(Collection& to) {
+  for (const Prefix& of : kPrefixes)
+    to.add({std::string(of.name), "not-computed",
+            std::string(of.does) + ": a run stops at those that it does not know", "",
+            "+code-not-computed", kKnown});
+}
+
 /// Add the letters that no word of the language begins with.
 void add_other_letters(Collection& to) {
   static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -109,8 +137,8 @@ void add_other_letters(Collection& to) {
 
 bool is_keyword(std::string_view word) {
   const auto is_in = [word](const TreatedWords& of) { return is_among(of.words, word); };
-  return code_of_word(word) >= 0 || is_not_computed(word) || is_among(kReserved, word) ||
-         std::any_of(kLists.begin(), kLists.end(), is_in);
+  return code_of_word(word) >= 0 || is_among(kNotComputedWords, word) ||
+         is_among(kReserved, word) || std::any_of(kLists.begin(), kLists.end(), is_in);
 }
 
 }  // namespace sinumerik
@@ -124,10 +152,12 @@ std::vector<Keyword> sinumerik_keywords(const Control& control) {
     for (const std::string_view word : list.words)
       all.add({std::string(word), "passed-over", std::string(list.does), "", "", kKnown});
   add_system_variables(all);
-  for (const std::string_view word : kNotComputedWords)
-    all.add({std::string(word), "not-computed",
-             "is not computed here: a run stops there; " + what_it_needs(word), "",
-             "code-not-computed", kKnown});
+  add_prefixes(all);
+  for (const auto& words : {kNotComputedWords, kFurtherWords})
+    for (const std::string_view word : words)
+      all.add({std::string(word), "not-computed",
+               "is not computed here: a run stops there; " + what_it_needs(word), "",
+               "code-not-computed", kKnown});
   all.add({"ISOCALL", "not-computed", "calls a program in ISO mode: a run stops there", "",
            "code-not-computed", kKnown});
   add_other_letters(all);

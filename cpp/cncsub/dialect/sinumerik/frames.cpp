@@ -200,6 +200,17 @@ bool is_frame_variable(std::string_view name) {
   return name == "P_UIFRNUM" || variable_named(name) != nullptr;
 }
 
+std::string name_of_frame(VariableKind kind, std::int32_t index) {
+  if (kind == VariableKind::FrameNumber) return "$P_UIFRNUM";
+  for (const FrameVariable& of : kVariables) {
+    if (of.kind != kind) continue;
+    std::string name = "$" + std::string(of.name);
+    if (kind == VariableKind::StoredFrame) return name + "[" + std::to_string(index) + "]";
+    if (static_cast<std::int32_t>(of.which) == index) return name;
+  }
+  return "";
+}
+
 std::vector<std::string_view> frames_of_no_machine() {
   std::vector<std::string_view> names;
   for (const FrameVariable& of : kVariables)

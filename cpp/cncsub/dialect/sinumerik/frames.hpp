@@ -1,6 +1,7 @@
 // Frames as values, and the frames of the control.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,9 @@ bool write_frame_part(OpenExpression& open, const Instruction& frame, Value& val
 bool is_frame_variable(std::string_view name);
 /// Return the names of the frames that no machine here has, without their $.
 std::vector<std::string_view> frames_of_no_machine();
+/// Return the name of a frame of the control, $P_UIFR[1], by its place among those of a kind; empty
+/// where the kind is none of frames.
+std::string name_of_frame(VariableKind kind, std::int32_t index);
 Read read_control_frame(OpenExpression& open, std::string_view name, std::uint32_t at, int depth);
 /// Read the same and what is assigned to it.
 bool assign_control_frame(OpenExpression& open, std::string_view name, std::uint32_t at,

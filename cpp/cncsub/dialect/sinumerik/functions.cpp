@@ -207,6 +207,9 @@ Read read_function(OpenExpression& open, std::string_view name, int depth) {
   const bool known = of != std::end(kFunctions);
   if (!known && name != "SUBSTR" && name != "SPRINT" && name != "AXNAME") {
     if (is_not_computed(name)) return fails(open.not_computed(name, at));
+    if (name.size() > 1 && is_keyword(name))
+      return fails(open.wrong(Cause::ExpressionFormat,
+                              std::string(name) + " is a word of the language, and no value", at));
     return fails(open.wrong(
         Cause::CodeNotComputed,
         std::string(name) + " is not defined in this program, nor in a file of definitions", at));

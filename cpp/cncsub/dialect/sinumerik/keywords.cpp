@@ -41,18 +41,19 @@ constexpr Word kWords[] = {{"TRANS", 3},   {"ATRANS", 3}, {"ROT", 3},      {"ARO
 // followed, the orientation of a tool that no transformation turns, and what the screen shows. [NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNeutral[] = {
-    "BRISK",     "BRISKA",    "DRIVE",    "DRIVEA",    "SOFT",     "SOFTA",    "FFWOF",
-    "FFWON",     "SBLOF",     "SBLON",    "STOPRE",    "DISPLOF",  "DISPLON",  "WALIMON",
-    "WALIMOF",   "CFC",       "CFTCP",    "CFIN",      "CDON",     "CDOF",     "CDOF2",
-    "FNORM",     "FLIN",      "FCUB",     "COMPON",    "COMPOF",   "COMPCURV", "COMPCAD",
-    "CUT2D",     "NORM",      "FIFOCTRL", "STARTFIFO", "STOPFIFO", "TRAFOOF",  "TOROTOF",
-    "PAROTOF",   "RTLION",    "RTLIOF",   "DYNNORM",   "DYNPOS",   "DYNROUGH", "DYNSEMIFIN",
-    "DYNFINISH", "CPRECON",   "CPRECOF",  "UPATH",     "SPATH",    "ORIWKS",   "ORIMKS",
-    "ORIAXES",   "ORIVECT",   "ORIPLANE", "ORIEULER",  "ORIRPY",   "ORIRPY2",  "ORIVIRT1",
-    "ORIVIRT2",  "ORIC",      "ORID",     "OSOF",      "OSC",      "OSS",      "ORISON",
-    "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",   "FTOCOF",   "OSSE",     "OSD",
-    "OST",       "PTPG0",     "CP",       "LFON",      "LFOF",     "FENDNORM", "WAITENC",
-    "RELIEVEON", "RELIEVEOF", "SUPD"};
+    "BRISK",     "BRISKA",    "DRIVE",    "DRIVEA",     "SOFT",       "SOFTA",    "FFWOF",
+    "FFWON",     "SBLOF",     "SBLON",    "STOPRE",     "DISPLOF",    "DISPLON",  "WALIMON",
+    "WALIMOF",   "CFC",       "CFTCP",    "CFIN",       "CDON",       "CDOF",     "CDOF2",
+    "FNORM",     "FLIN",      "FCUB",     "COMPON",     "COMPOF",     "COMPCURV", "COMPCAD",
+    "CUT2D",     "NORM",      "FIFOCTRL", "STARTFIFO",  "STOPFIFO",   "TRAFOOF",  "TOROTOF",
+    "PAROTOF",   "RTLION",    "RTLIOF",   "DYNNORM",    "DYNPOS",     "DYNROUGH", "DYNSEMIFIN",
+    "DYNFINISH", "CPRECON",   "CPRECOF",  "UPATH",      "SPATH",      "ORIWKS",   "ORIMKS",
+    "ORIAXES",   "ORIVECT",   "ORIPLANE", "ORIEULER",   "ORIRPY",     "ORIRPY2",  "ORIVIRT1",
+    "ORIVIRT2",  "ORIC",      "ORID",     "OSOF",       "OSC",        "OSS",      "ORISON",
+    "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",    "FTOCOF",     "OSSE",     "OSD",
+    "OST",       "PTPG0",     "CP",       "LFON",       "LFOF",       "FENDNORM", "WAITENC",
+    "RELIEVEON", "RELIEVEOF", "SUPD",     "DELAYFSTON", "DELAYFSTOF", "IPTRLOCK", "IPTRUNLOCK",
+    "WALCS0"};
 
 // Words with a value, of an axis or a spindle in brackets too. [NCI grammar; general knowledge of
 // the SINUMERIK 840D]
@@ -78,7 +79,7 @@ constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",
                                            "TOFF", "TCARR", "CUTMOD", "DL"};
 
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
-// groups]
+// groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNotComputed[] = {
     "AROTS",      "ASPLINE",  "AXIS",        "BLOCK",    "BOOL",     "BSPLINE",  "CALL",
     "CALLPATH",   "CASE",     "CHAR",        "CROTS",    "CSPLINE",  "CUT3DC",   "DEFAULT",
@@ -99,6 +100,37 @@ constexpr std::string_view kNotComputed[] = {
     "REPOSQ",     "REPOSQA",  "INITIAL_INI", "CONTPRON", "CONTDCON", "EXECTAB",  "EXECUTE",
     "CORROF",     "POLFMASK", "POLFMLIN"};
 
+// The same, of words that some programs define as names of their own. [general knowledge of the
+// SINUMERIK 840D]
+constexpr std::string_view kFurther[] = {
+    "AXTOCHAN",  "CALCPOSI",   "COMPLETE",   "COUPDEL",  "COUPOFS",    "COUPONC",    "COUPRES",
+    "CPROTDEF",  "CTAB",       "CTABEXISTS", "CTABFNO",  "CTABFPOL",   "CTABFSEG",   "CTABID",
+    "CTABINV",   "CTABISLOCK", "CTABLOCK",   "CTABMEM",  "CTABMEMTYP", "CTABMPOL",   "CTABMSEG",
+    "CTABNO",    "CTABNOMEM",  "CTABPERIOD", "CTABPOL",  "CTABPOLID",  "CTABSEG",    "CTABSEGID",
+    "CTABSEV",   "CTABSSV",    "CTABTEP",    "CTABTEV",  "CTABTMAX",   "CTABTMIN",   "CTABTSP",
+    "CTABTSV",   "CTABUNLOCK", "CUT2DF",     "CUT3DCC",  "CUT3DCCD",   "CUT3DF",     "CUT3DFF",
+    "CUT3DFS",   "CUTCONOF",   "CUTCONON",   "DELDTG",   "DELMLOWNER", "DELTOOLENV", "DIAM90A",
+    "DIAMCHAN",  "DIAMCHANA",  "DIAMOFA",    "DIAMONA",  "DISCL",      "DZERO",      "EGDEL",
+    "EGONSYNE",  "FAD",        "FCTDEF",     "FOCOF",    "FOCON",      "FPO",        "FTOC",
+    "FTOCON",    "FXST",       "FXSW",       "GETTCOR",  "GETTENV",    "GETVARAP",   "GETVARDFT",
+    "GETVARLIM", "GETVARPHU",  "GETVARTYP",  "INICF",    "INTERSEC",   "INTTOAX",    "INVFRAME",
+    "LEAD",      "LENTOAX",    "LFPOS",      "LFTXT",    "LFWP",       "LIFTFAST",   "ALF",
+    "MASLDEF",   "MASLDEL",    "MASLOF",     "MASLOFS",  "MASLON",     "MEAC",       "MEASA",
+    "MEAWA",     "MESURE",     "MODAXVAL",   "MOV",      "NPROTDEF",   "OEMIPO1",    "OEMIPO2",
+    "OMA1",      "OMA2",       "OMA3",       "OMA4",     "OMA5",       "ORIAXPOS",   "ORICONCCW",
+    "ORICONCW",  "ORICONIO",   "ORICONTO",   "ORICURVE", "ORIPATH",    "ORIPATHS",   "ORIRESET",
+    "ORIROTA",   "ORIROTC",    "ORIROTR",    "ORIROTT",  "ORIS",       "OS",         "OSB",
+    "OSCILL",    "OSCTRL",     "OSNSC",      "OSP1",     "OSP2",       "PDELAYOF",   "PDELAYON",
+    "POLFA",     "POLYPATH",   "PON",        "PONS",     "POSRANGE",   "PRIO",       "PTP",
+    "PUNCHACC",  "PUTFTOC",    "PUTFTOCF",   "QECLROF",  "QECLRON",    "RMB",        "RME",
+    "RMI",       "RMN",        "SETDNO",     "SETMTH",   "SETTA",      "SETTCOR",    "SETTIA",
+    "SIRELAY",   "SON",        "SONS",       "SPIF1",    "SPIF2",      "SPLINEPATH", "SPN",
+    "SPOF",      "SPP",        "STA",        "SYNFCT",   "TANG",       "TANGDEL",    "TANGOF",
+    "TANGON",    "TCOABS",     "TCOFR",      "TCOFRX",   "TCOFRY",     "TCOFRZ",     "THETA",
+    "TILT",      "TLIFT",      "TOFFOF",     "TOFFON",   "TOFRAMEX",   "TOFRAMEY",   "TOFRAMEZ",
+    "TOROTX",    "TOROTY",     "TOROTZ",     "TOWBCS",   "TOWKCS",     "TOWMCS",     "TOWSTD",
+    "TOWTCS",    "TOWWCS",     "WAITC",      "WRTPR"};
+
 // E, P and Q are no addresses of the language: others have their places. [NCI grammar]
 constexpr Spelling::LongAddress kLong[] = {
     {"CR", 'R' - 'A'}, {"RPL", 'E' - 'A'}, {"AR", 'Q' - 'A'}, {"TURN", 'P' - 'A'},
@@ -110,18 +142,46 @@ constexpr Spelling::LongAddress kLong[] = {
 struct Need {
   std::string_view word, needs;
 };
-constexpr Need kNeeds[] = {{"TRAORI", "it needs the kinematics of the machine"},
-                           {"TRANSMIT", "it needs the data of the transformation"},
-                           {"TRACYL", "it needs the data of the transformation"},
-                           {"TOFRAME", "it needs the direction of the tool"},
-                           {"TOROT", "it needs the direction of the tool"},
-                           {"BSPLINE", "the path between the points of a spline is not computed"},
-                           {"ASPLINE", "the path between the points of a spline is not computed"},
-                           {"CSPLINE", "the path between the points of a spline is not computed"},
-                           {"POLY", "the path of a polynomial is not computed"},
-                           {"KONT", "how the tool goes around the first point is not computed"},
-                           {"KONTC", "how the tool goes around the first point is not computed"},
-                           {"KONTT", "how the tool goes around the first point is not computed"}};
+constexpr std::string_view kInterrupts =
+    "an interrupt runs when the PLC asks for it, and a run has none: leave the block out";
+constexpr std::string_view kSynchronous =
+    "a synchronized action runs beside the blocks, in the cycle of the drives: leave it out for a "
+    "run without it";
+constexpr std::string_view kOscillates = "an axis that oscillates moves beside the path";
+constexpr Need kNeeds[] = {
+    {"SETINT", kInterrupts},
+    {"PRIO", kInterrupts},
+    {"LIFTFAST", kInterrupts},
+    {"BLSYNC", kInterrupts},
+    {"ID", kSynchronous},
+    {"IDS", kSynchronous},
+    {"WHEN", kSynchronous},
+    {"WHENEVER", kSynchronous},
+    {"EVERY", kSynchronous},
+    {"FROM", kSynchronous},
+    {"DO", kSynchronous},
+    {"OS", kOscillates},
+    {"OSCILL", kOscillates},
+    {"OSP1", kOscillates},
+    {"OSP2", kOscillates},
+    {"EXECSTRING",
+     "the text is a block that is known only when it runs: write the block "
+     "itself, or choose among blocks by IF"},
+    {"CALLPATH", "all programs that are given are searched already: leave it out"},
+    {"INIT", "a run has one channel"},
+    {"START", "a run has one channel"},
+    {"TRAORI", "it needs the kinematics of the machine"},
+    {"TRANSMIT", "it needs the data of the transformation"},
+    {"TRACYL", "it needs the data of the transformation"},
+    {"TOFRAME", "it needs the direction of the tool"},
+    {"TOROT", "it needs the direction of the tool"},
+    {"BSPLINE", "the path between the points of a spline is not computed"},
+    {"ASPLINE", "the path between the points of a spline is not computed"},
+    {"CSPLINE", "the path between the points of a spline is not computed"},
+    {"POLY", "the path of a polynomial is not computed"},
+    {"KONT", "how the tool goes around the first point is not computed"},
+    {"KONTC", "how the tool goes around the first point is not computed"},
+    {"KONTT", "how the tool goes around the first point is not computed"}};
 
 }  // namespace
 
@@ -130,6 +190,7 @@ const std::span<const std::string_view> kReportedWords = kReported;
 const std::span<const std::string_view> kReportedCallWords = kReportedCalls;
 const std::span<const std::string_view> kOffAtZeroWords = kOffAtZero;
 const std::span<const std::string_view> kNotComputedWords = kNotComputed;
+const std::span<const std::string_view> kFurtherWords = kFurther;
 
 int group_of(int code) {
   static constexpr auto kGroups = [] {
@@ -156,7 +217,9 @@ bool is_off_at_zero(std::string_view word) { return is_among(kOffAtZero, word); 
 
 bool is_reported(std::string_view word) { return is_among(kReported, word); }
 
-bool is_not_computed(std::string_view word) { return is_among(kNotComputed, word); }
+bool is_not_computed(std::string_view word) {
+  return is_among(kNotComputed, word) || is_among(kFurther, word);
+}
 
 std::string what_it_needs(std::string_view word) {
   std::string text(word);

@@ -34,8 +34,9 @@ extern const std::span<const Spelling::LongAddress> kLongAddresses;
 /// calls, and those that only say that something is off.
 extern const std::span<const std::string_view> kNeutralWords, kReportedWords, kReportedCallWords,
     kOffAtZeroWords;
-/// The words that are not read here.
-extern const std::span<const std::string_view> kNotComputedWords;
+/// The words that are not read here. The further ones are no names that the language keeps for
+/// itself: a program may define a variable of such a name.
+extern const std::span<const std::string_view> kNotComputedWords, kFurtherWords;
 
 /// Return whether a word with a value, FA[X]=500 or LIMS=3000, only says how fast or how exactly
 /// the machine goes, or turns a spindle: it is reported.

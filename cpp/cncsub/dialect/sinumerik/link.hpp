@@ -49,9 +49,10 @@ struct Link {
     Label,  // REPEAT FIRST LAST
     Called  // CALL BLOCK FIRST TO LAST
   } part_end = PartEnd::Here;
-  bool conditional = false;  // of a jump: IF stands before it
-  JumpTarget target;         // of a jump; of a part: its first block
-  JumpTarget last;           // of a part
+  std::uint32_t at = 0, width = 1;  // the word of a control structure
+  bool conditional = false;         // of a jump: IF stands before it
+  JumpTarget target;                // of a jump; of a part: its first block
+  JumpTarget last;                  // of a part
   std::vector<AlternativeJump> alternatives;
 
   bool is_structure() const { return kind >= Kind::If; }

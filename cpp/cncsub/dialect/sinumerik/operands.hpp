@@ -40,6 +40,10 @@ bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth);
 bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32_t at,
                       VariablePlace& place, std::int32_t& number);
 
+/// Return the name of a system variable by its number among those of the control, $TC_DP3[5,1];
+/// empty where the number is that of an R parameter.
+std::string name_of_variable(const Control& control, std::int64_t number);
+
 /// Append the conversion of the last value to the type of a variable.
 bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_t at);
 /// Append the conversion of the last value, of any type, to a text.

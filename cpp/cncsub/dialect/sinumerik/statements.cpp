@@ -287,6 +287,8 @@ bool statement(OpenBlock& open, Block& block, Link& link, bool& read_it) {
   Statement statement;
   statement.at = at;
   statement.width = open.line.width_from(at);
+  link.at = statement.at;
+  link.width = statement.width;
   if (structure) {
     link.kind = known->kind;
     const bool until = known->kind == Link::Kind::Until;

@@ -19,9 +19,9 @@ void Structure::add(const std::string& label, const Link& link) {
   if (link.kind != Link::Kind::None) links_.push_back({address, link});
 }
 
-void Structure::refuse(Address address, Cause cause, const char* detail) {
-  Block& block = to_.block(address);
-  if (block.op != Op::Fault) to_.refuse(block, {cause, block.text, 0, detail});
+void Structure::refuse(const Word& word, Cause cause, const char* detail) {
+  Block& block = to_.block(word.block);
+  if (block.op != Op::Fault) to_.refuse(block, {cause, word.at, word.width, detail});
 }
 
 void Structure::match() {
@@ -62,25 +62,25 @@ void Structure::keep_structures() {
 void Structure::leave_open(const Open& open) {
   constexpr const char* kNoEndif = "no ENDIF follows";
   if (open.kind == Link::Kind::If) {
-    if (open.other != kNowhere) return refuse(open.other, Cause::IfWithoutEnd, kNoEndif);
-    return refuse_otherwise(open.address, Cause::IfWithoutEnd, kNoEndif);
+    if (open.other.block != kNowhere) return refuse(open.other, Cause::IfWithoutEnd, kNoEndif);
+    return refuse_otherwise(open.word, Cause::IfWithoutEnd, kNoEndif);
   }
   if (open.kind == Link::Kind::For) return;  // where it does not begin, its end is searched for
   if (open.kind == Link::Kind::While)
-    return refuse_otherwise(open.address, Cause::MissingEnd, "no ENDWHILE follows");
-  Block& block = to_.block(open.address);
+    return refuse_otherwise(open.word, Cause::MissingEnd, "no ENDWHILE follows");
+  Block& block = to_.block(open.word.block);
   if (block.op == Op::Fault) return;
   block.op = Op::Words;
   block.data = block.aux = 0;
 }
 
 /// Refuse a block where its condition does not hold.
-void Structure::refuse_otherwise(Address address, Cause cause, const char* detail) {
-  Block& block = to_.block(address);
+void Structure::refuse_otherwise(const Word& word, Cause cause, const char* detail) {
+  Block& block = to_.block(word.block);
   if (block.op == Op::Fault) return;
-  Statement condition = statement(address);
+  Statement condition = statement(word.block);
   Block instead = block;
-  to_.refuse(instead, {cause, block.text, 0, detail});
+  to_.refuse(instead, {cause, word.at, word.width, detail});
   condition.then = to_.keep(instead);
   condition.expression = to_.expressions().changed(condition.expression, Ins::Not);
   to_.become(block, Op::IfThen, condition);
@@ -96,7 +96,7 @@ void Structure::match(const Met& met) {
     case Repeat:
       return open(met);
     case Else:
-      return match_else(met.address);
+      return match_else(word_of(met));
     case EndIf:
       return close(met, If);
     case EndWhile:
@@ -119,12 +119,12 @@ void Structure::open(const Met& met) {
   const std::size_t around = open_.empty() ? 0 : open_.back().span;
   if (open_.size() >= kMostOpen) {
     const bool branch = met.link.kind == Link::Kind::If;
-    refuse(met.address, branch ? Cause::IfTooDeep : Cause::LoopsTooDeep,
+    refuse(word_of(met), branch ? Cause::IfTooDeep : Cause::LoopsTooDeep,
            "the control allows 16 control structures inside each other");
   }
   spans_.push_back({met.address, kNowhere, around});
   marks_.push_back({met.address + 1, spans_.size()});
-  open_.push_back({met.address, met.link.kind, kNowhere, spans_.size()});
+  open_.push_back({word_of(met), met.link.kind, {}, spans_.size()});
 }
 
 /// Return whether a jump leads into a structure that it does not stand in. The innermost structure
@@ -137,40 +137,42 @@ bool Structure::leads_inside(Address from, Address to) const {
   return span != 0 && !spans_[span - 1].holds(from);
 }
 
-void Structure::match_else(Address address) {
-  if (open_.empty() || open_.back().kind != Link::Kind::If || open_.back().other != kNowhere)
-    return refuse(address, Cause::IfWithoutEnd, "this ELSE has no IF");
-  open_.back().other = address;
+void Structure::match_else(const Word& word) {
+  if (open_.empty() || open_.back().kind != Link::Kind::If || open_.back().other.block != kNowhere)
+    return refuse(word, Cause::IfWithoutEnd, "this ELSE has no IF");
+  open_.back().other = word;
   // An ELSE that is refused alarms when its IF leads there.
-  const Address otherwise = runs(address, Op::Else) ? address + 1 : address;
-  if (runs(open_.back().address, Op::If)) statement(open_.back().address).to = otherwise;
+  const Address otherwise = runs(word.block, Op::Else) ? word.block + 1 : word.block;
+  const Address branch = open_.back().word.block;
+  if (runs(branch, Op::If)) statement(branch).to = otherwise;
 }
 
 void Structure::close(const Met& met, Link::Kind opener) {
   const Address end = met.address;
   const bool branch = opener == Link::Kind::If;
   if (open_.empty() || open_.back().kind != opener)
-    return refuse(end, branch ? Cause::IfWithoutEnd : Cause::MissingDo,
+    return refuse(word_of(met), branch ? Cause::IfWithoutEnd : Cause::MissingDo,
                   "this end has no beginning, or another structure is open in between");
   const Open open = open_.back();
   open_.pop_back();
   Span& span = spans_[open.span - 1];
   span.last = end;
   marks_.push_back({end + 1, span.around});
+  const Address begin = open.word.block, other = open.other.block;
   if (branch) {
-    if (open.other != kNowhere && runs(open.other, Op::Else)) statement(open.other).to = end;
-    if (open.other == kNowhere && runs(open.address, Op::If)) statement(open.address).to = end;
+    if (other != kNowhere && runs(other, Op::Else)) statement(other).to = end;
+    if (other == kNowhere && runs(begin, Op::If)) statement(begin).to = end;
     return;
   }
-  const bool counts = runs(open.address, Op::For);
-  if (counts || runs(open.address, Op::While) || runs(open.address, Op::Do)) {
-    statement(open.address).end = end;
-    statement(open.address).to = end + 1;
+  const bool counts = runs(begin, Op::For);
+  if (counts || runs(begin, Op::While) || runs(begin, Op::Do)) {
+    statement(begin).end = end;
+    statement(begin).to = end + 1;
   }
   if (runs(end, Op::EndDo) || runs(end, Op::EndFor) || runs(end, Op::IfGoto))
-    statement(end).to = open.address;
+    statement(end).to = begin;
   if (counts && runs(end, Op::EndFor))
-    statement(end).then = static_cast<std::uint32_t>(statement(open.address).number);
+    statement(end).then = static_cast<std::uint32_t>(statement(begin).number);
 }
 
 /// Return the blocks of a label, or of a block number, in their order.

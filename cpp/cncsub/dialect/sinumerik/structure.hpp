@@ -29,10 +29,16 @@ class Structure {
     Address address;
     Link link;
   };
+  /// The word of a control structure.
+  struct Word {
+    Address block = kNowhere;
+    std::uint32_t at = 0, width = 1;
+  };
+  static Word word_of(const Met& met) { return {met.address, met.link.at, met.link.width}; }
   struct Open {
-    Address address;
+    Word word;
     Link::Kind kind;
-    Address other = kNowhere;  // of an IF: its ELSE
+    Word other;  // of an IF: its ELSE
     std::size_t span = 0;
   };
 
@@ -53,7 +59,7 @@ class Structure {
   void match(const Met& met);
   void open(const Met& met);
   void close(const Met& met, Link::Kind opener);
-  void match_else(Address address);
+  void match_else(const Word& word);
   void resolve(const Met& met);
   void resolve(Address from, const AlternativeJump& one);
   void resolve_part(const Met& met);
@@ -65,9 +71,9 @@ class Structure {
   bool leads_inside(Address from, Address to) const;
   bool runs(Address address, Op op) { return to_.block(address).op == op; }
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
-  void refuse(Address address, Cause cause, const char* detail);
+  void refuse(const Word& word, Cause cause, const char* detail);
   void leave_open(const Open& open);
-  void refuse_otherwise(Address address, Cause cause, const char* detail);
+  void refuse_otherwise(const Word& word, Cause cause, const char* detail);
 
   Builder& to_;
   std::unordered_map<std::string, std::vector<Address>> labels_;

@@ -6,6 +6,7 @@
 #include "cncsub/control/edge_datum.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
+#include "cncsub/text/axis_names.hpp"
 
 namespace cncsub::sinumerik {
 
@@ -133,6 +134,28 @@ std::vector<std::string_view> known_system_variables() {
   std::vector<std::string_view> names{"PI"};
   for (const SystemVariable& of : kVariables) names.push_back(of.name);
   return names;
+}
+
+std::string name_of_variable(const Control& control, std::int64_t number) {
+  for (const VariableRange& range : control.variables) {
+    if (number < range.first || number > range.last) continue;
+    const auto index = static_cast<std::int32_t>(number - range.first);
+    if (range.kind == VariableKind::ToolName) return "$TC_TP2[" + std::to_string(index) + "]";
+    if (range.kind == VariableKind::EdgeDatum) {
+      const EdgeDatum of = EdgeDatum::of(index);
+      return "$TC_DP" + std::to_string(of.datum) + "[" + std::to_string(of.tool) + "," +
+             std::to_string(of.edge) + "]";
+    }
+    if (const std::string frame = name_of_frame(range.kind, index); !frame.empty()) return frame;
+    for (const SystemVariable& of : kVariables) {
+      if (of.kind != range.kind || of.address != range.address || of.by == By::Group) continue;
+      std::string name = "$" + std::string(of.name);
+      if (of.by == By::Axis) name += "[" + axis_letter(index + 1) + "]";
+      if (of.by == By::Number) name += "[" + std::to_string(index + 1) + "]";
+      return name;
+    }
+  }
+  return "";
 }
 
 namespace {

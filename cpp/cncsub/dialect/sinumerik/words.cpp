@@ -7,6 +7,7 @@
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
+#include "cncsub/dialect/sinumerik/operands.hpp"
 #include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
@@ -26,6 +27,11 @@ void pass_operand(Line& line) {
          capitals(line.name()) == "B_NOT")
     line.pass(line.name().empty() ? 1 : line.name().size());
   if (line.peek() == '"') return line.pass_quoted();
+  if (line.take('\'')) {  // 'HFF'
+    while (line.ahead(0) != '\'' && line.ahead(0) != '\0') line.pass(1);
+    if (line.ahead(0) == '\'') line.pass(1);
+    return;
+  }
   if (line.take('$')) line.peek();
   if (line.name().empty())
     line.take_number();
@@ -86,6 +92,17 @@ void pass_address(Line& line, char letter, WrittenWord& word) {
   pass_value(line, word);
 }
 
+/// Pass over $TC_DP3[5,1]=120, a system variable and what it is given.
+void pass_system_variable(Line& line, WrittenWord& word) {
+  line.pass(1);
+  line.pass(line.name().size());
+  if (line.ahead(0) == '[') line.pass_brackets('[', ']');
+  if (line.peek() != '=') return;
+  line.pass(1);
+  pass_value(line, word);
+  word.known = false;
+}
+
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 void pass_word(Line& line, WrittenWord& word) {
   const std::string_view name = line.name();
@@ -107,6 +124,8 @@ void pass_word(Line& line, WrittenWord& word) {
     word.known = word.known && !word.address.empty();
   } else if (!name.empty()) {
     pass_address(line, capital[0], word);
+  } else if (line.peek() == '$' && is_letter(line.ahead(1))) {
+    pass_system_variable(line, word);
   } else {
     const std::string_view first = first_character(line.rest());
     word.address = first;
@@ -146,6 +165,7 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,
                                   .variable = "R",
+                                  .variable_name = sinumerik::name_of_variable,
                                   .program_name = {"", ""},
                                   .long_addresses = sinumerik::kLongAddresses,
                                   .radius = "CR",

@@ -1,7 +1,6 @@
 #include "cncsub/machine/calls/returns.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -12,6 +11,7 @@
 #include "cncsub/machine/state/stop.hpp"
 #include "cncsub/machine/statements/statements.hpp"
 #include "cncsub/machine/values/expressions.hpp"
+#include "cncsub/machine/values/texts.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -91,41 +91,27 @@ void repeat(Run& run, std::int32_t repeats) {
   std::copy(again.begin(), again.end(), s.locals.data() + run.local_at(s.level, 0));
 }
 
-/// Return the block that a return names in a program: the nearest after the call, or else the
-/// first.
-Address named_block(const Run& run, const CallRecord& back, const Program& in, Address call) {
-  const Code& code = *run.code;
-  std::int32_t number = -1;
-  const std::string& name = back.name();
-  const bool numbered = name.size() > 1 && name[0] == 'N' && is_digit(name[1]);
-  if (numbered) {
-    std::from_chars(name.data() + 1, name.data() + name.size(), number);
-    const Address behind = code.next_of(in, number, call);
-    return behind != kNowhere && behind < in.last ? behind : code.first_of(in, number);
-  }
-  const auto label = code.label_places.find(name);
-  if (label == code.label_places.end()) return kNowhere;
-  const Address behind = code.head_behind(label->second, call);
-  if (behind < in.last) return behind;
-  const Address first = code.head_from(label->second, in.first);
-  return first < in.last ? first : kNowhere;
-}
-
 /// Execute a return that names a block, or goes back several levels.
 bool return_by_values(Run& run, const CallRecord& back) {
   const CallExtras& extras = back.extras.get();
   double after = 0, levels = 1;
   if (extras.after.present() && !value_of(run, extras.after, after)) return false;
   if (extras.levels.present() && !value_of(run, extras.levels, levels)) return false;
+  std::string name = back.name();
+  if (extras.name_text.present()) {
+    double text = 0;
+    if (!value_of(run, extras.name_text, text)) return false;
+    name = capitals(trimmed(text_of(run, text)));
+  }
   const std::vector<OpenFrame>& frames = run.state.frames;
   std::size_t to = frames.size() - 1;  // the frame that it leaves last
   double left = std::max(1.0, std::round(levels));
   while (to > 1 && (frames[to].part_end != kNowhere || --left > 0)) --to;
   const OpenFrame& last = frames[to];
   Address next = last.return_to;
-  if (!back.name().empty()) {
+  if (!name.empty()) {
     const Program& caller = run.code->programs[static_cast<std::size_t>(frames[to - 1].program)];
-    next = named_block(run, back, caller, last.called_at);
+    next = run.code->named_return_target(caller, name, last.called_at);
     if (next == kNowhere)
       return alarm(run, {Cause::ReturnTargetNotFound, extras.name_at, extras.name_width,
                          run.code->name_of(caller) + " has no such block"});

@@ -180,10 +180,10 @@ bool evaluate_keeping(Run& run, Expression e, const Places& places, double& valu
   const bool inside = trap.at >= first && trap.at <= first + e.width();
   std::string detail = trap.detail;
   if (trap.variable != Trap::kNoVariable) {
-    const std::string_view sign = run.code->spelling->variable;
+    const Spelling& spelling = *run.code->spelling;
     detail = trap.cause == Cause::IllegalVariable
-                 ? no_variable(control, sign, trap.variable)
-                 : std::string(sign) + std::to_string(trap.variable) + " cannot be read";
+                 ? no_variable(control, spelling.variable, trap.variable)
+                 : spelling.name_of_variable(control, trap.variable) + " cannot be read";
   }
   Fault fault{trap.cause, inside ? trap.at : first, inside ? 0 : e.width(), std::move(detail)};
   fault.block = of;
