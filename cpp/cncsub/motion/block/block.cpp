@@ -182,6 +182,29 @@ Result leave_axes(MotionContext& m, BlockWords& block) {
   return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
 }
 
+/// Drop the words of arcs and frames that no code of the block takes.
+void drop_unused_words(MotionContext& m, const BlockWords& block) {
+  const MotionRules& rules = m.facts.control->motion;
+  if (!rules.unused_words_told.value) return;
+  std::uint32_t turns = 0, angles = 0, frames = 0, taken = 0;
+  for (const char name : rules.added_turns.value) turns |= bit(name);
+  for (const char name : rules.arc_angle_words.value) angles |= bit(name);
+  for (const char name : rules.rotation_words.value) frames |= bit(name);
+  const Meaning once = block.meaning(Group::OneShot);
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  if (once == Meaning::FrameRotation) taken = frames;
+  if (once == Meaning::PositionAxes) taken = kCentreWords;
+  if (goes_with_motion(m.state, block) && block.submitted) {
+    if (motion == Meaning::Cw || motion == Meaning::Ccw)
+      taken = bit('R') | kCentreWords | turns | angles;
+    if (motion == Meaning::TangentArc) taken = turns;
+    if (motion == Meaning::ThreePoints || motion == Meaning::ThreePointsAbsolute ||
+        motion == Meaning::Thread)
+      taken = kCentreWords;
+  }
+  m.outcome.drop((bit('R') | kCentreWords | turns | angles | frames) & ~taken & block.words.mask);
+}
+
 /// Do what the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
@@ -242,6 +265,7 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;
   if (auto wrong = act(m, block)) return wrong;
+  drop_unused_words(m, block);
   return length ? move_by_length(m, block, before) : std::nullopt;
 }
 

@@ -124,6 +124,8 @@ bool is_of_tool(MotionView m, const BlockWords& block, char letter) {
 Result set_tool(MotionContext& m, BlockWords& block) {
   if (!block.words.has('T')) return std::nullopt;
   const int t = whole(std::round(block.words['T']));  // as the code that is sent
+  if (t < 0 && m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at('T', Cause::ValueOutOfRange, block, "the number of a tool is not below zero");
   if (!m.facts.lathe()) {
     m.state.t = t;
     return std::nullopt;

@@ -58,6 +58,9 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   if (chamfer >= 0 && round >= 0)
     return fault_at({.addresses = 1u << round}, Cause::CornerFormat, block);
   piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
+  if (piece.corner_size < 0 && m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at(m.facts.corner_name(piece), Cause::ValueOutOfRange, block,
+                    "a chamfer or a rounding is not below zero");
   if (m.state.frame.turned)
     piece.corner_size *= std::fabs(factor_in_plane(m.state.frame, plane_axes(piece.plane)));
   if (piece.corner_size != 0) piece.corner = chamfer == kCommaD ? 'L' : chamfer >= 0 ? 'C' : 'R';
