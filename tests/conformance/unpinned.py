@@ -87,9 +87,9 @@ _TABLE = _joined(
         "no source tells of such words, or of such a D",
     ),
     _all(
-        "unused_words_told",
+        "unused_words_told corner_idle_blocks",
         (*EVERY, "syntec-22ma"),
-        "what becomes of such words is told for the SINUMERIK alone",
+        "no source says what the control makes of such words and blocks",
     ),
     _all(
         "drops_centre_across",

@@ -49,6 +49,8 @@ void paths(Control& c) {
   c.motion.poles = {true, "840Df p.118: G110 to G112, RP, AP", Secondary};
   c.motion.chamfer_words = {",C ,D", "840De p.4-72: CHR, CHF", Secondary};
   c.motion.round_words = {",R", "840De p.4-72: RND", Secondary};
+  c.motion.corner_idle_blocks = {3, "CNCF, chamfers and roundings: no more than three blocks",
+                                 Secondary};
   c.motion.angle_words = {",A", "SONE p.220: ANG", Secondary};
   c.motion.angles_on_mills = {true, "SONE p.220: ANG", Secondary};
   c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};

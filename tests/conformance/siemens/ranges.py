@@ -177,3 +177,27 @@ case(
     "each program has definitions of its own", **DEFS,
     program="%_N_MAIN_MPF\nN10 DEF REAL WIDE=5\nN20 PART\nN30 M30\n%_N_PART_SPF\nN40 DEF REAL DEEP=3\nN50 R1=DEEP\nN60 M17", vars={1: 3},
 )
+
+# ---- blocks between the sides of a corner ----
+
+BETWEEN = {"control": ONE, "source": "CNCF, chamfers and roundings: no more than three blocks", "evidence": "secondary"}
+CUT = "F X4 Y0\nF X5 Y1\nF X5 Y5"
+for blocks in ("N20 M8", "N20 F50\nN21 M8", "N20 M8\nN21 S500\nN22 M3", "N20 R1=5", 'N20 MSG("A")\nN21 M8'):
+    case(
+        f"{blocks.split()[-1]} and others, three at most, may stand between the sides of a corner", pins="corner_idle_blocks" if blocks == "N20 M8" else "", **BETWEEN, setup=ZERO,
+        program=f"N10 G1 X5 CHR=1 F100\n{blocks}\nN30 Y5\nN40 M30", moves=CUT,
+    )
+for blocks, at, word in (
+    ("N20 M8\nN21 M9\nN22 M8\nN23 M9", "N23", "M9"), ("N20 M30", "N20", "M30"), ("N20 G4 F1", "N20", "G4"), ("N20 T1 M6", "N20", "T1"), ("N20 D0", "N20", "D0"), ("N20 G64", "N20", "G64"),
+):
+    case(
+        f"no {word} after {blocks.count(chr(10))} others", **POLICY, setup=ZERO,
+        program=f"N10 G1 X5 CHR=1 F100\n{blocks}\nN30 Y5\nN40 M30", alarm="corner-no-move", at=f"MAIN {at}", word=word,
+    )
+case(
+    "a move across the plane between them is not computed", **POLICY, setup=ZERO,
+    program="N10 G1 X5 RND=1 F100\nN20 Z5\nN30 Y5\nN40 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word="Z5",
+)
+case(
+    "straight on there is no corner", **KNOWN, setup=ZERO, program="N10 G1 X5 RND=1 F100\nN20 X9\nN30 Y5\nN40 M30", moves="F X5 Y0\nF X9 Y0\nF X9 Y5",
+)

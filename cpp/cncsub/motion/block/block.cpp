@@ -269,9 +269,22 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   return length ? move_by_length(m, block, before) : std::nullopt;
 }
 
+/// Count a block without a move between the two sides of a corner; refuse what may not stand there.
+Result stand_in_corner(MotionContext& m, const BlockWords& block) {
+  const NcWords& w = block.words;
+  const bool plain = w.codes->groups == 0 && (w.mask & (bit('T') | bit('D'))) == 0 && !w.ends &&
+                     !w.stops && !w.has(Role::ToolChange);
+  if (plain && ++m.state.lookahead.idle <= m.facts.control->motion.corner_idle_blocks.value)
+    return std::nullopt;
+  return fault(Cause::CornerNoMove, block);
+}
+
 /// Check what is left to check when a block has done what it does.
 Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool in_range) {
-  if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
+  if (corner_waited && !block.submitted) {
+    if (auto wrong = stand_in_corner(m, block)) return wrong;
+    return in_range ? std::nullopt : Result(out_of_range(block.words.at));
+  }
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||

@@ -60,7 +60,7 @@ void find_parts(FrameValue& frame) {
 }
 
 /// Bring angles into the range in which they are read: half a turn about X and Z, less than a
-/// quarter about Y, and none about X at that quarter. [general knowledge of the SINUMERIK 840D]
+/// quarter about Y, and none about X at that quarter. [840Dk p.2-44]
 std::array<double, 3> in_reading_range(std::array<double, 3> angles) {
   auto& [x, y, z] = angles;
   if (std::fabs(x) <= 180 && std::fabs(y) < 90 && std::fabs(z) <= 180) return angles;

@@ -96,6 +96,11 @@ Result end_corner(MoveSink& sink, const Piece& piece) {
     return fault_at({}, Cause::CornerNextMove, piece.at);
   CornerPieces corner;
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
+  const bool stands = piece.kind == MoveKind::Feed &&
+                      size(view.point(piece.end) - view.point(first.end)) < kStanding;
+  if (stands && sink.facts.control->motion.corner_idle_blocks.value > 0)
+    return fault_at({.addresses = kAxisWords}, Cause::CodeNotComputed, piece.at,
+                    "cncsub computes no corner between whose sides a move goes across the plane");
   const bool chamfer_side =
       by_length || sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, lookahead.corner_from, first, piece, chamfer_side, corner))
