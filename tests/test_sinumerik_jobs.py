@@ -241,10 +241,10 @@ JOBS = [
         """
         %_N_NEST_MPF
         EXTERN CORNER(REAL,REAL)
-        G17 G90 G54 F500 S100 M3
         DEF REAL SIZE[2,2]=SET(10,20,30,40)
         DEF STRING[20] NAME="PART"
         DEF BOOL FINE=TRUE
+        G17 G90 G54 F500 S100 M3
         G0 X0 Y0 Z2
         CORNER(SIZE[0,0],SIZE[0,1])
         CORNER(SIZE[1,0],SIZE[1,1]) P=2

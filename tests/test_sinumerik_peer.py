@@ -594,7 +594,7 @@ REFUSED = {
     "a feed that nobody gave": ("X1\nM30", "no-feed"),
     "a program without its end": ("G0 X1", "end-of-record"),
     "an arc without a centre": ("G2 X3 Z10 F100\nM30", "no-radius"),
-    "an axis that is in its block twice": ("G0 X1 X=3\nM30", "address-given-twice"),
+    "an axis that is in its block twice": ("G0 X1 X=3\nM30", "axis-given-twice"),
     "a DEF of an R parameter": ("DEF REAL R0=0\nM30", "illegal-variable-name"),
 }
 

@@ -70,12 +70,17 @@ def test_the_programs_go_over_the_whole_ground() -> None:
     levels = {b.level for of in programs for program in of.values() for b in program.blocks}
     assert levels == {None, 0, 1, 3, 9}
     types = {d.type for of in programs for program in of.values() for d in program.definitions}
-    assert types == {"INT", "REAL", "BOOL", "STRING"}
+    assert types == {"INT", "REAL", "BOOL", "STRING", "CHAR", "AXIS", "FRAME"}
+    given = {(a.to.text, type(a.value)) for a in blocks if isinstance(a, l.FrameAssign)}
+    assert {text for text, _ in given} >= {"$P_PFRAME", "$P_UIFR[1]", "$P_UIFR[2]", "$P_UIFR[5]"}
+    assert {kind for _, kind in given} == {l.FrameCall, l.FrameName, l.Chain}
 
 
 def _cut(value: float | int | bool | str, to: str) -> float | int | bool | str:
     if to == "STRING":
         return value or ""
+    if to == "AXIS":
+        return value
     return int(value) if to == "INT" else bool(value) if to == "BOOL" else float(value)
 
 
@@ -108,7 +113,7 @@ CHANGES = {
     "repeated part": _blocks(_with(l.Again, times=1)),
     "skipping": _blocks(lambda block: dataclasses.replace(block, level=None)),
 }
-RULES = ("rounding", "priority", "function", "plane", "pole", *CHANGES)
+RULES = ("rounding", "priority", "function", "plane", "pole", "chain", "part", *CHANGES)
 
 
 @pytest.mark.parametrize("rule", RULES, ids=lambda rule: f"another {rule}")
@@ -121,6 +126,14 @@ def test_another_rule_is_noticed(rule: str, monkeypatch: pytest.MonkeyPatch) -> 
         monkeypatch.setitem(sinumerik_evaluator.FUNCTIONS, "POT", lambda value: value * 2)
     elif rule == "plane":
         monkeypatch.setitem(sinumerik_paths.PLANES, "G18", ("X", "Z", "Y"))
+    elif rule == "chain":
+        chained = sinumerik_evaluator.chained
+        monkeypatch.setattr(sinumerik_evaluator, "chained", lambda a, b: chained(b, a))
+    elif rule == "part":
+        put = sinumerik_evaluator.with_part
+        monkeypatch.setattr(
+            sinumerik_evaluator, "with_part", lambda of, axis, name, value: put(of, axis, name, 0)
+        )
     elif rule == "pole":
         point = sinumerik_paths.Paths.point
         monkeypatch.setattr(

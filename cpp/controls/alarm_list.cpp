@@ -59,11 +59,18 @@ constexpr Refusals kRefusals = {
 
 }  // namespace
 
+namespace {
+
+/// Causes of values, which a list has a number for whatever else a control refuses by them.
+constexpr Refusals kOfValues{Cause::FeedOutOfRange, Cause::ValueOutOfRange};
+
+}  // namespace
+
 void refuse_listed(Control& control, const AlarmList& list, const Refusals& besides) {
   for (const ListedAlarm& row : list.rows) {
     if (row.row != Row::Listed && row.row != Row::Directed) continue;
     for (const Cause cause : row.causes)
-      if (kRefusals.has(cause) && !besides.has(cause))
+      if (kRefusals.has(cause) && !kOfValues.has(cause) && !besides.has(cause))
         has(control.common.refuses, {cause}, list.key + " " + bare(row.number), list.evidence);
   }
 }

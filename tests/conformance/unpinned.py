@@ -87,6 +87,11 @@ _TABLE = _joined(
         "no source tells of such words, or of such a D",
     ),
     _all(
+        "unused_words_told corner_idle_blocks",
+        (*EVERY, "syntec-22ma"),
+        "no source says what the control makes of such words and blocks",
+    ),
+    _all(
         "drops_centre_across",
         (*EVERY, "syntec-22ma"),
         "no source says that the control drops a word of the centre",

@@ -36,6 +36,7 @@ class Scope:
 
     cells: dict[str, Cell] = field(default_factory=dict)
     arrays: dict[str, tuple[tuple[int, ...], list[Cell]]] = field(default_factory=dict)
+    frames: dict[str, object] = field(default_factory=dict)
 
 
 def constant(text: str) -> float | int:
@@ -52,6 +53,8 @@ def converted(value: Value, to: str) -> Value:
     """Return a value as a variable of this type keeps it."""
     if to == "STRING":
         return value or ""  # without a value it is empty
+    if to == "AXIS":
+        return value
     if to == "REAL":
         return float(value)
     if to == "BOOL":

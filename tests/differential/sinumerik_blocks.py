@@ -49,6 +49,12 @@ class BlockWriter(MoveWriter):
             ways += [self.zero_point, self.machine_move]
         if self.has("planes"):
             ways.append(self.plane)
+        if self.known.numbers["FRAME"]:
+            ways += [self.frame_values] * 2
+        if self.known.numbers["AXIS"]:
+            ways.append(self.axis_assignment)
+        if self.has("frame values") and self.here.name == "MAIN" and self.has("zero points"):
+            ways.append(self.stored_frame)
         if self.modal and not self.plain and self.has("modal calls"):
             ways += [self.modal_call] * 3
         self.random.choice(ways)()
@@ -67,7 +73,7 @@ class BlockWriter(MoveWriter):
     def target(self) -> tuple[l.Target, str]:
         """Return what is assigned to, and its type."""
         r = self.random
-        kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "STRING", "array"))
+        kind = r.choice(("R", "R", "INT", "REAL", "BOOL", "STRING", "CHAR", "array"))
         names = self.known.numbers.get(kind, [])
         if self.plain:  # what the next call of MCALL finds in a parameter is open
             names = [name for name in names if not name.startswith("GIVEN")]
@@ -86,9 +92,16 @@ class BlockWriter(MoveWriter):
         value = self.truth() if kind == "BOOL" else self.value()
         if kind == "REAL" and self.has("booleans") and self.chance(0.1):
             value = self.truth()
-        if kind != "BOOL" and self.chance(0.5):
+        if kind != "BOOL" and (kind == "CHAR" or self.chance(0.5)):
             value = l.Binary("MOD", l.Function("ABS", (value,)), integer(97))
         self.put(l.Assign(((to, value),)))
+
+    def axis_assignment(self) -> None:
+        names = self.known.numbers["AXIS"]
+        value: l.Expression = l.AxisName(self.random.choice("XYZ"))
+        if self.chance(0.3):
+            value = l.Variable(self.random.choice(names))
+        self.put(l.Assign(((l.Variable(self.random.choice(names)), value),)))
 
     def call(self) -> None:
         if not self.callable:

@@ -22,9 +22,11 @@ from sinumerik_arithmetic import (
     constant,
     converted,
 )
+from sinumerik_frames import FrameValue, chained, made, part, with_part
 from sinumerik_paths import LARGEST, Paths
 
 MAX_BLOCKS = 3000
+SYSTEMS = {"$P_UIFR[1]": "G54", "$P_UIFR[2]": "G55", "$P_UIFR[5]": "G505"}
 SMALLEST = 1e-9  # a result below it is a rounding error, or nothing
 
 
@@ -34,6 +36,7 @@ class Evaluator(Paths):
 
     programs: dict[str, l.Program] = field(default_factory=dict)
     skipped: frozenset[int] = frozenset()  # the levels of blocks that are skipped
+    stored: dict[str, FrameValue] = field(default_factory=dict)  # of work systems, as written
     r: dict[int, float] = field(default_factory=dict)
     modal: tuple[l.Program, dict[str, Cell]] | None = None  # of MCALL
     hair: float = 0.0
@@ -64,6 +67,9 @@ class Evaluator(Paths):
             at = to
 
     def define(self, of: l.Definition, scope: Scope) -> None:
+        if of.type == "FRAME":
+            scope.frames[of.name] = FrameValue()
+            return
         if not of.size:
             value = self.value(of.initial, scope) if of.initial is not None else 0
             scope.cells[of.name] = Cell(of.type, converted(value, of.type))
@@ -90,6 +96,8 @@ class Evaluator(Paths):
             case l.Assign(targets):
                 for target, value in [(t, self.value(v, scope)) for t, v in targets]:
                     self.assign(target, value, scope)
+            case l.FrameAssign(to, value):
+                self.put_frame(to, self.frame_value(value, scope), scope)
             case l.Move() | l.MachineMove() | l.Polar() | l.Arc():
                 self.path(block.action, scope)
                 if self.modal:
@@ -258,6 +266,43 @@ class Evaluator(Paths):
             case l.Element():
                 cell = self.element(to, scope)
                 cell.value = converted(value, cell.type)
+            case l.Part(frame, axis, name):
+                place = self.axis(axis, scope)
+                old = self.frame_value(frame, scope)
+                self.put_frame(frame, with_part(old, place, name, float(value)), scope)
+
+    def frame_value(self, of: l.FrameValue, scope: Scope) -> FrameValue:
+        match of:
+            case l.FrameName("$P_PFRAME"):
+                return self.state.frame
+            case l.FrameName(text) if text.startswith("$P_UIFR"):
+                code = SYSTEMS[text]
+                return self.stored.get(code, FrameValue(shift=self.zeros[code]))
+            case l.FrameName(text):
+                frame = scope.frames[text]
+                assert isinstance(frame, FrameValue)
+                return frame
+            case l.FrameCall(name, words):
+                values = {
+                    self.axis(a, scope): 1.0 if v is None else self.length(v, scope)
+                    for a, v in words
+                }
+                return made(name, values)
+            case l.Chain(left, right):
+                return chained(self.frame_value(left, scope), self.frame_value(right, scope))
+
+    def put_frame(self, to: l.FrameName, frame: FrameValue, scope: Scope) -> None:
+        if to.text == "$P_PFRAME":
+            self.state = replace(self.state, frame=frame)
+        elif to.text.startswith("$P_UIFR"):
+            # It takes effect with the next code of its work system.
+            code, held = SYSTEMS[to.text], self.state.held
+            if held is None:
+                self.state = replace(self.state, held=self.zeros[self.state.zero])
+            self.stored[code] = frame
+            self.zeros[code] = frame.whole
+        else:
+            scope.frames[to.text] = frame
 
     def number(self, of: int | l.Expression, scope: Scope) -> int:
         return of if isinstance(of, int) else int(converted(self.value(of, scope), "INT"))
@@ -289,6 +334,12 @@ class Evaluator(Paths):
                 return self.r.get(self.number(number, scope), 0.0)
             case l.Element():
                 return self.element(of, scope).value
+            case l.AxisName(axis):
+                return axis
+            case l.Part(frame, axis, name):
+                return self.other(
+                    part(self.frame_value(frame, scope), self.axis(axis, scope), name)
+                )
             case l.Unary(op, value):
                 inner = self.value(value, scope)
                 if op == "NOT":

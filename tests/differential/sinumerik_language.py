@@ -89,8 +89,58 @@ class Function:
     values: tuple[Expression, ...]
 
 
-Target = Variable | Parameter | Element
-Expression = Number | Text | Truth | Variable | Parameter | Element | Unary | Binary | Function
+@dataclass(frozen=True)
+class AxisName:
+    """The name of an axis as a value."""
+
+    axis: str
+
+
+@dataclass(frozen=True)
+class FrameName:
+    """A frame: a variable of DEF, $P_PFRAME, or $P_UIFR[1]."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class FrameCall:
+    """CTRANS, CFINE, CROT, CSCALE or CMIRROR: axes, or variables of them, with their values."""
+
+    name: str
+    words: tuple[tuple[str, Expression | None], ...]
+
+
+@dataclass(frozen=True)
+class Chain:
+    left: FrameValue
+    right: FrameValue
+
+
+@dataclass(frozen=True)
+class Part:
+    """A part of a frame: TR, FI, RT, SC or MI of an axis, or of a variable of one."""
+
+    frame: FrameName
+    axis: str
+    part: str
+
+
+FrameValue = FrameName | FrameCall | Chain
+Target = Variable | Parameter | Element | Part
+Expression = (
+    Number
+    | Text
+    | Truth
+    | Variable
+    | Parameter
+    | Element
+    | Unary
+    | Binary
+    | Function
+    | AxisName
+    | Part
+)
 
 
 def written(of: Expression) -> str:
@@ -112,6 +162,11 @@ def written(of: Expression) -> str:
             return f"{name}[{','.join(map(written, indices))}]"
         case Function(name, values):
             return f"{name}({','.join(map(written, values))})"
+        case AxisName(axis):
+            return axis
+        case Part(frame, axis, part):
+            kept = frame.text.removesuffix("]")
+            return f"{kept}{',' if kept != frame.text else '['}{axis},{part}]"
         case Unary(op, value):
             bracket = isinstance(value, Unary | Binary)
             inner = f"({written(value)})" if bracket else written(value)
@@ -129,6 +184,17 @@ def _side(of: Expression, bracket: bool) -> str:
     return f"({written(of)})" if bracket else written(of)
 
 
+def frame_written(of: FrameValue) -> str:
+    match of:
+        case FrameName(text):
+            return text
+        case FrameCall(name, words):
+            values = (f"{a},{written(v)}" if v is not None else a for a, v in words)
+            return f"{name}({','.join(values)})"
+        case Chain(left, right):
+            return f"{frame_written(left)}:{frame_written(right)}"
+
+
 # ---- blocks ----
 
 
@@ -138,8 +204,14 @@ class Assign:
 
 
 @dataclass(frozen=True)
+class FrameAssign:
+    to: FrameName
+    value: FrameValue
+
+
+@dataclass(frozen=True)
 class Word:
-    """The word of an axis: `manner` is "", "IC" or "AC"."""
+    """The word of an axis, or AX[...] of a variable of one: `manner` is "", "IC" or "AC"."""
 
     axis: str
     value: Expression
@@ -288,7 +360,7 @@ class Back:
 
 Moving = Move | MachineMove | Polar | Arc
 Flow = Open | Else | Close | Jump | Case | Call | Again | Modal | Return | Back
-Action = Assign | Frame | Code | Pole | Passed | Moving | Flow
+Action = Assign | FrameAssign | Frame | Code | Pole | Passed | Moving | Flow
 
 
 @dataclass

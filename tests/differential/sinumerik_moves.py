@@ -37,6 +37,9 @@ class MoveWriter(ValueWriter):
                 manner = r.choice(("", "", "", "IC", "AC")) if self.has("increments") else ""
                 words.append(l.Word(axis, self.length(), manner))
         words = words or [l.Word("X", self.length())]
+        if self.known.numbers["AXIS"] and self.chance(0.2):
+            name = r.choice(self.known.numbers["AXIS"])
+            words = [l.Word(f"AX[{name}]", self.length(), r.choice(("", "IC", "AC")))]
         code = r.choice(("", "G0", "G1", "G90", "G91", "G90 G0"))
         self.put(l.Move(code, tuple(words)))
 
@@ -64,6 +67,69 @@ class MoveWriter(ValueWriter):
         if op.endswith("SCALE") and not op.startswith("A") and self.chance(0.2):
             words = []
         self.put(l.Frame(op, tuple(words)))
+        self.everywhere()
+
+    def frame_value(self, deep: int = 0) -> l.FrameValue:
+        """Return a frame: a function, a variable, or a chain. All factors of a scale are one."""
+        r = self.random
+        if deep < 2 and self.chance(0.35):
+            return l.Chain(self.frame_value(deep + 1), self.frame_value(2))
+        if self.chance(0.3):
+            return self.frame_name()
+        name = r.choice(("CTRANS", "CFINE", "CROT", "CSCALE", "CMIRROR"))
+        chosen = [self.axis()] if self.chance(0.3) else [a for a in "XYZ" if self.chance(0.6)]
+        words: list[tuple[str, l.Expression | None]]
+        if name == "CSCALE":
+            factor = real(r.choice((0.5, 2.0, 1.5)))
+            words = [(axis, factor) for axis in "XYZ"]
+        elif name == "CROT":
+            words = [(axis, self.angle(r.choice((30, 45, 12.5, 90, 100)))) for axis in chosen]
+        elif name == "CMIRROR":
+            words = [(axis, None) for axis in chosen]
+        else:
+            words = [(axis, self.length()) for axis in chosen]
+        return l.FrameCall(name, tuple(words))
+
+    def frame_values(self) -> None:
+        """Write assignments of frames and of their parts, and lay one over the program."""
+        r = self.random
+        for _ in range(r.randint(1, 3)):
+            to = self.frame_name()
+            if self.chance(0.5):
+                self.put(l.FrameAssign(to, self.frame_value()))
+            else:
+                self.part_assignment(to)
+            if to.text == "$P_PFRAME":
+                self.everywhere()
+        self.put(l.FrameAssign(l.FrameName("$P_PFRAME"), self.frame_value()))
+        self.everywhere()
+
+    def part_assignment(self, to: l.FrameName) -> None:
+        part = self.random.choice(("TR", "FI", "RT", "MI"))
+        value = self.length()
+        if part == "RT":
+            value = self.angle(self.random.choice((10, 30, 75.5)))
+        if part == "MI":
+            value = integer(self.random.randint(0, 1))
+        self.put(l.Assign(((l.Part(to, self.axis(), part), value),)))
+
+    def stored_frame(self) -> None:
+        """Write the frame of a work system, and its code, with which it takes effect."""
+        r = self.random
+        text, code = r.choice(
+            (("$P_UIFR[1]", "G54"), ("$P_UIFR[2]", "G55"), ("$P_UIFR[5]", "G505"))
+        )
+        name = l.FrameName(text)
+        if self.chance(0.5):
+            words = tuple((axis, self.length()) for axis in "XYZ" if self.chance(0.7))
+            self.put(l.FrameAssign(name, l.FrameCall(r.choice(("CTRANS", "CFINE")), words)))
+        else:
+            self.put(
+                l.Assign(((l.Part(name, self.axis(), r.choice(("TR", "FI"))), self.length()),))
+            )
+        self.put(l.Assign(((self.parameter(), l.Part(name, self.axis(), r.choice(("TR", "FI")))),)))
+        self.move()
+        self.put(l.Code(code))
         self.everywhere()
 
     def everywhere(self) -> None:

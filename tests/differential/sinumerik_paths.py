@@ -10,22 +10,12 @@ import math
 from dataclasses import dataclass, field, replace
 
 import sinumerik_language as l
-from sinumerik_arithmetic import (
-    IDENTITY,
-    Matrix,
-    Scope,
-    UnclearError,
-    Value,
-    diagonal,
-    product,
-    turned,
-)
+from sinumerik_arithmetic import Scope, UnclearError, Value
+from sinumerik_frames import AXES, UNCHANGED, FrameValue, Point, applied, chained, made
 
-AXES = "XYZ"
 LARGEST = 1e6
 # The two axes of each plane, in the order in which angles count, and the axis across it.
 PLANES = {"G17": ("X", "Y", "Z"), "G18": ("Z", "X", "Y"), "G19": ("Y", "Z", "X")}
-Point = tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -36,8 +26,8 @@ class State:
     absolute: bool = True
     plane: str = "G17"
     zero: str = "G54"
-    turn: Matrix = IDENTITY
-    shift: Point = (0.0, 0.0, 0.0)
+    held: Point | None = None  # the zero point in force, where its code has come
+    frame: FrameValue = UNCHANGED
 
 
 @dataclass
@@ -89,9 +79,14 @@ class Paths:
         """Return where words lead to in the frame."""
         to = list(self.local)
         for word in words:
-            place = AXES.index(word.axis)
+            place = self.axis(word.axis, scope)
             to[place] = self.coordinate(word, self.local[place], scope)
         return to
+
+    def axis(self, of: str, scope: Scope) -> int:
+        """Return the place of an axis by its name, by that of its variable, or by AX[...]."""
+        name = of.removeprefix("AX[").removesuffix("]")
+        return AXES.index(str(scope.cells[name].value) if name in scope.cells else name)
 
     def coordinate(self, word: l.Word, at: float, scope: Scope) -> float:
         add = word.manner == "IC" or (word.manner == "" and not self.state.absolute)
@@ -106,10 +101,11 @@ class Paths:
 
     def machine(self) -> Point:
         """Return the position in machine coordinates."""
-        turn, shift, zero = self.state.turn, self.state.shift, self.zeros[self.state.zero]
-        return tuple(  # type: ignore[return-value]
-            sum(turn[i][j] * self.local[j] for j in range(3)) + shift[i] + zero[i] for i in range(3)
-        )
+        frame, held = self.state.frame, self.state.held
+        zero = self.zeros[self.state.zero] if held is None else held
+        x, y, z = self.local
+        a, b, c = zip(applied(frame.turn, (x, y, z)), frame.whole, zero, strict=True)
+        return sum(a), sum(b), sum(c)
 
     def machine_move(self, of: l.MachineMove, scope: Scope) -> None:
         """Move to machine coordinates, with all axes: where the tool is in the frame is open."""
@@ -167,7 +163,7 @@ class Paths:
         """Move along an arc. A frame that mirrors the plane changes its direction."""
         one, other = self.ends()
         across = 3 - one - other
-        turn = self.state.turn
+        turn = self.state.frame.turn
         u, v = ([turn[i][j] for i in range(3)] for j in (one, other))
         if max(abs(u[across]), abs(v[across])) > 1e-9:
             raise UnclearError  # the plane is tilted
@@ -180,29 +176,14 @@ class Paths:
         if code in PLANES:
             self.state = replace(self.state, plane=code)
         else:
-            self.state = replace(self.state, zero=code)
+            self.state = replace(self.state, zero=code, held=self.zeros[code])
 
     def frame(self, of: l.Frame, scope: Scope) -> None:
         """Change the programmable frame: words beginning with A are added to it, others replace."""
         given = {a: self.length(v, scope) if v is not None else 0.0 for a, v in of.words}
-        old = self.state if of.op.startswith("A") else State()
-        turn, shift = old.turn, old.shift
-        by: Matrix = IDENTITY
-        match of.op.removeprefix("A"):
-            case "TRANS":
-                move = [given.get(axis, 0.0) for axis in AXES]
-                shift = tuple(  # type: ignore[assignment]
-                    shift[i] + sum(turn[i][j] * move[j] for j in range(3)) for i in range(3)
-                )
-            case "ROT":
-                # RPL turns about the axis across the plane. Angles of one block turn about Z, then
-                # about the new Y, then about the new X.
-                across = PLANES[self.state.plane][2]
-                turns = {across: given["RPL"]} if "RPL" in given else given
-                for axis in "ZYX":
-                    by = product(by, turned(axis, turns.get(axis, 0.0)))
-            case "SCALE":
-                by = diagonal([given.get(axis, 1.0) for axis in AXES])
-            case "MIRROR":
-                by = diagonal([-1.0 if axis in given else 1.0 for axis in AXES])
-        self.state = replace(self.state, turn=product(turn, by), shift=shift)
+        old = self.state.frame if of.op.startswith("A") else FrameValue()
+        if "RPL" in given:  # it turns about the axis across the plane
+            given = {PLANES[self.state.plane][2]: given["RPL"]}
+        values = {AXES.index(axis): value for axis, value in given.items()}
+        frame = chained(old, made(f"C{of.op.removeprefix('A')}", values))
+        self.state = replace(self.state, frame=frame)

@@ -20,6 +20,7 @@ from sinumerik_language import (
     Expression,
     Flow,
     Frame,
+    FrameAssign,
     Jump,
     MachineMove,
     Modal,
@@ -33,6 +34,7 @@ from sinumerik_language import (
     Program,
     Return,
     Word,
+    frame_written,
     written,
 )
 
@@ -41,6 +43,8 @@ def text_of(action: Action) -> str:
     match action:
         case Assign(targets):
             return " ".join(f"{written(to)}={written(value)}" for to, value in targets)
+        case FrameAssign(to, value):
+            return f"{to.text}={frame_written(value)}"
         case Passed(text) | Code(text):
             return text
         case Frame(op, words):

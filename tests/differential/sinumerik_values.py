@@ -13,6 +13,7 @@ FEATURES = (
     "defaults", "arrays", "bits", "new functions", "increments", "frames", "booleans", "computed R",
     "AND in comparisons", "texts", "save", "frames in SAVE", "var elements", "modal calls",
     "RET to a block", "polar", "arcs", "zero points", "planes", "skipped blocks", "constants",
+    "frame values", "axes", "characters",
 )  # fmt: skip
 OLD_FUNCTIONS = (
     "SIN",
@@ -45,7 +46,9 @@ class Known:
     """The names that a program may use, by type."""
 
     numbers: dict[str, list[str]] = field(
-        default_factory=lambda: {"INT": [], "REAL": [], "BOOL": [], "STRING": []}
+        default_factory=lambda: {
+            kind: [] for kind in ("INT", "REAL", "BOOL", "STRING", "CHAR", "AXIS", "FRAME")
+        }
     )
     fixed: list[str] = field(default_factory=list)  # counters of loops: they are read only
     arrays: dict[str, tuple[str, tuple[int, ...]]] = field(default_factory=dict)
@@ -76,12 +79,29 @@ class ValueWriter:
 
     def readable(self) -> l.Expression:
         r = self.random
-        names = [*self.known.numbers["INT"], *self.known.numbers["REAL"], *self.known.fixed]
+        numbers = self.known.numbers
+        names = [*numbers["INT"], *numbers["REAL"], *numbers["CHAR"], *self.known.fixed]
+        if numbers["FRAME"] and self.chance(0.15):
+            return self.part(r.choice(("TR", "FI", "RT", "SC", "MI")))
         if names and self.chance(0.5):
             return l.Variable(r.choice(names))
         if self.known.arrays and self.chance(0.3):
             return self.element()
         return self.parameter()
+
+    def axis(self) -> str:
+        """Return an axis, or a variable of one."""
+        names = self.known.numbers["AXIS"]
+        return (
+            self.random.choice(names) if names and self.chance(0.3) else self.random.choice("XYZ")
+        )
+
+    def frame_name(self) -> l.FrameName:
+        names = self.known.numbers["FRAME"]
+        return l.FrameName(self.random.choice((*names, *names, "$P_PFRAME")))
+
+    def part(self, name: str) -> l.Part:
+        return l.Part(self.frame_name(), self.axis(), name)
 
     def parameter(self) -> l.Parameter:
         number = self.random.choice(R_NUMBERS)

@@ -16,6 +16,8 @@ class Writer(BlockWriter):
         """Write the DEFs of a program."""
         r = self.random
         types = ["INT", "REAL"] + ["BOOL"] * self.has("booleans") + ["STRING"] * self.has("texts")
+        types += ["CHAR"] * self.has("characters") + ["AXIS"] * self.has("axes")
+        types += ["FRAME"] * (self.has("frame values") and self.has("frames"))
         for _ in range(r.randint(1, 4)):
             kind = r.choice(types)
             name = self.name(r.choice(("LEN", "_deep", "Wide", "HIGH")))
@@ -24,6 +26,12 @@ class Writer(BlockWriter):
                 initial = l.Truth(self.chance(0.5)) if kind == "BOOL" else self.number()
             if kind == "STRING":
                 initial = l.Text("first") if self.chance(0.7) else None
+            if kind == "CHAR" and initial is not None:
+                initial = integer(r.randint(0, 255))
+            if kind == "AXIS":
+                initial = l.AxisName(r.choice("XYZ"))
+            if kind == "FRAME":
+                initial = None
             self.here.definitions.append(l.Definition(kind, name, initial))
             self.known.numbers[kind].append(name)
         if self.has("arrays") and self.chance(0.6):

@@ -136,12 +136,11 @@ std::optional<Fault> Motion::set_frame_in_force(FrameInForce which, const FrameV
     plan.zero_is_held = true;
     plan.zero = frame.whole_shift();
     plan.frames.change().settable = frame;
-    plan.frames.change().settable.shift = {};
     combine_frames(plan);
   } else {
     if (frame.matrix != kUnitMatrix)
       return refused("cncsub computes a basic frame that only shifts");
-    plan.tables.change_zero(0) = frame.whole_shift();
+    write_frame(plan, 0, frame);
   }
   refresh_offset(plan);
   keep_increments(*facts_, plan, from);

@@ -49,6 +49,8 @@ void paths(Control& c) {
   c.motion.poles = {true, "840Df p.118: G110 to G112, RP, AP", Secondary};
   c.motion.chamfer_words = {",C ,D", "840De p.4-72: CHR, CHF", Secondary};
   c.motion.round_words = {",R", "840De p.4-72: RND", Secondary};
+  c.motion.corner_idle_blocks = {3, "CNCF, chamfers and roundings: no more than three blocks",
+                                 Secondary};
   c.motion.angle_words = {",A", "SONE p.220: ANG", Secondary};
   c.motion.angles_on_mills = {true, "SONE p.220: ANG", Secondary};
   c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};
@@ -84,6 +86,15 @@ void motion(Control& c) {
   c.motion.g_meanings.tell("973=spindle-speed-per-revolution", "SONE p.99: G973", Manual);
   frames_and_tools(c);
   paths(c);
+  c.motion.feed_mode_change = {FeedModeChange::DeletesFeed,
+                               "840Dv p.2-4: a change between G93, G94 and G95 deletes F",
+                               Secondary};
+  c.motion.speed_limit = {SpeedLimit::OwnWord, "SONE p.99: LIMS", Secondary};
+  c.motion.unused_words_told = {true, "policy, nobody says", Inferred};
+  has(c.common.refuses, {Cause::NoSurfaceSpeed, Cause::FeedOutOfRange},
+      "840Dv p.2-9: 10900 and 14800", Secondary);
+  has(c.common.refuses, {Cause::NoArcTravel}, "HSA 14040: an arc by its radius", Secondary);
+  has(c.common.refuses, {Cause::ValueOutOfRange}, kKnown, Inferred);
   c.motion.dwell_words = {"F", kKnown, Inferred};
   c.motion.dwell_turn_words = {"S", kKnown, Inferred};
   c.motion.computed_lengths = {ComputedLengths::Rounded,

@@ -36,7 +36,7 @@ case("IC needs a bracket", **GRAMMAR, program="N10 G0 X=IC 5\nN20 M30", runs="",
 case("and its end", **GRAMMAR, program="N10 G0 X=IC(5\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("and a value", **GRAMMAR, program="N10 G0 X=AC()\nN20 M30", runs="", alarm="expression-format", number="12080", at="MAIN N10")
 case(
-    "a word by IC and the same word", **KNOWN, program="N10 G0 X=IC(5) X1\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X1",
+    "a word by IC and the same word", **KNOWN, program="N10 G0 X=IC(5) X1\nN20 M30", runs="", alarm="axis-given-twice", number="16420", at="MAIN N10", word="X1",
 )
 case(
     "AX names an axis in brackets", **GRAMMAR, setup=ZERO, program="N10 G0 AX[X]=5 AX[Y]=IC(2)\nN20 M30", moves="R X5 Y2",
@@ -88,7 +88,7 @@ case(
     "so are the axes E and Q", **POLICY, setup=ZERO,
     program="N10 G1 X1 E=IC(2) Q=5 F100\nN20 M30", moves="F X1", dropped=["E=IC(2)", "Q=5"],
 )
-for text in ("FA[X]=500", "LIMS=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FRC=50", "FZ=0.1"):
+for text in ("FA[X]=500", "LIMS[2]=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FRC=50", "FZ=0.1"):
     case(
         f"{text} is reported and changes no path", **POLICY, setup=ZERO,
         program=f"N10 G0 X5 {text}\nN20 M30", moves="R X5", dropped=[text],
@@ -267,4 +267,4 @@ case("a bracket that stays open", **KNOWN, program="N10 WAITP(X\nN20 M30", runs=
 case("FA needs =", **KNOWN, program="N10 FA[X] 500\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("and closes its bracket", **KNOWN, program="N10 FA[X=500\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("RP needs =", **GRAMMAR, program="N10 G0 RP 10\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
-case("AP twice", **KNOWN, program="N10 G0 AP=10 AP=20\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="AP=20")
+case("AP twice", **KNOWN, program="N10 G0 AP=10 AP=20\nN20 M30", runs="", alarm="address-given-twice", number="12000", at="MAIN N10", word="AP=20")

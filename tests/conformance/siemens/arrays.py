@@ -88,7 +88,7 @@ case(
 )
 case(
     "a definition that runs again begins anew", **KNOWN,
-    program="N20 BACK: R9=R9+1\nN30 DEF REAL GRID[2]=SET(5)\nN40 R1=GRID[0] R2=GRID[1]\nN50 GRID[0]=7 GRID[1]=8\nN60 IF R9<2 GOTOB BACK\nN70 M30",
+    program="N20 BACK: DEF REAL GRID[2]=SET(5)\nN30 R9=R9+1\nN40 R1=GRID[0] R2=GRID[1]\nN50 GRID[0]=7 GRID[1]=8\nN60 IF R9<2 GOTOB BACK\nN70 M30",
     vars={1: 5, 2: 0},
 )
 for write, word in (("GRID[3]=1", "3"), ("GRID[-1]=1", "-"), ("R1=GRID[3]", "3"), ("R1=GRID[R2-1]", "R2")):
@@ -138,7 +138,7 @@ case(
 )
 case(
     "an array of a computed size is not computed", **POLICY,
-    program="N10 R1=3\nN20 DEF REAL GRID[R1]\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
+    program="N10 DEF INT MANY=3\nN20 DEF REAL GRID[R1]\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20",
 )
 case(
     "more than 100,000 elements are not computed", **POLICY,

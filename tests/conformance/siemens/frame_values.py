@@ -316,3 +316,41 @@ case(
     "%_N_PART_SPF\nN60 PROC PART(VAR FRAME FIELD)\nN70 FIELD[X,TR]=10\nN80 FIELD[Y,TR]=20\nN90 FIELD[X,TR]=FIELD[X,TR]+1\nN100 M17",
     final_machine="X111.125 Y40.25 Z-40.5",
 )
+
+# ---- the angles that are read ----
+
+for written, read in (
+    ("X,10,Y,90,Z,40", (0, 90, 30)), ("X,190,Y,0,Z,-200", (-170, 0, 160)), ("Z,30", (0, 0, 30)), ("Z,400", (0, 0, 40)), ("X,-20,Y,45,Z,0.1", (-20, 45, 0.1)),
+    ("Y,-90,X,5", (0, -90, 5)),
+):
+    case(
+        f"CROT({written}) is read in the range of the angles", control=ONE, source="840Dk p.2-44: what is read of CROT", evidence="secondary", setup=ZERO,
+        program=f"N10 $P_UIFR[1]=CROT({written})\nN20 R1=$P_UIFR[1,X,RT] R2=$P_UIFR[1,Y,RT] R3=$P_UIFR[1,Z,RT]\nN30 M30",
+        vars=dict(zip((1, 2, 3), read, strict=True)),
+    )
+case(
+    "the fine shift of the basic frame is read too", **KNOWN, setup=ZERO,
+    program="N10 $P_BFRAME=CTRANS(X,0.2):CFINE(X,0.1)\nN20 R1=$P_BFRAME[X,TR] R2=$P_BFRAME[X,FI]\nN30 G0 X1\nN40 M30", vars={1: 0.2, 2: 0.1}, final_machine="X101.425 Y20.25 Z-40.5",
+)
+case(
+    "AROT adds to the angle about its axis", **KNOWN, setup=ZERO,
+    program="N10 ROT Z20\nN20 AROT Z10\nN30 R1=$P_PFRAME[Z,RT]\nN40 M30", vars={1: 30},
+)
+
+# ---- CRPL ----
+
+PLANES = {"control": ONE, "source": "840Dk p.2-45: CRPL; 828Db p.728", "evidence": "secondary"}
+for plane, code, read in ((1, "G18", "Z"), (2, "G17", "Y"), (3, "G17", "X"), (0, "G17", "Z"), (0, "G18", "Y"), (0, "G19", "X")):
+    case(
+        f"CRPL({plane},30) after {code} turns about {read}", **PLANES, setup=ZERO,
+        program=f"N10 DEF FRAME FRAME1\nN20 {code}\nN30 FRAME1=CTRANS(X,10):CRPL({plane},30)\nN40 R1=FRAME1[{read},RT] R2=FRAME1[X,TR]\nN50 M30", vars={1: 30, 2: 10},
+    )
+case(
+    "CRPL turns the program", **PLANES, setup=ZERO,
+    program="N10 $P_PFRAME=CRPL(0,90)\nN20 G0 X5 Y1\nN30 M30", final_machine="X99.125 Y25.25 Z-40.5",
+)
+for text, cause, number in (
+    ("CRPL(4,30)", "value-out-of-range", None), ("CRPL(1)", "missing-comma", "12080"), ("CRPL(R1,30)", "code-not-computed", None), ("CRPL(1,30", "bracket-not-closed", "12080"),
+    ("CRPL(1,X)", "type-mismatch", "12150"),
+):
+    case(f"{text} is refused", **KNOWN, program=f"N10 $P_PFRAME={text}\nN20 M30", runs="", alarm=cause, number=number, at="MAIN N10")

@@ -46,7 +46,7 @@ case(
     "TRANS does not move", **KNOWN, program="N10 TRANS X5\nN20 M30", moves="none", runs="N10 N20",
 )
 case(
-    "two frames in a block", **GROUPS, program="N10 TRANS X5 ROT Z5\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="ROT",
+    "two frames in a block", **GROUPS, program="N10 TRANS X5 ROT Z5\nN20 M30", runs="", alarm="group-given-twice", number="12060", at="MAIN N10", word="ROT",
 )
 case(
     "a frame while a radius is compensated is not computed", **KNOWN, setup={"tools": {1: {"R": 5}}, **PLAIN},

@@ -212,3 +212,17 @@ case(
     "EXTCALL takes a text too", **KNOWN,
     program='N5 DEF STRING[40] NAME="PART.SPF"\nN10 EXTCALL(NAME)\nN20 M30\n%_N_PART_SPF\nN30 G0 X1\nN40 M17', runs="N5 N10 N30 N40 N20",
 )
+
+# ---- the lengths of a setup follow the plane ----
+
+for plane, machine in (("G17", "X0 Y0 Z12.5"), ("G18", "X0 Y12.5 Z0"), ("G19", "X12.5 Y0 Z0")):
+    case(
+        f"the Z of a tool of the setup is its first length: across {plane}", control="siemens-one", source="general knowledge of the SINUMERIK 840D: tools for milling", evidence="inferred",
+        setup={"tools": {1: {"Z": 12.5, "R": 1}}}, program=f"N10 T1 M6\nN20 {plane} G0 X0 Y0 Z0\nN30 M30", final_machine=machine,
+    )
+case(
+    "a wear that a program writes is added to it in every plane", control="siemens-one", source="general knowledge of the SINUMERIK 840D: tools for milling", evidence="inferred",
+    setup={"tools": {1: {"Z": 12.5}}},
+    program="N10 $TC_DP12[1,1]=0.25\nN20 T1 M6\nN30 G17 G0 X0 Y0 Z0\nN40 R1=$AA_IM[Z] R2=$TC_DP3[1,1]\nN50 G18 G0 X0 Y0 Z0\nN60 R3=$AA_IM[Y] R4=$TC_DP3[1,1]\nN70 M30",
+    vars={1: 12.75, 2: 12.5, 3: 12.75, 4: 12.5},
+)

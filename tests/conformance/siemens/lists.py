@@ -15,12 +15,13 @@ _SYSTEMS = "54 55 56 57 500"
 _PLANES = "17 18 19"
 _NOT_COMPUTED = """5 7 25 26 58 59 147 148 247 248 290 291 335 336 347 348 461 462 931 942
     952 962 972"""
+_SURFACE = {"96", "961"}
 _CHANGED = {5, 25, 26, 58, 59}  # differ from those of FANUC
 
 for number in (*f"{_NEUTRAL} {_SYSTEMS} {_PLANES} 34 35 94 95 96 97 961 971 973".split(), *range(505, 600)):
     case(
         f"G{number} of a SINUMERIK runs", pins="g_codes", **GROUPS,
-        program=f"N10 G{number}\nN20 M30", runs="N10 N20",
+        program=f"N10 G{number}{' S100' if number in _SURFACE else ''}\nN20 M30", runs="N10 N20",
     )
 for number in (*_NOT_COMPUTED.split(), *range(810, 830)):
     case(

@@ -67,7 +67,7 @@ case(
 )
 case(
     "VAR gives the caller's variable the value that the parameter has at the return", **KNOWN,
-    program=_call("PART(R1, WIDE)", "(VAR REAL FIRST, VAR REAL NEXT)", "N50 FIRST=FIRST+1 NEXT=7\n", "N5 R1=20\nN10 DEF REAL WIDE=3\n")
+    program=_call("PART(R1, WIDE)", "(VAR REAL FIRST, VAR REAL NEXT)", "N50 FIRST=FIRST+1 NEXT=7\n", "N5 DEF REAL WIDE=3\nN10 R1=20\n")
     .replace("N30 M30", "N25 R2=WIDE\nN30 M30"),
     vars={1: 21, 2: 7},
 )

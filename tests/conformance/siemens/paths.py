@@ -159,7 +159,7 @@ case(
 )
 for codes, word in (("G94 G96 S100", "G96"), ("G96 G97", "G97"), ("G961 G95", "G95")):
     case(
-        f"{codes} are of one group", **KNOWN, program=f"N10 {codes}\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word=word,
+        f"{codes} are of one group", **KNOWN, program=f"N10 {codes}\nN20 M30", runs="", alarm="group-given-twice", number="12060", at="MAIN N10", word=word,
     )
 
 # ---- POS ----
@@ -197,12 +197,12 @@ case(
 )
 for text, cause, number in (
     ("POS[X]=5 Y3", "code-not-computed", None), ("POS[A]=5", "code-not-computed", None), ("POS[X1]=5", "code-not-computed", None),
-    ("POS[X]=5 POS[X]=6", "address-given-twice", None), ("POS[X] 5", "missing-equals", "12080"), ("POS=5", "bracket-not-opened", "12080"),
+    ("POS[X]=5 POS[X]=6", "axis-given-twice", "16420"), ("POS[X]=5 X3", "axis-given-twice", "16420"), ("POS[X] 5", "missing-equals", "12080"), ("POS=5", "bracket-not-opened", "12080"),
     ("POS[X]=5 G2 I3", "code-not-computed", None),
 ):
     case(f"{text} is refused", **KNOWN, program=f"N10 {text}\nN20 M30", runs="", alarm=cause, number=number, at="MAIN N10")
 case(
-    "a feed below 0 is refused", **KNOWN, program="N10 POS[X]=5 FA[X]=-5\nN20 M30", runs="", alarm="feed-out-of-range", at="MAIN N10", word="POS[X]=5",
+    "a feed below 0 is refused", **KNOWN, program="N10 POS[X]=5 FA[X]=-5\nN20 M30", runs="", alarm="axis-feed-negative", number="14810", at="MAIN N10", word="FA[X]=-5",
 )
 for before, runs in (("N20 ROT Z30", "N10 N20"), ("N20 G41 G1 X10 Y10 F100", "N10 N20")):
     case(

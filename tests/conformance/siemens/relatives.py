@@ -30,3 +30,13 @@ case(
     "arcs go both ways", control=BOTH, source="general knowledge of the SINUMERIK 840D", evidence="inferred",
     program="N10 G0 X0 Y0\nN20 G2 X10 CR=5 F100\nN30 G3 X0 CR=5\nN40 M30", moves="R X0 Y0\nCW X10 Y0 C X5 Y0\nCCW X0 Y0 C X5 Y0",
 )
+for claim, program, runs, alarm, number, word, source in (
+    ("F0 is no feed of theirs", "N10 G0 X1\nN20 G1 X5 F0\nN30 M30", "N10", "feed-out-of-range", "14800", "F0", "840Dv p.2-9: 14800"),
+    ("their first G96 needs S", "N10 G0 X1\nN20 G96\nN30 M30", "N10", "no-surface-speed", "10900", "G96", "840Dv p.2-9: 10900"),
+    ("an arc by its radius ends elsewhere on them", "N10 G0 X1\nN20 G2 X1 CR=5 F100\nN30 M30", "N10", "no-arc-travel", "14040", "CR=5", "HSA 14040"),
+    ("a rounding of theirs is not below zero", "N10 G1 X5 F100 RND=-1\nN20 Y5\nN30 M30", "", "value-out-of-range", None, "RND=-1", "general knowledge of the SINUMERIK 840D"),
+):
+    case(
+        claim, control=BOTH, source=source, evidence="inferred" if number is None else "secondary",
+        program=program, runs=runs, alarm=alarm, number=number, at="MAIN N10" if runs == "" else "MAIN N20", word=word,
+    )

@@ -32,7 +32,7 @@ case(
 )
 case(
     "a CR that is too small for its chord alarms", pins="small_radius", **KNOWN,
-    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=4.999 F100\nN30 M30", runs="N10", alarm="radius-too-small", at="MAIN N20", word="CR=4.999",
+    program="N10 G0 X0 Y0\nN20 G2 X10 Y0 CR=4.999 F100\nN30 M30", runs="N10", alarm="radius-too-small", number="14095", at="MAIN N20", word="CR=4.999",
 )
 case(
     "an arc without centre and radius alarms", pins="no_radius", **KNOWN,
@@ -53,7 +53,7 @@ case(
 case(
     "G63 taps in a line at the feed, and the code of motion stays in force", pins="g_meanings:63=tapping", **KNOWN,
     setup={"work_offsets": {"G54": {"X": 1.125, "Z": -40.25}}},
-    program="N10 G54 G0 X1 Z5\nN20 G63 Z-10 F200 S100\nN30 G63 Z5 S-100\nN40 X7\nN50 M30",
+    program="N10 G54 G0 X1 Z5\nN20 G63 Z-10 F200 S100\nN30 G63 Z5 M4\nN40 X7\nN50 M30",
     moves="R X1 Z5\nF Z-10\nF Z5\nR X7",
 )
 case(
@@ -118,7 +118,7 @@ case(
     "the name of a tool is reported: which number the machine gives it is not known", **POLICY,
     program='N10 T="MILL_10" M6\nN20 T="A;B" D1 ; second\nN30 M30', runs="N10 N20 N30", dropped=['T="MILL_10"', 'T="A;B"'], m=[6, 30],
 )
-case("an address twice", **KNOWN, program="N10 G0 X1 X2\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="X2")
+case("an axis twice", control=ONE, source="S840S, an axis twice", evidence="secondary", program="N10 G0 X1 X2\nN20 M30", runs="", alarm="axis-given-twice", number="16420", at="MAIN N10", word="X2")
 case("E is no address", **KNOWN, program="N10 E5\nN20 M30", runs="", alarm="address-not-usable", at="MAIN N10", word="E5")
 case("CR needs =", **KNOWN, program="N10 G2 X1 CR 5\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("a character that begins no word", **KNOWN, program="N10 G0 #1\nN20 M30", runs="", alarm="illegal-character", at="MAIN N10", word="#1")
@@ -157,13 +157,13 @@ for codes, word in (
 ):
     case(
         f"two codes of one group do not stand in a block: {codes}", **GROUPS,
-        program=f"N10 {codes}\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word=word,
+        program=f"N10 {codes}\nN20 M30", runs="", alarm="group-given-twice", number="12060", at="MAIN N10", word=word,
     )
 case(
     "codes of several groups do", **GROUPS,
     program="N10 G0 G17 G90 G54 G94 G60 G601 G71 G40 X5\nN20 M30", moves="R X5",
 )
-case("CR twice", **KNOWN, program="N10 G2 X1 CR=5 CR=6\nN20 M30", runs="", alarm="address-given-twice", at="MAIN N10", word="CR=6")
+case("CR twice", **KNOWN, program="N10 G2 X1 CR=5 CR=6\nN20 M30", runs="", alarm="address-given-twice", number="12000", at="MAIN N10", word="CR=6")
 case(
     "a computed length is brought to a thousandth of a millimetre",
     pins="computed_lengths", control=ONE, source="840Di p.281: MD 10200", evidence="secondary",

@@ -53,10 +53,20 @@ bool form(OpenBlock& open, Block& block, std::uint32_t at, int place, WordForms&
   return true;
 }
 
+/// Return the cause of an address that stands in a block for the second time: axes and centres,
+/// functions that go to the machine, and others have their own.
+static Cause cause_of_second(int place) {
+  const std::uint32_t address = 1u << place;
+  constexpr std::uint32_t kOfMachine = bit('F') | bit('S') | bit('T') | bit('D');
+  if ((address & kOfMachine) != 0) return Cause::TooManyWords;
+  const bool axis = (address & (kAxisWords | kCentreWords) & ~kPolarWords) != 0;
+  return axis ? Cause::AxisGivenTwice : Cause::AddressGivenTwice;
+}
+
 /// Give an address its value, which stands once in a block.
 bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& value) {
   if ((words.list.mask >> place & 1) != 0)
-    return open.refuse(block, Cause::AddressGivenTwice, "the address is in the block twice",
+    return open.refuse(block, cause_of_second(place), "the address is in the block twice",
                        value.at);
   words.list.set(place, {value.computed, value.expression, value.number}, false);
   words.any = true;
@@ -65,7 +75,7 @@ bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& va
 
 bool add_code(OpenBlock& open, Block& block, Words& words, int group, int code, std::uint32_t at) {
   if (!words.take_group(group))
-    return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
+    return open.refuse(block, Cause::GroupGivenTwice, "a second code of its G group", at);
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
     return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
                        at);
@@ -214,6 +224,7 @@ bool put_indexed(OpenBlock& open, Block& block, Words& words) {
 
 /// Read a word with a value that no path depends on: FA[X]=500, LIMS=3000, SPOS=DC(90).
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at) {
+  const std::string word = capitals(name);
   open.line.pass(name.size());
   std::string_view index;
   if (open.line.peek() == '[') {
@@ -221,13 +232,22 @@ bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, 
     if (!open.line.pass_brackets('[', ']'))
       return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
     index = trimmed(index.substr(1, index.size() - open.line.rest().size() - 2));
+    if (index.empty())
+      return open.refuse(block, Cause::ExpressionFormat, "nothing stands in the brackets", at);
+  } else if (word == "FA") {
+    return open.refuse(block, Cause::BracketNotOpened, "[ is missing: FA[X]=500", at);
   }
   if (!open.line.take('='))
-    return open.refuse(block, Cause::MissingEquals, capitals(name) + " without =", at);
+    return open.refuse(block, Cause::MissingEquals, word + " without =", at);
   WordForms none;
   Value value;
   if (!form(open, block, at, 0, none, value)) return false;
-  if (capitals(name) != "FA" || index.size() != 1) return reported(open, words, at);
+  value.at = at;
+  value.width = open.line.width_from(at);
+  if (word == "LIMS" && index == "1") return put(open, block, words, place_of(word), value);
+  if (word == "FA" && !value.computed && value.number < 0)
+    return open.refuse(block, Cause::AxisFeedNegative, {}, at);
+  if (word != "FA" || index.size() != 1) return reported(open, words, at);
   words.axis_feeds.push_back({upper(index[0]),
                               {value.computed, value.expression, value.number},
                               {0, at, open.line.width_from(at)}});
@@ -242,16 +262,20 @@ bool position(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
   const std::string axis = capitals(open.line.name());
   open.line.pass(axis.size());
   const bool known = axis.size() == 1 && axis[0] >= 'X' && axis[0] <= 'Z';
-  if (!open.line.take(']') || !known)
-    return open.not_computed(block, "POS of another axis than X, Y or Z", at);
+  const bool closed = open.line.take(']');
+  if (axis.empty() && closed)
+    return open.refuse(block, Cause::ExpressionFormat, "nothing stands in the brackets", at);
+  if (!closed && open.line.at_end())
+    return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
+  if (!closed || !known) return open.not_computed(block, "POS of another axis than X, Y or Z", at);
   if (!open.line.take('='))
     return open.refuse(block, Cause::MissingEquals, "POS[" + axis + "] without =", at);
   Value value;
   if (!form(open, block, at, axis[0] - 'A', words.list.forms, value)) return false;
-  for (const auto& [letter, given] : words.positions)
-    if (letter == axis[0])
-      return open.refuse(block, Cause::AddressGivenTwice, "the axis is in the block twice", at);
-  words.positions.push_back({axis[0], {value.computed, value.expression, value.number}});
+  for (const Position& of : words.positions)
+    if (of.letter == axis[0])
+      return open.refuse(block, Cause::AxisGivenTwice, "the axis is in the block twice", at);
+  words.positions.push_back({axis[0], {value.computed, value.expression, value.number}, at});
   words.any = true;
   return true;
 }
@@ -262,11 +286,14 @@ bool move_beside_path(OpenBlock& open, Block& block, Words& words) {
     if (!moves || feed.letter < 'X' || feed.letter > 'Z') words.drops.push_back(feed.written);
   }
   if (!moves) return true;
-  const std::uint32_t at = open.line.offset();
+  const std::uint32_t at = words.positions.front().at;
+  for (const Position& of : words.positions)
+    if ((words.list.mask & bit(of.letter)) != 0)
+      return open.refuse(block, Cause::AxisGivenTwice, "the axis is in the block twice", of.at);
   constexpr std::uint32_t kPath = kAxisWords | kCentreWords | kPolarWords;
   if ((words.list.mask & kPath) != 0 || words.call || words.modal)
     return open.not_computed(block, "axes beside the path in a block that moves along it", at);
-  for (const auto& [letter, value] : words.positions) words.list.set(letter - 'A', value, false);
+  for (const Position& of : words.positions) words.list.set(of.letter - 'A', of.value, false);
   for (const AxisFeed& feed : words.axis_feeds)
     if (feed.letter >= 'X' && feed.letter <= 'Z')
       words.list.set('I' + (feed.letter - 'X') - 'A', feed.value, false);

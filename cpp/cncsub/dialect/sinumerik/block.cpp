@@ -16,6 +16,7 @@ namespace cncsub::sinumerik {
 namespace {
 
 constexpr int kMostM = 5;                  // of a block [NCI groups; general knowledge]
+constexpr double kLargestM = 2147483647;   // the largest INT [general knowledge]
 constexpr std::size_t kLongestLabel = 32;  // [NCI labels: manual 4.1.5.2]
 constexpr std::string_view kAddresses = "ABCDFIJKSTUVWXYZ";
 constexpr std::string_view kDropped = "H";  // reported, and without effect here
@@ -122,6 +123,29 @@ bool address(OpenBlock& open, Block& block, Words& words) {
   return word(open, block, words, letter, at);
 }
 
+/// Read the number of an address; where it is missing, the address is what is wrong.
+bool number_of(OpenBlock& open, Block& block, std::uint32_t at, Value& value) {
+  if (open.expression.number(value)) return true;
+  if (auto& fault = open.expression.fault;
+      fault.has_value() && fault->cause == Cause::AddressWithoutValue) {
+    fault->at = at;
+    fault->width = open.line.width_from(at);
+  }
+  return open.refuse(block);
+}
+
+/// Refuse a written number of a tool, an edge or an M code that is not whole, and
+/// that of an M code that is none.
+bool is_countable(OpenBlock& open, Block& block, char letter, const Value& value) {
+  constexpr std::uint32_t kCounted = bit('T') | bit('D') | bit('M');
+  if ((kCounted & bit(letter)) == 0 || value.computed) return true;
+  if (value.number != std::floor(value.number))
+    return open.refuse(block, Cause::WholeNumberExpected, "its number is whole", value.at);
+  if (letter == 'M' && (value.number < 0 || value.number > kLargestM))
+    return open.refuse(block, Cause::ValueOutOfRange, "the code is out of range", value.at);
+  return true;
+}
+
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_t at) {
   if ((letter == 'E' || letter == 'Q') && open.line.take('='))
@@ -137,7 +161,7 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
   Value value;
   Type type = Type::Real;
   const bool read =
-      !equals                 ? open.expression.number(value) || open.refuse(block)
+      !equals                 ? number_of(open, block, at, value)
       : letter == 'T'         ? open.expression.value_of_any(value, type) || open.refuse(block)
       : code || letter == 'S' ? value_of_code(open, block, at, value)
                               : form(open, block, at, letter - 'A', words.list.forms, value);
@@ -146,6 +170,7 @@ bool word(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_
   value.width = open.line.width_from(at);
   words.any = true;
   if (letter == 'G') return g_code(open, block, words, value);
+  if (!is_countable(open, block, letter, value)) return false;
   if (letter == 'M') return m_code(open, block, words, value);
   if (type == Type::String) return tool_by_name(open, block, words, value, at);
   if (!known) return reported(open, words, at);
@@ -190,7 +215,7 @@ bool named(OpenBlock& open, Block& block, Words& words) {
   }
   if (name == "AX") return axis_by_index(open, block, words, at);
   if (name == "POS") return position(open, block, words, at);
-  if (place_of(name) >= 0) {
+  if (place_of(name) >= 0 && open.line.ahead(name.size()) != '[') {
     open.line.pass(name.size());
     return long_address(open, block, words, name, at);
   }
@@ -202,7 +227,7 @@ bool named(OpenBlock& open, Block& block, Words& words) {
   if (is_neutral(name)) {
     open.line.pass(name.size());
     if (!words.take_group(group_of(name)))
-      return open.refuse(block, Cause::AddressGivenTwice, "a second word of its G group", at);
+      return open.refuse(block, Cause::GroupGivenTwice, "a second word of its G group", at);
     return reported(open, words, at);
   }
   if (name == "RET") {
@@ -329,6 +354,7 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
   take_label(label);
   const bool is_word = open_.line.begins_word();  // DEF and IF; not X10
   if (is_word && declarations_.read(block)) return true;
+  if (!open_.line.at_end()) declarations_.end_definitions();
   bool read_it = true;
   if (is_word && statement(open_, block, link, read_it)) {
     if (const bool o_word = !label.empty(); is_marked_structure(block, link, o_word))

@@ -14,7 +14,10 @@ class BlockReader {
   explicit BlockReader(Builder& to);
 
   /// Forget the variables of the program before.
-  void begin_program() { open_.definitions.clear(); }
+  void begin_program() {
+    open_.definitions.clear();
+    declarations_.begin_definitions();
+  }
 
   /// Compile a line into `block`, whose text and line are set, and set its label, in capitals.
   /// Return false if the line is empty.

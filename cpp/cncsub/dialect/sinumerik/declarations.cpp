@@ -78,6 +78,10 @@ bool DeclarationReader::read(Block& block) {
   if (word != "PROC" && word != "DEF" && word != "EXTERN" && word != "REDEF") return false;
   const std::uint32_t at = line_.offset();
   line_.pass(word.size());
+  if (word == "DEF" && definitions_over_)
+    return refuse(block, Cause::DefinitionLate,
+                  "definitions stand at the beginning of their program", at),
+           true;
   if (word == "DEF") return def(block), true;
   // EXTERN says in advance what a PROC says, and REDEF who may write a variable and when it is
   // reset.

@@ -27,6 +27,9 @@ class DeclarationReader {
 
   /// Return whether a declaration stands here. It is compiled into the block.
   bool read(Block& block);
+  /// Begin a program, whose definitions come first; end them by a block that defines nothing.
+  void begin_definitions() { definitions_over_ = false; }
+  void end_definitions() { definitions_over_ = true; }
 
  private:
   bool proc(Block& block);
@@ -56,6 +59,7 @@ class DeclarationReader {
   Line& line_;
   ExpressionReader& expression_;
   Definitions& definitions_;
+  bool definitions_over_ = false;
 };
 
 }  // namespace cncsub::sinumerik

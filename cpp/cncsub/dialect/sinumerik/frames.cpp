@@ -18,11 +18,9 @@ struct FrameFunction {
   std::string_view name;
   FramePart part;
 };
-constexpr FrameFunction kFunctions[] = {{"CTRANS", FramePart::Shift},
-                                        {"CFINE", FramePart::Fine},
-                                        {"CROT", FramePart::Rotation},
-                                        {"CSCALE", FramePart::Scale},
-                                        {"CMIRROR", FramePart::Mirror}};
+constexpr FrameFunction kFunctions[] = {
+    {"CTRANS", FramePart::Shift}, {"CFINE", FramePart::Fine},     {"CROT", FramePart::Rotation},
+    {"CSCALE", FramePart::Scale}, {"CMIRROR", FramePart::Mirror}, {"CRPL", FramePart::Rotation}};
 constexpr FrameFunction kParts[] = {{"TR", FramePart::Shift},
                                     {"FI", FramePart::Fine},
                                     {"RT", FramePart::Rotation},
@@ -148,6 +146,36 @@ bool takes_part(OpenExpression& open, const FrameVariable& of, bool& whole, std:
   return whole || take(open, ',', at);
 }
 
+/// Read the plane of CRPL as it stands, and push the axis across it: 0 is the plane in force, 1 to
+/// 3 are those of G17 to G19. [840Dk p.2-45; 828Db p.728]
+bool push_axis_of_plane(OpenExpression& open) {
+  const std::uint32_t at = open.line.offset();
+  const std::string_view digits = open.line.take_digits();
+  if (digits.empty()) return open.not_computed("CRPL of a computed plane", at);
+  if (digits.size() != 1 || digits[0] > '3')
+    return open.wrong(Cause::ValueOutOfRange, "a plane of CRPL is 0 to 3", at);
+  if (digits[0] != '0') {
+    open.emit(Ins::Constant, '4' - digits[0]);
+    return true;
+  }
+  open.emit(Ins::Constant, 20);  // G17 is across Z, the third axis
+  constexpr int kPlane = 2;      // among the groups of ModalCode
+  open.emit(Ins::Variable, first_of(open, VariableKind::ModalCode) + kPlane - 1);
+  open.emit(Ins::Subtract);
+  return true;
+}
+
+/// Read CRPL(0,30) after its bracket, a frame that turns in a plane.
+Read read_rotation_in_plane(OpenExpression& open, int depth) {
+  const std::uint32_t at = open.line.offset();
+  if (!push_axis_of_plane(open) || !take(open, ',', at) || !read_number_of(open, depth))
+    return std::nullopt;
+  open.to.expressions().emit({Ins::AxisOfFrame, 0, at, static_cast<double>(FramePart::Rotation)});
+  open.emit(Ins::OverFrame);
+  open.constant.reset();
+  return take(open, ')', open.line.offset()) ? Read(Type::Frame) : std::nullopt;
+}
+
 }  // namespace
 
 bool is_frame_function(std::string_view name) { return function_named(name) != nullptr; }
@@ -159,6 +187,7 @@ Read read_frame_function(OpenExpression& open, std::string_view name, int depth)
   if (!take(open, '(', at)) return std::nullopt;
   open.constant.reset();
   open.emit(Ins::Constant, 0);
+  if (name == "CRPL") return read_rotation_in_plane(open, depth);
   if (open.line.take(')')) return Type::Frame;
   do {
     const std::uint32_t axis_at = open.line.offset();

@@ -85,7 +85,7 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
         at);
   if (number.computed) {
     if (!words.take_group(group))
-      return open.refuse(block, Cause::AddressGivenTwice, "a second code of its G group", at);
+      return open.refuse(block, Cause::GroupGivenTwice, "a second code of its G group", at);
     std::vector<double> list;
     list.reserve(of->codes.size());
     for (const int code : of->codes) list.push_back(code == kNot ? kVacant : code / 10.0);

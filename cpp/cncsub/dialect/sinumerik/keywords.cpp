@@ -136,7 +136,7 @@ constexpr Spelling::LongAddress kLong[] = {
     {"CR", 'R' - 'A'}, {"RPL", 'E' - 'A'}, {"AR", 'Q' - 'A'}, {"TURN", 'P' - 'A'},
     {"I1", 'I' - 'A'}, {"J1", 'J' - 'A'},  {"K1", 'K' - 'A'}, {"RP", kRadius},
     {"AP", kAngle},    {"CHR", kCommaC},   {"CHF", kCommaD},  {"RND", kCommaR},
-    {"ANG", kCommaA}};
+    {"ANG", kCommaA},  {"LIMS", 'L' - 'A'}};
 
 /// The words that are not computed, and what they would need.
 struct Need {

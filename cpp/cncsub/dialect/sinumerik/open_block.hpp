@@ -15,6 +15,13 @@
 
 namespace cncsub::sinumerik {
 
+/// POS[X]=10, where an axis beside the path goes.
+struct Position {
+  char letter;
+  WordValue value;
+  std::uint32_t at;
+};
+
 /// FA[X]=500, the feed of an axis beside the path.
 struct AxisFeed {
   char letter;
@@ -34,7 +41,7 @@ struct Words {
   std::bitset<kCodeGroups> groups;     // of the codes so far
   // X1=0: which axes G74 and G75 move.
   std::vector<std::pair<char, WordValue>> machine_axes;
-  std::vector<std::pair<char, WordValue>> positions;  // POS[X]=10: axes that go beside the path
+  std::vector<Position> positions;
   std::vector<AxisFeed> axis_feeds;
   std::vector<Line> indexed;  // where the index of each AX[...]=... stands
   char indexed_form = '=';    // their form: '=' for none, 'A' for AC, 'I' for IC

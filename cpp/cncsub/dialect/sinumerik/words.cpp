@@ -152,7 +152,8 @@ const std::string_view sinumerik_rules =
     "machine_move max_extra_systems extra_system_codes max_offset_number tool_edges "
     "shifts_move_increments written_offset rotation_words start_up acute_corner idle_blocks "
     "chamfer_words round_words angle_words angles_on_mills "
-    "dwell_turn_words unit_change computed_lengths";
+    "dwell_turn_words unit_change computed_lengths feed_mode_change speed_limit "
+    "unused_words_told corner_idle_blocks";
 
 const std::span<const WordUse> sinumerik_word_uses;
 const Spelling sinumerik_spelling{.comment = {";", ""},

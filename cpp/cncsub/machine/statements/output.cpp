@@ -84,10 +84,10 @@ void tell_dropped(Run& run, const Block& block, const NcWords& words) {
     if ((run.block.outcome.dropped_codes >> i & 1) != 0) tell(code_name(words.codes->g_codes[i]));
   for (std::uint32_t left = run.block.outcome.dropped & words.mask; left != 0; left &= left - 1) {
     const int place = std::countr_zero(left);
-    char word[40];
-    std::snprintf(word, sizeof word, "%c%.10g", static_cast<char>('A' + place),
-                  words.value[static_cast<std::size_t>(place)]);
-    tell(word);
+    char value[40];
+    std::snprintf(value, sizeof value, "%.10g", words.value[static_cast<std::size_t>(place)]);
+    const std::string address = run.code->spelling->address_of(place);
+    tell(address + (address.size() > 1 ? "=" : "") + value);
   }
 }
 

@@ -11,7 +11,8 @@ namespace {
 
 // What is kept is found again by its bytes.
 static_assert(std::has_unique_object_representations_v<FrameEntry> || sizeof(FrameEntry) == 16);
-static_assert(sizeof(FrameValue) == sizeof(Matrix) + 2 * sizeof(Axes) + sizeof(std::uint64_t));
+static_assert(sizeof(FrameValue) ==
+              sizeof(Matrix) + 2 * sizeof(Axes) + 6 * sizeof(double) + 2 * sizeof(std::uint64_t));
 
 template <class Kept>
 double keep(Run& run, const Kept& of) {

@@ -182,6 +182,29 @@ Result leave_axes(MotionContext& m, BlockWords& block) {
   return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
 }
 
+/// Drop the words of arcs and frames that no code of the block takes.
+void drop_unused_words(MotionContext& m, const BlockWords& block) {
+  const MotionRules& rules = m.facts.control->motion;
+  if (!rules.unused_words_told.value) return;
+  std::uint32_t turns = 0, angles = 0, frames = 0, taken = 0;
+  for (const char name : rules.added_turns.value) turns |= bit(name);
+  for (const char name : rules.arc_angle_words.value) angles |= bit(name);
+  for (const char name : rules.rotation_words.value) frames |= bit(name);
+  const Meaning once = block.meaning(Group::OneShot);
+  const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
+  if (once == Meaning::FrameRotation) taken = frames;
+  if (once == Meaning::PositionAxes) taken = kCentreWords;
+  if (goes_with_motion(m.state, block) && block.submitted) {
+    if (motion == Meaning::Cw || motion == Meaning::Ccw)
+      taken = bit('R') | kCentreWords | turns | angles;
+    if (motion == Meaning::TangentArc) taken = turns;
+    if (motion == Meaning::ThreePoints || motion == Meaning::ThreePointsAbsolute ||
+        motion == Meaning::Thread)
+      taken = kCentreWords;
+  }
+  m.outcome.drop((bit('R') | kCentreWords | turns | angles | frames) & ~taken & block.words.mask);
+}
+
 /// Do what the block does with its axis words.
 Result act(MotionContext& m, BlockWords& block) {
   const Meaning once = block.meaning(Group::OneShot);
@@ -242,12 +265,26 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;
   if (auto wrong = act(m, block)) return wrong;
+  drop_unused_words(m, block);
   return length ? move_by_length(m, block, before) : std::nullopt;
+}
+
+/// Count a block without a move between the two sides of a corner; refuse what may not stand there.
+Result stand_in_corner(MotionContext& m, const BlockWords& block) {
+  const NcWords& w = block.words;
+  const bool plain = w.codes->groups == 0 && (w.mask & (bit('T') | bit('D'))) == 0 && !w.ends &&
+                     !w.stops && !w.has(Role::ToolChange);
+  if (plain && ++m.state.lookahead.idle <= m.facts.control->motion.corner_idle_blocks.value)
+    return std::nullopt;
+  return fault(Cause::CornerNoMove, block);
 }
 
 /// Check what is left to check when a block has done what it does.
 Result end_block(MotionContext& m, const BlockWords& block, bool corner_waited, bool in_range) {
-  if (corner_waited && !block.submitted) return fault(Cause::CornerNoMove, block);
+  if (corner_waited && !block.submitted) {
+    if (auto wrong = stand_in_corner(m, block)) return wrong;
+    return in_range ? std::nullopt : Result(out_of_range(block.words.at));
+  }
   // A coordinate system that has been set counts as a move. [source 003, G20 G21 G22]
   const Meaning once = block.meaning(Group::OneShot);
   if (block.submitted || block.has(Group::Work) || once == Meaning::SetCoordinate ||

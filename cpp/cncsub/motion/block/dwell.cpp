@@ -75,6 +75,8 @@ Result dwell(MotionContext& m, BlockWords& block) {
   for (const Letters* letters : {&rules.dwell_words.value, &rules.dwell_turn_words.value})
     for (const char other : *letters)
       if (other != letter) m.outcome.drop(bit(other));
+  if (seconds < 0 && m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at(letter, Cause::ValueOutOfRange, block, "a dwell is not below zero");
   if (seconds <= 0) return std::nullopt;
   return add_dwell(m, block, seconds * dwell_part(m, block));
 }

@@ -37,7 +37,30 @@ void take_codes(MotionContext& m, const BlockWords& block) {
     m.state.work = m.state.tool_at - m.state.offset - m.state.length;
 }
 
-void set_spindle(MotionContext& m, const BlockWords& block) {
+/// Take the limit of the spindle speed that has a word of its own.
+Result set_speed_limit(MotionContext& m, const BlockWords& block) {
+  if (m.facts.control->motion.speed_limit.value != SpeedLimit::OwnWord || !block.words.has('L'))
+    return std::nullopt;
+  if (block.words['L'] < 0) return fault_at('L', Cause::SpeedLimitNegative, block);
+  m.state.max_speed = block.words['L'];
+  return std::nullopt;
+}
+
+/// Check S, and that a surface speed is known where its code comes.
+Result check_speed(MotionView m, const BlockWords& block) {
+  const MotionState& s = m.state;
+  const bool written = block.words.has('S') && !takes_word(m, block, 'S');
+  const double speed = s.surface ? s.surface_speed : s.speed;
+  if (written && (speed < 0 || (speed == 0 && s.surface)) &&
+      m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at('S', Cause::ValueOutOfRange, block,
+                    s.surface ? "a surface speed is above zero" : "a speed is not below zero");
+  if (s.surface && s.surface_speed <= 0 && m.facts.refuses(Cause::NoSurfaceSpeed))
+    return fault_at({.groups = bit(Group::Surface)}, Cause::NoSurfaceSpeed, block);
+  return std::nullopt;
+}
+
+Result set_spindle(MotionContext& m, const BlockWords& block) {
   const SpeedLimit limit = m.facts.control->motion.speed_limit.value;
   if (limit == SpeedLimit::OfSurface && block.meaning(Group::Surface) == Meaning::SurfaceSpeed)
     m.state.max_speed = block.words['D'];  // without D it has no limit
@@ -49,9 +72,12 @@ void set_spindle(MotionContext& m, const BlockWords& block) {
     else
       (m.state.surface ? m.state.surface_speed : m.state.speed) = value;
   }
+  if (auto wrong = set_speed_limit(m, block)) return wrong;
+  if (auto wrong = check_speed(m, block)) return wrong;
   take_codes(m, block);
   if (block.words.has(Role::RigidTapping)) m.state.rigid_waits = m.facts.refuses(Cause::RigidMove);
   if (block.has(Group::Cycle)) m.state.rigid = std::exchange(m.state.rigid_waits, false);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -91,7 +117,10 @@ void set_feed_mode(MotionContext& m, const BlockWords& block) {
   if (!block.has(Group::Feed)) return;
   const Meaning before = m.state.modal[at(Group::Feed)].meaning;
   remember(m.state, *block.words.codes, bit(Group::Feed));
-  if (m.facts.control->motion.feed_mode_change.value != FeedModeChange::EndsFeed) return;
+  const FeedModeChange change = m.facts.control->motion.feed_mode_change.value;
+  if (change == FeedModeChange::DeletesFeed && block.meaning(Group::Feed) != before)
+    m.state.feed = 0;
+  if (change != FeedModeChange::EndsFeed) return;
   if (block.meaning(Group::Feed) != Meaning::InverseTime)
     m.state.feed_before = 0;
   else if (before != Meaning::InverseTime)
@@ -106,11 +135,16 @@ void set_feed_mode(MotionContext& m, const BlockWords& block) {
 static void set_feed_by_spindle(MotionContext& m, const BlockWords& block) {
   GCode& surface = m.state.modal[at(Group::Surface)];
   if (surface.variant == 0) return;
-  if (block.has(Group::Surface))
-    m.state.modal[at(Group::Feed)] =
-        m.facts.codes.of(surface.variant == 1 ? Meaning::PerRevolution : Meaning::PerMinute);
-  else if (block.has(Group::Feed))
+  GCode& feed = m.state.modal[at(Group::Feed)];
+  const Meaning before = feed.meaning;
+  if (block.has(Group::Surface)) {
+    feed = m.facts.codes.of(surface.variant == 1 ? Meaning::PerRevolution : Meaning::PerMinute);
+    if (feed.meaning != before &&
+        m.facts.control->motion.feed_mode_change.value == FeedModeChange::DeletesFeed)
+      m.state.feed = 0;
+  } else if (block.has(Group::Feed)) {
     surface = {};
+  }
 }
 
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
@@ -143,7 +177,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     if (auto wrong = set_feed(m, block)) return wrong;
   set_lead(m, block);
   if (auto wrong = set_tool(m, block)) return wrong;  // T1 M06 changes to tool 1 [source 003]
-  set_spindle(m, block);
+  if (auto wrong = set_spindle(m, block)) return wrong;
   if (m.facts.control->motion.tool_edges.value)
     if (auto wrong = set_edge(m, block)) return wrong;
   if (auto wrong = select_work(m, block)) return wrong;

@@ -262,6 +262,11 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   // The lead stands at K, or at the letter of the centre along the axis of the thread.
   const char lead = variant < 3 || block.words.has('K') ? 'K' : block.words.has('I') ? 'I' : 'J';
   if (!block.words.has(lead)) return fault_at('K', Cause::ThreadLead, block);
+  const int along = lead == 'K' ? 2 : lead == 'I' ? 0 : 1;
+  if (variant >= 3 && (named & axis_bit(along)) == 0)
+    return fault_at(lead, Cause::ThreadLead, block, "the axis of the lead does not move");
+  if (variant >= 3 && block.words[lead] == 0)
+    return fault_at(lead, Cause::ThreadLead, block, "the lead is zero");
   if (m.facts.refuses(Cause::SpindleStands) && !m.state.turns)
     return fault(Cause::SpindleStands, block);
   if (compensating(m.state) && radius_value(m) != 0) return fault(Cause::CompensationCode, block);
@@ -270,8 +275,7 @@ Result thread_by_k(MotionContext& m, BlockWords& block) {
   piece.state.feed_mode = FeedMode::PerRevolution;
   if (variant >= kGrowing && block.words.has('F')) {
     const double growth = block.words['F'] * m.state.unit * (variant == kGrowing ? 1 : -1);
-    const int axis = lead == 'K' ? 2 : lead == 'I' ? 0 : 1;
-    const double length = std::fabs(end[axis] - start[axis]) * m.facts.share(axis);
+    const double length = std::fabs(end[along] - start[along]) * m.facts.share(along);
     const auto mean = mean_lead(piece.state.feed, growth, length);
     if (!mean) return fault_at('F', Cause::ThreadLead, block, "the lead would fall to 0");
     piece.state.feed = *mean;

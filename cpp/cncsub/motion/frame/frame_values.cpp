@@ -17,11 +17,6 @@ double cell(const Matrix& of, int row, int column) {
   return of[3 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column)];
 }
 
-/// What a matrix is made of: angles about X, Y and Z, then factors along the turned axes.
-struct Parts {
-  std::array<double, 3> angles{}, factors{1, 1, 1};
-};
-
 /// Return the angles of a rotation about Z, then the new Y, then the new X.
 std::array<double, 3> angles_of(const Matrix& rotation) {
   constexpr double kUpright = 1 - 1e-12, kDegrees = 180 / kPi;
@@ -35,14 +30,14 @@ std::array<double, 3> angles_of(const Matrix& rotation) {
           angle(cell(rotation, 1, 0), cell(rotation, 0, 0)) * kDegrees};
 }
 
-/// Return the parts of a matrix whose columns of these axes are mirrored; nothing where it shears.
-std::optional<Parts> parts_of(Matrix of, std::uint64_t mirrored) {
+/// Find the angles and factors of a frame from its matrix; a matrix that shears has none.
+void find_parts(FrameValue& frame) {
   constexpr double kSlack = 1e-9;
-  Parts parts;
+  Matrix of = frame.matrix;
   for (int j = 0; j < 3; ++j) {
-    double& size = parts.factors[static_cast<std::size_t>(j)];
+    double& size = frame.factors[static_cast<std::size_t>(j)];
     size = std::hypot(cell(of, 0, j), cell(of, 1, j), cell(of, 2, j));
-    const double sign = (mirrored >> j & 1) != 0 ? -1 : 1;
+    const double sign = (frame.mirrored >> j & 1) != 0 ? -1 : 1;
     for (int i = 0; i < 3; ++i) cell(of, i, j) /= sign * size;
   }
   const auto between = [&](int a, int b) {
@@ -56,21 +51,89 @@ std::optional<Parts> parts_of(Matrix of, std::uint64_t mirrored) {
                                 cell(of, 1, (i + 2) % 3) * cell(of, 2, (i + 1) % 3));
   const bool square = std::fabs(between(0, 1)) < kSlack && std::fabs(between(0, 2)) < kSlack &&
                       std::fabs(between(1, 2)) < kSlack;
-  if (!square || !(handed > 0)) return std::nullopt;
-  parts.angles = angles_of(of);
-  return parts;
+  frame.sheared = !square || !(handed > 0) ? 1 : 0;
+  frame.angles = {};
+  if (frame.sheared == 0)
+    frame.angles = angles_of(of);
+  else
+    frame.factors = {1, 1, 1};
 }
 
-Matrix matrix_of(const Parts& parts, std::uint64_t mirrored) {
-  Matrix result = kUnitMatrix;
-  for (const int axis : {2, 1, 0})
-    result = product(result, rotation(axis, parts.angles[static_cast<std::size_t>(axis)]));
-  for (int j = 0; j < 3; ++j) {
-    const double sign = (mirrored >> j & 1) != 0 ? -1 : 1;
-    for (int i = 0; i < 3; ++i)
-      cell(result, i, j) *= sign * parts.factors[static_cast<std::size_t>(j)];
+/// Bring angles into the range in which they are read: half a turn about X and Z, less than a
+/// quarter about Y, and none about X at that quarter. [840Dk p.2-44]
+std::array<double, 3> in_reading_range(std::array<double, 3> angles) {
+  auto& [x, y, z] = angles;
+  if (std::fabs(x) <= 180 && std::fabs(y) < 90 && std::fabs(z) <= 180) return angles;
+  y = std::remainder(y, 360);
+  if (std::fabs(y) > 90) {
+    y = std::copysign(180, y) - y;
+    x += 180;
+    z += 180;
+  } else if (std::fabs(y) == 90) {
+    z += y > 0 ? -x : x;
+    x = 0;
   }
-  return result;
+  if (std::fabs(x) > 180) x = std::remainder(x, 360);
+  if (std::fabs(z) > 180) z = std::remainder(z, 360);
+  return angles;
+}
+
+/// Return the axis about which alone angles turn; -1 where they turn about none or about several.
+int only_axis(const std::array<double, 3>& angles) {
+  int only = -1;
+  for (int i = 0; i < 3; ++i) {
+    if (angles[static_cast<std::size_t>(i)] == 0) continue;
+    if (only >= 0) return -1;
+    only = i;
+  }
+  return only;
+}
+
+/// Find the angles and factors of a frame that lies in another one, from theirs where that is
+/// exact.
+void chain_parts(const FrameValue& outer, const FrameValue& inner, FrameValue& frame) {
+  const bool shifts = outer.matrix == kUnitMatrix;
+  if (shifts || inner.matrix == kUnitMatrix) {
+    const FrameValue& turns = shifts ? inner : outer;
+    frame.angles = turns.angles;
+    frame.factors = turns.factors;
+    frame.sheared = turns.sheared;
+    return;
+  }
+  find_parts(frame);
+  const int axis = only_axis(outer.angles);
+  const bool plain = outer.factors == std::array<double, 3>{1, 1, 1} && outer.mirrored == 0;
+  if (!plain || axis < 0 || axis != only_axis(inner.angles) || inner.sheared + outer.sheared != 0)
+    return;
+  const auto i = static_cast<std::size_t>(axis);
+  frame.angles = {};
+  frame.angles[i] = outer.angles[i] + inner.angles[i];
+  frame.factors = inner.factors;
+}
+
+/// Make the matrix of a frame from its angles and factors.
+void make_matrix(FrameValue& frame) {
+  Matrix& result = frame.matrix;
+  result = kUnitMatrix;
+  for (const int axis : {2, 1, 0})
+    result = product(result, rotation(axis, frame.angles[static_cast<std::size_t>(axis)]));
+  for (int j = 0; j < 3; ++j) {
+    const double sign = (frame.mirrored >> j & 1) != 0 ? -1 : 1;
+    for (int i = 0; i < 3; ++i)
+      cell(result, i, j) *= sign * frame.factors[static_cast<std::size_t>(j)];
+  }
+}
+
+/// Give a frame with a zero point its shift: the one that a program wrote, or what the zero point
+/// leaves beside the fine shift where something else has changed it.
+void take_zero(FrameValue& frame, const Axes& zero) {
+  if (frame.whole_shift() != zero) frame.shift = zero - frame.fine;
+}
+
+/// Return what a program has written of the frame of a work system, 0 the basic one.
+FrameValue written_frame(const MotionState& state, int system) {
+  const auto found = state.frames->stored.find(system);
+  return found == state.frames->stored.end() ? FrameValue() : found->second;
 }
 
 /// Return the work system of a number: the systems of four codes come first, then the extra ones by
@@ -132,6 +195,7 @@ FrameValue chained(const FrameValue& outer, const FrameValue& inner) {
   frame.shift = outer.shift + applied(outer.matrix, inner.shift);
   frame.fine = outer.fine + applied(outer.matrix, inner.fine);
   frame.mirrored = outer.mirrored ^ inner.mirrored;
+  chain_parts(outer, inner, frame);
   return frame;
 }
 
@@ -141,9 +205,8 @@ std::optional<double> part_of(const FrameValue& frame, FramePart part, int axis)
   if (part == FramePart::Fine) return frame.fine[i];
   if (part == FramePart::Mirror) return (frame.mirrored >> axis & 1) != 0 ? 1 : 0;
   if (axis > 2) return part == FramePart::Scale ? 1 : 0;
-  const std::optional<Parts> parts = parts_of(frame.matrix, frame.mirrored);
-  if (!parts) return std::nullopt;
-  return part == FramePart::Scale ? parts->factors[i] : parts->angles[i];
+  if (frame.sheared != 0) return std::nullopt;
+  return part == FramePart::Scale ? frame.factors[i] : in_reading_range(frame.angles)[i];
 }
 
 bool set_part(FrameValue& frame, const FrameEntry& entry) {
@@ -152,15 +215,14 @@ bool set_part(FrameValue& frame, const FrameEntry& entry) {
   if (part == FramePart::Shift) return frame.shift[i] = entry.value, true;
   if (part == FramePart::Fine) return frame.fine[i] = entry.value, true;
   if (i > 2) return false;
-  std::optional<Parts> parts = parts_of(frame.matrix, frame.mirrored);
-  if (!parts || (part == FramePart::Scale && !(entry.value > 0))) return false;
-  if (part == FramePart::Scale) parts->factors[i] = entry.value;
-  if (part == FramePart::Rotation) parts->angles[i] = entry.value;
+  if (frame.sheared != 0 || (part == FramePart::Scale && !(entry.value > 0))) return false;
+  if (part == FramePart::Scale) frame.factors[i] = entry.value;
+  if (part == FramePart::Rotation) frame.angles[i] = entry.value;
   if (part == FramePart::Mirror) {
     const std::uint64_t axis = std::uint64_t{1} << i;
     frame.mirrored = entry.value != 0 ? frame.mirrored | axis : frame.mirrored & ~axis;
   }
-  frame.matrix = matrix_of(*parts, frame.mirrored);
+  make_matrix(frame);
   return true;
 }
 
@@ -179,17 +241,15 @@ int frame_number(const MotionState& state) {
 
 FrameValue stored_frame(const MotionState& state, int number) {
   const int system = system_of_number(state, number);
-  const auto found = state.frames->stored.find(system);
-  FrameValue frame = found == state.frames->stored.end() ? FrameValue() : found->second;
-  frame.shift = state.tables.zero(system) - frame.fine;
+  FrameValue frame = written_frame(state, system);
+  take_zero(frame, state.tables.zero(system));
   return frame;
 }
 
 FrameValue frame_in_force(const MotionState& state, FrameInForce which) {
-  FrameValue basic, settable = state.frames->settable;
-  basic.shift = state.tables.zero(0);
-  settable.shift =
-      (state.zero_is_held ? state.zero : state.tables.zero(system_in_force(state))) - settable.fine;
+  FrameValue basic = written_frame(state, 0), settable = state.frames->settable;
+  take_zero(basic, state.tables.zero(0));
+  take_zero(settable, state.zero_is_held ? state.zero : state.tables.zero(system_in_force(state)));
   switch (which) {
     case FrameInForce::Settable:
       return settable;
@@ -214,8 +274,7 @@ void combine_frames(MotionState& state) {
 }
 
 void take_stored_frame(MotionState& state) {
-  const auto found = state.frames->stored.find(system_in_force(state));
-  const FrameValue stored = found == state.frames->stored.end() ? FrameValue() : found->second;
+  const FrameValue stored = written_frame(state, system_in_force(state));
   if (stored == state.frames->settable) return;
   state.frames.change().settable = stored;
   combine_frames(state);
@@ -224,13 +283,35 @@ void take_stored_frame(MotionState& state) {
 void store_frame(MotionState& state, int number, const FrameValue& frame) {
   const int system = system_of_number(state, number);
   if (system == system_in_force(state)) hold_zero(state);
+  write_frame(state, system, frame);
+}
+
+void write_frame(MotionState& state, int system, const FrameValue& frame) {
   state.tables.change_zero(system) = frame.whole_shift();
   FrameValue stored = frame;
   stored.shift = {};
   if (stored == FrameValue())
     state.frames.change().stored.erase(system);
   else
-    state.frames.change().stored[system] = stored;
+    state.frames.change().stored[system] = frame;
+}
+
+FrameValue rotated(const std::array<double, 3>& angles) {
+  FrameValue frame;
+  frame.angles = angles;
+  make_matrix(frame);
+  return frame;
+}
+
+FrameValue scaled(const std::array<double, 3>& factors, std::uint64_t mirrored) {
+  FrameValue frame;
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    frame.matrix[4 * i] = (mirrored >> i & 1) != 0 ? -factors[i] : factors[i];
+    if (factors[i] < 0) frame.sheared = 1;
+  }
+  if (frame.sheared == 0) frame.factors = factors;
+  frame.mirrored = mirrored;
+  return frame;
 }
 
 }  // namespace cncsub

@@ -16,6 +16,10 @@ Matrix inverse(const Matrix& of);
 /// leaves no rounding.
 Matrix rotation(int axis, double degrees);
 
+/// Return a frame that turns about Z, then the new Y, then the new X, by these angles of X, Y, Z.
+FrameValue rotated(const std::array<double, 3>& angles);
+/// Return a frame that scales by these factors, and mirrors these axes.
+FrameValue scaled(const std::array<double, 3>& factors, std::uint64_t mirrored);
 /// Return a frame that lies in another one.
 FrameValue chained(const FrameValue& outer, const FrameValue& inner);
 /// Return a part of a frame along or about an axis; nothing where the frame shears, so that no
@@ -35,7 +39,9 @@ FrameValue frame_in_force(const MotionState& state, FrameInForce which);
 /// Put the frame of the work system in force, and lay that of the program over it.
 void take_stored_frame(MotionState& state);
 void combine_frames(MotionState& state);
-/// Write a frame of a work system.
+/// Write a frame of a work system, by its number among them.
 void store_frame(MotionState& state, int number, const FrameValue& frame);
+/// Write the frame of a work system, 0 the basic one.
+void write_frame(MotionState& state, int system, const FrameValue& frame);
 
 }  // namespace cncsub

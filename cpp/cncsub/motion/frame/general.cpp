@@ -11,8 +11,6 @@
 namespace cncsub {
 namespace {
 
-double& diagonal(FrameValue& of, int i) { return of.matrix[4 * static_cast<std::size_t>(i)]; }
-
 /// Read the shift of a frame, in mm.
 FrameValue shift_of(MotionView m, const BlockWords& block) {
   FrameValue frame;
@@ -23,35 +21,42 @@ FrameValue shift_of(MotionView m, const BlockWords& block) {
 }
 
 /// Read a rotation: in the plane, or about Z, then the new Y, then the new X.
-FrameValue rotation_of(MotionView m, const BlockWords& block) {
-  FrameValue frame;
-  for (const char name : m.facts.control->motion.rotation_words.value)
-    if (block.words.has(name))
-      frame.matrix = rotation(plane_axes(m.state.plane).across, block.words[name]);
-  for (const int axis : {2, 1, 0})
-    if (const char name = kAxisNames[static_cast<std::size_t>(axis)]; block.words.has(name))
-      frame.matrix = product(frame.matrix, rotation(axis, block.words[name]));
-  return frame;
+Result rotation_of(MotionView m, const BlockWords& block, FrameValue& frame) {
+  std::array<double, 3> angles{};
+  bool any = false;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name)) {
+      angles[i] = block.words[name];
+      any = true;
+    }
+  for (const char name : m.facts.control->motion.rotation_words.value) {
+    if (!block.words.has(name)) continue;
+    if (any)
+      return fault_at(name, Cause::AddressNotUsable, block,
+                      "an angle in the plane stands beside one about an axis");
+    angles[static_cast<std::size_t>(plane_axes(m.state.plane).across)] = block.words[name];
+  }
+  frame = rotated(angles);
+  return std::nullopt;
 }
 
 Result scale_of(const BlockWords& block, FrameValue& frame) {
-  for (int i = 0; i < 3; ++i) {
-    const char name = kAxisNames[static_cast<std::size_t>(i)];
+  std::array<double, 3> factors{1, 1, 1};
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const char name = kAxisNames[i];
     if (!block.words.has(name)) continue;
     if (block.words[name] == 0) return fault_at(name, Cause::ScaleZero, block);
-    diagonal(frame, i) = block.words[name];
+    factors[i] = block.words[name];
   }
+  frame = scaled(factors, 0);
   return std::nullopt;
 }
 
 FrameValue mirror_of(const BlockWords& block) {
-  FrameValue frame;
-  for (int i = 0; i < 3; ++i)
-    if (block.words.has(kAxisNames[static_cast<std::size_t>(i)])) {
-      diagonal(frame, i) = -1;
-      frame.mirrored |= std::uint64_t{1} << i;
-    }
-  return frame;
+  std::uint64_t mirrored = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (block.words.has(kAxisNames[i])) mirrored |= std::uint64_t{1} << i;
+  return scaled({1, 1, 1}, mirrored);
 }
 
 /// Read what a block does to the frame.
@@ -61,8 +66,7 @@ Result read_frame(MotionView m, const BlockWords& block, Meaning meaning, FrameV
       frame = shift_of(m, block);
       return std::nullopt;
     case Meaning::FrameRotation:
-      frame = rotation_of(m, block);
-      return std::nullopt;
+      return rotation_of(m, block, frame);
     case Meaning::FrameScale:
       return scale_of(block, frame);
     default:

@@ -168,8 +168,30 @@ void words_about_pole(MotionView m, const BlockWords& block, bool incremental, A
   named |= axis_bit(plane.a) | axis_bit(plane.b);
 }
 
+/// Refuse a radius below zero and an angle of more than a full turn. [840De p.4-4: RP is positive,
+/// AP within 360 degrees]
+Result check_polar_values(MotionView m, const BlockWords& block) {
+  const NcWords& w = block.words;
+  const bool pole = block.meaning(Group::OneShot) == Meaning::Pole;
+  const PlaneAxes plane =
+      plane_axes(block.has(Group::Plane) ? plane_of(block.meaning(Group::Plane)) : m.state.plane);
+  const auto named = [](int place) { return WordName{.addresses = 1u << place}; };
+  double radius = w.value[kRadius];
+  if (w.forms.is_incremental(1u << kRadius, false)) {
+    const Axes from = as_programmed(m.state, m.state.work);
+    const auto a = static_cast<std::size_t>(plane.a), b = static_cast<std::size_t>(plane.b);
+    radius += std::hypot(from[a] - m.state.pole[a], from[b] - m.state.pole[b]) / m.state.unit;
+  }
+  if (w.has_place(kRadius) && radius < -kStanding)
+    return fault_at(named(kRadius), pole ? Cause::PoleRadius : Cause::PolarRadius, block);
+  if (w.has_place(kAngle) && std::fabs(w.value[kAngle]) > 360)
+    return fault_at(named(kAngle), pole ? Cause::PoleAngle : Cause::PolarAngle, block);
+  return std::nullopt;
+}
+
 /// Refuse coordinates of the plane beside polar words.
 Result check_about_pole(MotionView m, const BlockWords& block) {
+  if (auto wrong = check_polar_values(m, block)) return wrong;
   const PlaneAxes plane = plane_axes(m.state.plane);
   for (const int axis : {plane.a, plane.b})
     if (const char name = kAxisNames[static_cast<std::size_t>(axis)]; block.words.has(name))

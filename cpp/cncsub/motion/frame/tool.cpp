@@ -124,6 +124,8 @@ bool is_of_tool(MotionView m, const BlockWords& block, char letter) {
 Result set_tool(MotionContext& m, BlockWords& block) {
   if (!block.words.has('T')) return std::nullopt;
   const int t = whole(std::round(block.words['T']));  // as the code that is sent
+  if (t < 0 && m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at('T', Cause::ValueOutOfRange, block, "the number of a tool is not below zero");
   if (!m.facts.lathe()) {
     m.state.t = t;
     return std::nullopt;
@@ -184,11 +186,18 @@ double radius_by_setup(const OffsetTables& tables, int tool, int edge) {
 }
 
 /// Return the lengths of an edge by the setup: its own, or the one by the number of the tool along
-/// the axis across the plane.
+/// the axis across the plane. The setup gives its own ones on the axes of G17: its Z is the first
+/// length, which lies across the plane in force.
 Axes length_by_setup(const OffsetTables& tables, Plane plane, int tool, int edge) {
   const Axes& own = edge_of(tables, tool, edge).value;
-  if (own != Axes{} || edge != 1) return own;
   Axes length{};
+  if (own != Axes{} || edge != 1) {
+    length = own;
+    for (int i = 0; i < 3; ++i)
+      length[static_cast<std::size_t>(axis_of_length(plane, i))] =
+          own[static_cast<std::size_t>(axis_of_length(Plane::XY, i))];
+    return length;
+  }
   if (static_cast<std::size_t>(tool) < tables.length->size())
     length[static_cast<std::size_t>(plane_axes(plane).across)] = tables.length_of(tool);
   return length;

@@ -333,7 +333,9 @@ Result add_turns(MotionView m, const BlockWords& block, Piece& piece) {
   for (const char name : m.facts.control->motion.added_turns.value) {
     if (!block.words.has(name)) continue;
     const double turns = std::round(block.words[name]);
-    if (turns < 0 || turns > kMostMoves) return fault_at(name, Cause::ValueOutOfRange, block);
+    if (turns < 0 || std::fabs(turns - block.words[name]) > 1e-3)
+      return fault_at(name, Cause::ArcTurns, block);
+    if (turns > kMostMoves) return fault_at(name, Cause::ValueOutOfRange, block);
     piece.turn += std::copysign(2 * kPi * turns, piece.turn);
   }
   return std::nullopt;
@@ -356,6 +358,8 @@ Result arc(MotionContext& m, BlockWords& block, Meaning meaning) {
   const bool radius = has_radius(block);
   const char angle = angle_name(m, block);
   if (auto wrong = check_form(m, block)) return wrong;
+  if (angle != 0 && block.words.has('R')) return fault_at(angle, Cause::RadiusAndCentre, block);
+  if (named == 0 && !centre && angle != 0) return fault_at(angle, Cause::NoArcTravel, block);
   if (named == 0 && !centre && !radius) return bare_arc(m, block);
   if (auto wrong = need_feed(m, block, meaning)) return wrong;
   if (auto wrong = check_longer(m, block, written, radius)) return wrong;

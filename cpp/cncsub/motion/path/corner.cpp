@@ -58,6 +58,9 @@ Result corner_words(MotionView m, const BlockWords& block, Piece& piece) {
   if (chamfer >= 0 && round >= 0)
     return fault_at({.addresses = 1u << round}, Cause::CornerFormat, block);
   piece.corner_size = length_at(m, block.words, chamfer >= 0 ? chamfer : round);
+  if (piece.corner_size < 0 && m.facts.refuses(Cause::ValueOutOfRange))
+    return fault_at(m.facts.corner_name(piece), Cause::ValueOutOfRange, block,
+                    "a chamfer or a rounding is not below zero");
   if (m.state.frame.turned)
     piece.corner_size *= std::fabs(factor_in_plane(m.state.frame, plane_axes(piece.plane)));
   if (piece.corner_size != 0) piece.corner = chamfer == kCommaD ? 'L' : chamfer >= 0 ? 'C' : 'R';
@@ -93,6 +96,11 @@ Result end_corner(MoveSink& sink, const Piece& piece) {
     return fault_at({}, Cause::CornerNextMove, piece.at);
   CornerPieces corner;
   const PlaneView view{plane_axes(first.plane), sink.facts.share(0)};
+  const bool stands = piece.kind == MoveKind::Feed &&
+                      size(view.point(piece.end) - view.point(first.end)) < kStanding;
+  if (stands && sink.facts.control->motion.corner_idle_blocks.value > 0)
+    return fault_at({.addresses = kAxisWords}, Cause::CodeNotComputed, piece.at,
+                    "cncsub computes no corner between whose sides a move goes across the plane");
   const bool chamfer_side =
       by_length || sink.facts.control->turning.chamfer_length.value == ChamferLength::Line;
   if (!cut_corner(view, lookahead.corner_from, first, piece, chamfer_side, corner))

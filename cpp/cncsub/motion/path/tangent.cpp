@@ -26,7 +26,8 @@ Result tangent_arc(MotionContext& m, BlockWords& block) {
   const Point across{-way.b / size(way), way.a / size(way)};
   const double aside = dot(chord, across);
   if (std::fabs(aside) < kStanding) {  // straight on, which no turn may follow [SONE p.203]
-    if (dot(chord, way) < 0) return fault(Cause::NoTangent, block);
+    if (dot(chord, way) < 0)
+      return fault(Cause::NoTangent, block, "its end lies straight behind the tool");
     for (const char name : m.facts.control->motion.added_turns.value)
       if (block.words[name] != 0) return fault_at(name, Cause::ValueOutOfRange, block);
     piece.kind = MoveKind::Feed;

@@ -18,8 +18,12 @@ constexpr Matrix kUnitMatrix{1, 0, 0, 0, 1, 0, 0, 0, 1};
 /// matrix, then shifted. It has no padding: frames of the same bytes are the same.
 struct FrameValue {
   Matrix matrix = kUnitMatrix;
-  Axes shift{}, fine{};        // mm and degrees
+  Axes shift{}, fine{};  // mm and degrees
+  // What the matrix is made of: angles about Z, then the new Y, then the new X, and factors along
+  // the turned axes. They stand beside it, so that a program reads the numbers that it wrote.
+  std::array<double, 3> angles{}, factors{1, 1, 1};
   std::uint64_t mirrored = 0;  // axes that count as mirrored, where the matrix mirrors
+  std::uint64_t sheared = 0;   // 1 where no angles and factors make the matrix
 
   Axes whole_shift() const {
     Axes sum = shift;
@@ -38,9 +42,11 @@ struct FrameEntry {
 
 /// The frames that lie in each other, the work system's first.
 struct Frames {
-  std::map<int, FrameValue> stored;  // of work systems that are more than an offset: without it
-  FrameValue settable;               // of the work system in force, without its offset
-  FrameValue program;                // what the program lays over it
+  // Of work systems that are more than an offset, 0 the basic one. Their shifts are those that a
+  // program wrote; the zero points count.
+  std::map<int, FrameValue> stored;
+  FrameValue settable;  // of the work system in force; its zero point counts
+  FrameValue program;   // what the program lays over it
 
   bool operator==(const Frames&) const = default;
 };

@@ -22,7 +22,8 @@ Result feed_of(MotionView m, const BlockWords& block, double& feed) {
       m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
     unit *= feed_increment(m.state);
   const int most = m.facts.control->motion.max_feed.value;
-  if (value < 0 || (most > 0 && value * unit > most))
+  const bool zero = value == 0 && m.facts.refuses(Cause::FeedOutOfRange);
+  if (value < 0 || zero || (most > 0 && value * unit > most))
     return fault_at('F', Cause::FeedOutOfRange, block);
   feed = value * unit;
   return std::nullopt;
