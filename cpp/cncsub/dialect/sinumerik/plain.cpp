@@ -69,6 +69,7 @@ bool BlockReader::plain(std::string_view text, Block& block) {
   if (!PlainWordReader(plain_, language).read(text.data(), text.data() + text.size(), words) ||
       !words.any() || shares_group(words.codes()))
     return false;
+  declarations_.end_definitions();
   block.n = words.n;
   open_.to.plain_words(block, words.codes(), words.m, words.mask, words.extra, words.values);
   return true;
