@@ -184,14 +184,14 @@ BETWEEN = {"control": ONE, "source": "CNCF, chamfers and roundings: no more than
 CUT = "F X4 Y0\nF X5 Y1\nF X5 Y5"
 for blocks in ("N20 M8", "N20 F50\nN21 M8", "N20 M8\nN21 S500\nN22 M3", "N20 R1=5", 'N20 MSG("A")\nN21 M8'):
     case(
-        f"{blocks.split()[-1]} and others, three at most, may stand between the sides of a corner", pins="corner_idle_blocks" if blocks == "N20 M8" else "", **BETWEEN, setup=ZERO,
+        f"{blocks.replace(chr(10), ', ')} may stand between the sides of a corner", pins="corner_idle_blocks" if "S500" in blocks else "", **BETWEEN, setup=ZERO,
         program=f"N10 G1 X5 CHR=1 F100\n{blocks}\nN30 Y5\nN40 M30", moves=CUT,
     )
 for blocks, at, word in (
     ("N20 M8\nN21 M9\nN22 M8\nN23 M9", "N23", "M9"), ("N20 M30", "N20", "M30"), ("N20 G4 F1", "N20", "G4"), ("N20 T1 M6", "N20", "T1"), ("N20 D0", "N20", "D0"), ("N20 G64", "N20", "G64"),
 ):
     case(
-        f"no {word} after {blocks.count(chr(10))} others", **POLICY, setup=ZERO,
+        f"no {word} after {blocks.count(chr(10))} others", pins="corner_idle_blocks" if word == "M9" else "", **POLICY, setup=ZERO,
         program=f"N10 G1 X5 CHR=1 F100\n{blocks}\nN30 Y5\nN40 M30", alarm="corner-no-move", at=f"MAIN {at}", word=word,
     )
 case(
