@@ -343,7 +343,10 @@ def _alarms_at_codes() -> Iterator[tuple[cncsub.Control, str, str, str]]:
         library = load(row.case, cncsub.controls[row.control])
         alarm = execute(row.case, library).alarm
         code = None if alarm is None else code_named(alarm.word or "")
-        no_code = alarm is not None and alarm.cause in ("whole-number-expected", "value-out-of-range")
+        no_code = alarm is not None and alarm.cause in (
+            "whole-number-expected",
+            "value-out-of-range",
+        )
         if alarm is not None and code is not None and len(code) > 1 and not no_code:
             setup = row.case.setup or {}
             yield library.control, code, alarm.cause, str(setup.get("machine", ""))

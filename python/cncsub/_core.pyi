@@ -390,8 +390,6 @@ class Code:
     def variable_sign(self) -> str: ...  # what stands before the number of a variable
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
-    @property
-    def variable_sign(self) -> str: ...  # what stands before the number of a variable
     # local, common or kept; control for one of the control; empty where there is none
     def variable_kind(self, number: int) -> str: ...
     @property
