@@ -787,7 +787,10 @@ def test_what_is_not_installed_is_named_with_the_command(
     with monkeypatch.context() as patch:
         patch.setattr("cncsub.cli.debug.on_terminal", lambda: True)
         result = CliRunner().invoke(commands, ["debug", "x.nc", "-c", CONTROL])
-    told = f"cncsub: debug needs {missing}: pip install 'cncsub[debug]'\n"
+    told = (
+        f"cncsub: the debugger in the terminal needs {missing}, which is not installed:"
+        " pip install 'cncsub[debug]'\n"
+    )
     assert (result.exit_code, result.output) == (2, told)
 
 

@@ -15,7 +15,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from types import ModuleType
-from typing import IO, Any
+from typing import IO, Any, BinaryIO
 
 WINDOWS = sys.platform == "win32"
 
@@ -159,3 +159,15 @@ def kept_from_children() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, known)
+
+
+@contextlib.contextmanager
+def protocol_output() -> Iterator[BinaryIO]:
+    """Give the standard output to a protocol alone: whatever else is printed is no message of it,
+    and goes to the error stream. A client that is gone reads no more.
+    """
+    sys.stdout.flush()
+    output = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
+    with contextlib.suppress(BrokenPipeError), output:
+        yield output

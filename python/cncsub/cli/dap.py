@@ -7,7 +7,7 @@ import socket
 import sys
 import threading
 from collections.abc import Callable, Mapping
-from typing import IO, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
@@ -15,6 +15,7 @@ from cncsub import dap as protocol
 from cncsub.cli.options import WrongUseError, wrong_use
 from cncsub.cli.sessions import session_of
 from cncsub.debugging import Session
+from cncsub.system import protocol_output
 
 _MOST_CLIENTS = 8
 
@@ -35,8 +36,8 @@ def dap(
 ) -> None:
     """Serve an editor that debugs programs, over the Debug Adapter Protocol."""
     if port is None:
-        reads, writes = _standard_streams()
-        protocol.serve(reads, writes, make_session)
+        with protocol_output() as writes:
+            protocol.serve(sys.stdin.buffer, writes, make_session)
         return
     try:
         listening = socket.create_server((host, port))
@@ -47,15 +48,6 @@ def dap(
         typer.echo(f"cncsub dap: listening on {where}")
         sys.stdout.flush()
         _serve_clients(listening)
-
-
-def _standard_streams() -> tuple[IO[bytes], IO[bytes]]:
-    """Return the streams of the protocol. Whatever else writes to the standard output from now on
-    writes to the error stream.
-    """
-    writes = os.fdopen(os.dup(sys.stdout.fileno()), "wb")
-    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    return sys.stdin.buffer, writes
 
 
 def _serve_clients(listening: socket.socket) -> None:

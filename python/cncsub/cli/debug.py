@@ -10,6 +10,7 @@ from cncsub.cli.options import (
     Main,
     Paths,
     WrongUseError,
+    of_extra,
     runs_programs,
     wrong_use,
 )
@@ -27,13 +28,8 @@ def debug(
     """
     if not on_terminal():
         raise WrongUseError("debug shows a screen: run it in a terminal, without a pipe")
-    try:
+    with of_extra("debug", "the debugger in the terminal", "textual", "plotille"):
         from cncsub.terminal.app import DebugApp
-    except ImportError as error:
-        missing = (error.name or "").partition(".")[0]
-        if missing not in ("textual", "plotille"):
-            raise
-        raise WrongUseError(f"debug needs {missing}: pip install 'cncsub[debug]'") from None
     if "-" in (paths or ()):
         raise WrongUseError("debug takes its keys from the standard input: give a file")
     options = {"paths": paths, "control": control, "main": main, "mdi": None, **shared}

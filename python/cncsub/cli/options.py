@@ -219,10 +219,11 @@ def of_extra(extra: str, what: str, *packages: str) -> Iterator[None]:
     try:
         yield
     except ModuleNotFoundError as error:
-        if (error.name or "").partition(".")[0] not in packages:
+        missing = (error.name or "").partition(".")[0]
+        if missing not in packages:
             raise
         raise WrongUseError(
-            f"{what} needs {error.name}, which is not installed: pip install 'cncsub[{extra}]'"
+            f"{what} needs {missing}, which is not installed: pip install 'cncsub[{extra}]'"
         ) from None
 
 
