@@ -264,8 +264,6 @@ void add_code(py::module_& m) {
       .def("places", &places, py::arg("external") = false)
       .def_property_readonly("duplicates", &duplicates)
       .def("variable_facts", &variable_facts, py::arg("number"))
-      .def_property_readonly("variable_sign",
-                             [](const Code& c) { return std::string(c.spelling->variable); })
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &main_of_memory)
       .def_property_readonly("sources",

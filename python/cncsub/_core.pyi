@@ -382,8 +382,6 @@ class Code:
     def variable_sign(self) -> str: ...  # what stands before the number of a variable
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
-    @property
-    def variable_sign(self) -> str: ...  # what stands before the number of a variable
     # local, common or kept; control for one of the control; empty where there is none
     def variable_kind(self, number: int) -> str: ...
     @property
@@ -588,6 +586,8 @@ class Machine:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
         """Give a variable its value, or those of its elements; likewise."""
+    def set_next_block(self, address: int) -> None:
+        """Make another block of the program that runs the next one; likewise."""
     @property
     def switches(self) -> tuple[tuple[int, ...], bool]: ...  # block skips; whether M01 stops
     def set_switches(self, on: list[int], stops: bool) -> None: ...
