@@ -159,6 +159,27 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
     assert client.refused("variables", variablesReference=999).startswith("there is no variablesR")
 
 
+def test_another_line_is_made_the_next_one(client: Client, row: Path) -> None:
+    client.begin(row)
+    client.lines(row, {"line": 10, "condition": "#30 EQ 1"})
+    client.go("continue")
+    source = {"path": str(row)}
+    (target,) = client.ask("gotoTargets", source=source, line=12)["targets"]
+    assert (target["label"], target["line"]) == ("O9100 N160 #30=#30+1", 12)
+    stopped = client.go("goto", targetId=target["id"])
+    assert stopped["reason"] == "goto"
+    assert client.stack()[0][1] == 12
+    assert client.values("locals of level 1")["#30"] == "1"
+    (other,) = client.ask("gotoTargets", source=source, line=4)["targets"]
+    assert client.refused("goto", threadId=1, targetId=other["id"]) == (
+        "line 4 is a block of O1; the program that runs is O9100"
+    )
+    assert client.refused("gotoTargets", source=source, line=6) == "line 6 of row.nc has no block"
+    for wrong in (0, -5, 10**6):
+        assert client.refused("goto", threadId=1, targetId=wrong).startswith("there is no target")
+    assert client.stack()[0][1] == 12
+
+
 def test_a_search_tells_who_wrote(client: Client, row: Path) -> None:
     client.begin(row)
     client.lines(row, 14)

@@ -32,6 +32,7 @@ arguments = st.fixed_dictionaries(
         "value": texts, "text": texts, "column": ids, "line": lines, "endLine": lines,
         "context": st.sampled_from(["repl", "hover", "watch"]), "requestId": ids,
         "sourceReference": ids, "start": ids, "count": ids, "levels": ids, "startFrame": ids,
+        "targetId": st.integers(-1, 25),
     },
 )  # fmt: skip
 MOVES = ["continue", "next", "stepIn", "stepOut", "stepBack", "reverseContinue"]

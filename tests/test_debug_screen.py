@@ -348,6 +348,24 @@ def test_values_are_set_by_key_and_by_enter() -> None:
     drive(ROW, steps)
 
 
+def test_the_line_of_the_cursor_is_made_the_next_block() -> None:
+    async def steps(screen: Screen) -> None:
+        machine = screen.app.session.machine
+        await screen.press("s", "s", "s", "0", *["down"] * 6, "N")
+        assert machine.next is not None
+        assert machine.next.n == 180
+        assert screen.foot == "row.nc:13: made the next block"
+        assert machine.blocks == 3
+        await screen.press("home", "N")
+        assert screen.foot.startswith("no block on line 1 of row.nc")
+        assert machine.next.n == 180
+        await screen.press("c")
+        assert screen.app.session.ended
+        assert not [move for move in machine.moves if move.z == -8]
+
+    drive(ROW, steps)
+
+
 def test_mdi_is_refused_by_name() -> None:
     async def steps(screen: Screen) -> None:
         await screen.press("m")

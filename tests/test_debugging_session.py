@@ -303,10 +303,26 @@ def test_a_search_finds_who_wrote_last(session: Session) -> None:
         session.search("#30 +")
 
 
+def test_another_block_is_made_the_next_one(session: Session) -> None:
+    session.set_points("lines", [PausePoint("O9100:N140", when="#30 EQ 1")])
+    session.run()
+    blocks = session.machine.blocks
+    pause = session.goto("row.nc:12")
+    assert (pause.reason, at(session), session.machine.blocks) == (Reason.GOTO, 160, blocks)
+    with pytest.raises(ValueError, match="line 4 is a block of O1; the program that runs is O9100"):
+        session.goto("O1:N25")
+    assert (session.at, at(session)) == (pause, 160)
+    session.set_points("lines", [PausePoint("O9100:N180")])
+    session.run()
+    holes = [move.x for move in session.machine.moves if move.z == -8]
+    assert holes == [0, 20]  # one was jumped over
+    session.back()
+    assert at(session) == 130
+    session.back_to(blocks - 1)
+    assert at(session) == 130
+
+
 def test_what_the_engine_cannot_do_is_refused_by_name(session: Session) -> None:
-    assert session.next is not None
-    with pytest.raises(NotImplementedError, match="goto: "):
-        session.goto(session.next)
     with pytest.raises(NotImplementedError, match="mdi: "):
         session.mdi("G0 X1.")
 

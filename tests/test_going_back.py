@@ -137,3 +137,39 @@ def test_what_was_set_on_the_way_is_set_again(
     to = data.draw(st.integers(0, machine.blocks))
     machine.back(to)
     assert shown(machine) == seen[to]
+
+
+# Jumps over blocks, into and out of loops, branches, repeats and parts, after alarms and ends.
+@given(
+    program=programs,
+    jumps=st.lists(st.tuples(st.integers(0, 6), st.integers(0, 12)), min_size=1, max_size=4),
+    data=st.data(),
+)
+def test_a_next_block_that_was_set_is_set_again(
+    program: tuple[Any, str], jumps: list[tuple[int, int]], data: st.DataObject
+) -> None:
+    machine = begun(program, {"max_blocks": 60})
+    seen = [shown(machine)]
+    for steps, line in jumps:
+        for _ in range(steps):
+            if machine.step() is not None:
+                seen.append(shown(machine))
+        before = shown(machine)
+        running = machine.core.code.place_of(machine.core.address)[0]
+        addresses = [a for a in machine.core.blocks_at(running) if a >= 0]
+        if not addresses:
+            continue
+        to = addresses[line % len(addresses)]
+        try:
+            machine.core.set_next_block(to)
+        except ValueError:
+            assert shown(machine) == before
+            continue
+        assert machine.core.address == to
+        assert machine.alarm is None
+        seen[machine.blocks :] = [shown(machine)]
+    while machine.step() is not None:
+        seen.append(shown(machine))
+    to_step = data.draw(st.integers(0, max(0, min(machine.blocks, len(seen)) - 1)))
+    machine.back(to_step)
+    assert shown(machine) == seen[to_step]

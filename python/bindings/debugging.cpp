@@ -214,6 +214,12 @@ void set_named(Live& live, const std::string& name, const std::vector<NamedValue
   raise_refused(machine->set_named(level < 0 ? machine->state().level : level, name, values));
 }
 
+void set_next_block(Live& live, Address to) {
+  if (to >= live.code->blocks.size()) throw py::index_error("no such block");
+  const Work machine(live);
+  raise_refused(machine->set_next_block(to));
+}
+
 /// Return the numbers of the block-skip switches that are on, and whether M01 stops.
 py::tuple switches(Live& live) {
   const Look machine(live);
@@ -235,6 +241,7 @@ void add_debugging(MachineClass& machine) {
   py::class_<ExpressionList>(machine, "Expressions", py::is_final());
   machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
       .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
+      .def("set_next_block", &set_next_block, py::arg("address"))
       .def_property_readonly("switches", &switches)
       .def("set_switches", &set_switches, py::arg("on"), py::arg("stops"))
       .def("run_to", &run_to, py::arg("breakpoints"), py::arg("expressions"))

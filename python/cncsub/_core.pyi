@@ -594,6 +594,8 @@ class Machine:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
         """Give a variable its value, or those of its elements; likewise."""
+    def set_next_block(self, address: int) -> None:
+        """Make another block of the program that runs the next one; likewise."""
     @property
     def switches(self) -> tuple[tuple[int, ...], bool]: ...  # block skips; whether M01 stops
     def set_switches(self, on: list[int], stops: bool) -> None: ...

@@ -11,7 +11,7 @@ from cncsub import _core
 from cncsub.controls import did_you_mean
 from cncsub.files import one_line
 from cncsub.inputs import is_whole
-from cncsub.program import Block, find_program, place_of_program
+from cncsub.program import Block, block_at, find_program, place_of_program
 from cncsub.setup import AXES
 
 _FORMS = (
@@ -115,7 +115,7 @@ class Compiled:
     def _place(self, at: Block | tuple[str | int, int]) -> dict[str, Any]:
         if isinstance(at, Block):
             if at.program.data.code is not self._core.code:
-                raise ValueError(f"until: {at!r} is a block of another library")
+                raise ValueError(f"{at!r} is a block of another library")
             return self._blocks(at.program.index, line=at.line)
         return self._numbered(at[0], int(at[1]))
 
@@ -198,6 +198,23 @@ class Compiled:
             cure = f"; the nearest have lines {near}" if near else ""
             raise KeyError(f"no block on line {line} of {name}{cure}")
         return {"kind": "block", "blocks": blocks}
+
+
+def addresses_of(core: _core.Machine, at: At) -> list[int]:
+    """Return where the blocks of a place are. Raises `TypeError` and `ValueError` for what is no
+    place, and `KeyError` for a program, a block or a line that is not there.
+    """
+    if not isinstance(at, Block | str) and not _is_place(at):
+        raise TypeError(
+            "a block is given as a Block, a program and a sequence number such as ('O2', 30), or a"
+            f" text such as 'O2:N30' or 'job.nc:12'; not as {at!r}"
+        )
+    found: list[int] = Compiled(core, [Breakpoint(at)]).rows[0].get("blocks", [])
+    if not found:
+        raise ValueError(f"{at!r} is an event; a block is given as 'O2:N30' or 'job.nc:12'")
+    if isinstance(at, Block):
+        found = [a for a in found if block_at(core.code, a) == at] or found
+    return found
 
 
 def compiled(

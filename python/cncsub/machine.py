@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from cncsub import _core
 from cncsub._core import Frame
-from cncsub.breakpoints import At, Breakpoint, Compiled, as_breakpoints
+from cncsub.breakpoints import At, Breakpoint, Compiled, addresses_of, as_breakpoints
 from cncsub.breakpoints import compiled as compiled_expressions
 from cncsub.inputs import is_whole
 from cncsub.program import Block, Program
@@ -200,6 +200,43 @@ class Machine(Outcome):
             what = " or ".join(repr(each.at) for each in breakpoints)
             raise ValueError(f"to: {what} was not met in the {blocks} blocks before")
         return step
+
+    def goto(self, at: At) -> None:
+        """Make another block of the program that runs the next one. Nothing is executed; variables,
+        modes and position stay as they are, an alarm is gone. `back` replays it on the way to a
+        later step, and forgets it on the way to an earlier one.
+
+        `at` is a place as `run` takes it: a `Block`, `("O2", 30)`, `"O2:N30"` or `"job.nc:12"`.
+        Loops that do not hold the block are left, and those that do stay open, as at a GOTO of the
+        program: a loop that is entered in its middle alarms at its END, as it would there.
+
+        Raises `KeyError` for a program, a block or a line that is not there, and `ValueError` with
+        the reason for a block of another program, outside a part that is repeated, inside a branch
+        or a loop that cannot be entered so, and where the program has ended; the machine stays as
+        it is then.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 #100=1\\nN20 #100=2\\nN30 #101=#100\\nN40 M30\\n"
+        >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
+        >>> machine.run(until="O1:N20")
+        >>> machine.goto("O1:N30")
+        >>> machine.next.n, machine.blocks
+        (30, 1)
+        >>> machine.run(until="O1:N40")
+        >>> machine.variables[101]
+        1.0
+        """
+        found = addresses_of(self.core, at)
+        place_of = self.core.code.place_of
+        running = (place_of(self.core.address)[0], self.core.open_frames[-1]["program"])
+        own = [address for address in found if place_of(address)[0] in running]
+        lines = {self.core.code.program(program).block(index)[1] for program, index in
+                 map(place_of, own)}  # fmt: skip
+        if len(lines) > 1:
+            told = ", ".join(map(str, sorted(lines)))
+            raise ValueError(f"{at!r} stands on the lines {told}: give one, such as 'job.nc:12'")
+        self.core.set_next_block((own or found)[0])
+        self._reached = ()
 
     def evaluate(self, expression: str) -> float | None:
         """Return the value of an expression in the language of the control, in the present state,

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cncsub/machine/run/aside.hpp"
+#include "cncsub/machine/run/next_block.hpp"
 #include "cncsub/machine/run/run.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
@@ -251,6 +252,15 @@ std::optional<std::string> Machine::set_named(int level, const std::string& name
   std::optional<std::string> refused;
   change([&](Run& run) { refused = cncsub::set_named(run, level, name, values); },
          [=](Run& run) { cncsub::set_named(run, level, name, values); });
+  return refused;
+}
+
+std::optional<std::string> Machine::set_next_block(Address to) {
+  const Address pc = run_.state.pc;
+  auto refused = cncsub::set_next_block(run_, to);
+  // One that was refused is not done again: on the way back no limit stops the run.
+  if (!refused && history_)
+    history_->edited(run_, pc, [to](Run& run) { cncsub::set_next_block(run, to); });
   return refused;
 }
 

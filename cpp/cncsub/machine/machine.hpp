@@ -124,6 +124,9 @@ class Machine {
                                       const std::string& mode);
   std::optional<std::string> set_named(int level, const std::string& name,
                                        const std::vector<NamedValue>& values);
+  /// Make another block of the program that runs the next one: see next_block.hpp. Return why it
+  /// cannot be.
+  std::optional<std::string> set_next_block(Address to);
   /// Set the block-skip switches, a bit each, and whether M01 stops.
   void set_switches(std::uint16_t skips, bool optional_stop);
   const Options& options() const { return run_.options; }

@@ -220,9 +220,7 @@ class Adapter:
 
     def move(self, movement: Callable[[Session], Pause]) -> None:
         """Have the session move once the request is answered, and tell where it stands then."""
-        session = self.running()
-        if not self.started:
-            raise RequestError("configurationDone comes first")
+        session = self.started_session()
         self.moving = True
         self.variables, self.frames = [], {}
 
@@ -246,6 +244,12 @@ class Adapter:
         if self.session is None:
             raise RequestError("no program is launched: launch comes first")
         return self.session
+
+    def started_session(self) -> Session:
+        """Return the session once it may move."""
+        if not self.started:
+            raise RequestError("configurationDone comes first")
+        return self.running()
 
     def pause(self) -> None:
         """Have a movement end soon."""

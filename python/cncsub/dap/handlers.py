@@ -17,7 +17,7 @@ _CAN = (
     "CompletionsRequest", "RestartRequest", "ExceptionInfoRequest", "ExceptionFilterOptions",
     "DelayedStackTraceLoading", "LoadedSourcesRequest", "LogPoints", "SetExpression",
     "TerminateRequest", "DataBreakpoints", "CancelRequest", "BreakpointLocationsRequest",
-    "ClipboardContext",
+    "ClipboardContext", "GotoTargetsRequest",
 )  # fmt: skip
 CAPABILITIES: Mapping[str, Any] = {
     **{f"supports{name}": True for name in _CAN},
@@ -145,6 +145,14 @@ def restart_frame(adapter: Adapter, arguments: Arguments) -> None:
     adapter.move(lambda session: session.restart_frame(index))
 
 
+def goto(adapter: Adapter, arguments: Arguments) -> None:
+    """Make what `gotoTargets` named the next block. Where it cannot be, this request is refused."""
+    _check_thread(arguments)
+    session = adapter.started_session()
+    standing = session.goto(sources.target(adapter, arguments.number("targetId")))
+    adapter.move(lambda session: standing)
+
+
 def pause(adapter: Adapter, arguments: Arguments) -> None:
     _check_thread(arguments)
     adapter.pause()
@@ -177,6 +185,8 @@ HANDLERS: Mapping[str, Handler] = {
     "stepBack": _moves(Session.back_over),
     "reverseContinue": _moves(Session.reverse),
     "restartFrame": Handler(restart_frame),
+    "gotoTargets": Handler(sources.goto_targets, runs=True),
+    "goto": Handler(goto),
     "setBreakpoints": Handler(breaks.set_breakpoints, runs=True),
     "setFunctionBreakpoints": Handler(breaks.set_function_breakpoints, runs=True),
     "setDataBreakpoints": Handler(breaks.set_data_breakpoints, runs=True),

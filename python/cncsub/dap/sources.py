@@ -11,7 +11,9 @@ from cncsub.dap.adapter import Adapter
 from cncsub.dap.arguments import Arguments, RequestError
 from cncsub.debugging import Output
 from cncsub.debugging.points import programs_of
-from cncsub.program import Program
+from cncsub.program import Block, Program, block_at
+
+_MOST_TARGETS = 100  # blocks on one line
 
 
 def source_of(adapter: Adapter, program: Program) -> dict[str, Any]:
@@ -86,6 +88,38 @@ def source(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
 def loaded_sources(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     code = adapter.running().library.code
     return {"sources": [source_named(adapter, name) for name, *_ in code.sources]}
+
+
+def goto_targets(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
+    """Answer with the blocks on a line; which of them can be the next one, `goto` says."""
+    machine, line = adapter.running().machine, adapter.line_in(arguments.number("line"))
+    code = machine.core.code
+    file = known_file(code, arguments.table("source"))
+    found = [
+        (address, block_at(code, address))
+        for program in programs_of(code, file)
+        for address in machine.core.blocks_at(program.index, -1, line)
+    ]
+    if not found:
+        raise RequestError(f"line {adapter.line_out(line)} of {Path(file).name} has no block")
+    return {
+        "targets": [
+            {
+                "id": address + 1,
+                "label": f"{block.program.name} {block.text.strip()}",
+                "line": adapter.line_out(block.line),
+            }
+            for address, block in found[:_MOST_TARGETS]
+        ]
+    }
+
+
+def target(adapter: Adapter, number: int) -> Block:
+    """Return the block that a target is."""
+    try:
+        return block_at(adapter.running().machine.core.code, number - 1)
+    except (IndexError, TypeError):
+        raise RequestError(f"there is no target {number}: ask for gotoTargets") from None
 
 
 def write_output(adapter: Adapter, output: Output) -> None:

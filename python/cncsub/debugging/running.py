@@ -54,6 +54,13 @@ def standing_at(machine: Machine, points: PausePoints) -> list[ArmedPoint]:
     return found
 
 
+def step_over_back(machine: Machine) -> int:
+    """Return the last step before this at which no more calls were open than now."""
+    open_calls = machine.steps.depth[: machine.blocks]
+    found = (open_calls <= len(machine.stack)).nonzero()[0]
+    return int(found[-1]) if len(found) else 0
+
+
 def name_of(placed: PlacedPoint) -> str:
     """Return where a point stands, as a text."""
     at = placed.point.at

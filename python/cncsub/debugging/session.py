@@ -18,7 +18,7 @@ from cncsub.debugging.points import (
     PlacedPoint,
     log_pieces,
 )
-from cncsub.debugging.running import name_of, run_to, standing_at
+from cncsub.debugging.running import name_of, run_to, standing_at, step_over_back
 from cncsub.debugging.scopes import Scope, StateFacts
 from cncsub.library import Library
 from cncsub.machine import Machine
@@ -188,7 +188,7 @@ class Session:
         """Go back to the block before, past what it called; at the first block of a program to the
         one that called.
         """
-        return self._back_to(self._step_over_back(), "one block back")
+        return self._back_to(step_over_back(self.machine), "one block back")
 
     def back_to_call(self) -> Pause:
         """Go back to the block that called the program that runs; of the main program, to its
@@ -265,15 +265,15 @@ class Session:
         """
         return list(helping.search(self.machine, what, most))
 
-    # ---- what the engine cannot do ----
-
-    def goto(self, block: Block) -> Pause:
-        """Make another block the next one, without running what lies between. Raises
-        `NotImplementedError`: the engine cannot.
+    def goto(self, to: At) -> Pause:
+        """Make another block of the program that runs the next one, without running what lies
+        between. Raises what `Machine.goto` raises.
         """
-        raise NotImplementedError(
-            f"goto: the next block cannot be set to {block.text!r}; run to it, or go back to it"
-        )
+        self._remember()
+        self.machine.goto(to)
+        return self._paused(Reason.GOTO, "made the next block")
+
+    # ---- what the engine cannot do ----
 
     def mdi(self, text: str) -> Pause:
         """Run a typed block in the present state. Raises `NotImplementedError`: the engine
@@ -389,10 +389,3 @@ class Session:
     def _went_back(self) -> None:
         self._told = len(self.machine.messages)
         self.points.forget_after(self.machine.blocks)
-
-    def _step_over_back(self) -> int:
-        """Return the last step before this at which no more calls were open than now."""
-        depth, steps = len(self.machine.stack), self.machine.steps
-        open_calls = steps.depth[: self.machine.blocks]
-        found = (open_calls <= depth).nonzero()[0]
-        return int(found[-1]) if len(found) else 0

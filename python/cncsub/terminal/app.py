@@ -31,8 +31,8 @@ _MOST_WRITTEN = 1000  # lines of a movement that are kept for the messages
 _MOST_FOUND = 200  # places where a variable was written
 # What reads or changes the machine: not while another thread runs it.
 _AT_REST = frozenset({
-    "move", "to_cursor", "back_to_cursor", "restart_frame", "ask", "toggle_point", "remove_point",
-    "tell", "follow",
+    "move", "to_cursor", "set_next", "back_to_cursor", "restart_frame", "ask", "toggle_point",
+    "remove_point", "tell", "follow",
 })  # fmt: skip
 _FORWARDS = ("into", "over", "out", "to_return", "run")
 
@@ -190,6 +190,15 @@ class DebugApp(App[None]):
 
     def action_to_cursor(self) -> None:
         self.move(partial(asking.run_to, self.session, self.board.place_of_cursor()), "running")
+
+    def action_set_next(self) -> None:
+        place = self.board.place_of_cursor()
+        answer = asking.answered(lambda: self.session.goto(place).text)
+        if answer.wrong:
+            self.tell(answer.text, wrong=True)
+        else:
+            self.frame = 0
+            self.look_again(f"{place}: {answer.text}")
 
     def action_back_to_cursor(self) -> None:
         self.go_back_to(self.board.place_of_cursor())

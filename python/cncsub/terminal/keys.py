@@ -28,6 +28,7 @@ KEYS: dict[str, tuple[Key, ...]] = {
         Key("t", "move('to_return')", "to the block that leaves this program"),
         Key("c,f5", "move('run')", "run to the next breakpoint, or to the end", "run"),
         Key("g", "to_cursor", "run to the line of the cursor"),
+        Key("N", "set_next", "make the line of the cursor the next one; run nothing"),
         Key("p,f6", "pause", "pause a program that runs"),
     ),
     "Back": (

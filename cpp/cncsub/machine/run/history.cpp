@@ -5,6 +5,7 @@
 
 #include "cncsub/machine/run/run.hpp"
 #include "cncsub/machine/state/limits.hpp"
+#include "cncsub/machine/state/stop.hpp"
 
 namespace cncsub {
 
@@ -38,8 +39,7 @@ void restore(Run& run, const Snapshot& from) {
   run.state = from.state;
   run.motion = from.motion;
   run.trace.rewind(from.recorded);
-  for (const OpenFrame& frame : run.state.frames)
-    if (frame.call >= 0) run.trace.reopen(frame.call);
+  reopen_calls(run);
   run.watched.seen = from.seen;
   run.options.skips = from.skips;
   run.options.optional_stop = from.optional_stop;

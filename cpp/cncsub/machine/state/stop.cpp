@@ -20,6 +20,11 @@ void finish_calls(Run& run) {
       run.trace.calls.at(run.trace.call_row(open.call)).last_step = run.state.executed - 1;
 }
 
+void reopen_calls(Run& run) {
+  for (const OpenFrame& open : run.state.frames)
+    if (open.call >= 0) run.trace.reopen(open.call);
+}
+
 bool alarm(Run& run, const Fault& fault) {
   State& s = run.state;
   s.alarm = alarm_of(*run.code, fault.block != kNowhere ? fault.block : s.pc, fault);

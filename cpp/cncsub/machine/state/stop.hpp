@@ -19,6 +19,8 @@ bool alarm_of_motion(Run& run, Fault fault);
 void rollback(Run& run);
 /// End the open calls with the last block that was executed.
 void finish_calls(Run& run);
+/// Let the open calls go on: the run stopped in them, and runs again.
+void reopen_calls(Run& run);
 /// Return the open calls, the last one first, as an alarm shows them.
 std::vector<Frame> open_calls(const Run& run);
 /// Start the main program over: a cycle is done.
