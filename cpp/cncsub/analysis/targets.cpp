@@ -101,6 +101,7 @@ class TargetCheck {
   void go_to(Address at, const Statement& go);
   Finding& no_return_block(const ProgramFlow::ReturnTo& to, const Program& where);
   void restart(const ProgramFlow::ReturnTo& to);
+  Address target_in(const Program& caller, const ProgramFlow::ReturnTo& to, Address call) const;
   void one_return(const ProgramFlow::ReturnTo& to);
 
   Checker& c_;
@@ -201,6 +202,13 @@ void TargetCheck::restart(const ProgramFlow::ReturnTo& to) {
     ambiguous(to.from, program_, to.n, to.place);
 }
 
+/// Return the block of a caller to which a return leads; kNowhere: it has none.
+Address TargetCheck::target_in(const Program& caller, const ProgramFlow::ReturnTo& to,
+                               Address call) const {
+  return to.name.empty() ? c_.code.return_target(caller, to.n, call)
+                         : c_.code.named_return_target(caller, to.name, call);
+}
+
 /// Check M99 P in each program that calls.
 void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
   const auto callers = c_.callers_of(flow_.program());
@@ -214,9 +222,7 @@ void TargetCheck::one_return(const ProgramFlow::ReturnTo& to) {
     if (edge->caller == before) continue;
     before = edge->caller;
     const Program& caller = c_.program(edge->caller);
-    const Address found = to.name.empty()
-                              ? c_.code.return_target(caller, to.n, edge->from)
-                              : c_.code.named_return_target(caller, to.name, edge->from);
+    const Address found = target_in(caller, to, edge->from);
     if (found == kNowhere) {
       if (lacks == nullptr) lacks = edge;
       ++lacking;

@@ -179,6 +179,7 @@ class NameReader {
     at_ = end == std::string_view::npos ? text_.size() : end + 1;
   }
   void one();
+  void variable();
   void number();
   void exponent();
   void name();
@@ -201,17 +202,20 @@ void NameReader::one() {
   if (c == '\'') return pass_up_to('\'');  // 'HFF'
   if (c == '<' && spelling_.numbered && text_.find('>', at_) != std::string_view::npos)
     return pass_up_to('>');  // the name of a program
-  if (c == '#') {
-    if (is_digit(ahead(1))) return take(run_of(1, is_digit));
-    if (ahead(1) != '<') return pass(1);
-    const std::size_t end = text_.find('>', at_);
-    return take(end == std::string_view::npos ? text_.size() - at_ : end + 1 - at_);
-  }
+  if (c == '#') return variable();
   if (c == '<' && ahead(1) == '<') return take(2);
   if (c == '$' && is_letter(ahead(1))) return take(run_of(1, is_of_name));
   if (c == ',' && at_ == 0 && is_letter(ahead(1))) return take(2);
   if (is_letter(c) || (c == '_' && !spelling_.numbered)) return name();
   pass(1);
+}
+
+/// Read #100 or #<depth>.
+void NameReader::variable() {
+  if (is_digit(ahead(1))) return take(run_of(1, is_digit));
+  if (ahead(1) != '<') return pass(1);
+  const std::size_t end = text_.find('>', at_);
+  take(end == std::string_view::npos ? text_.size() - at_ : end + 1 - at_);
 }
 
 /// Pass over a number, which may have an exponent: 1.5EX-3.

@@ -58,7 +58,7 @@ void paths(Control& c) {
   c.motion.idle_blocks = {3, "general knowledge of the SINUMERIK 840D: MD 20250", Inferred};
 }
 
-void motion(Control& c) {
+void meanings(Control& c) {
   c.motion.g_meanings = {
       "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
       "332=thread-by-axis 34=thread-growing 35=thread-shrinking 58=not-computed "
@@ -84,6 +84,10 @@ void motion(Control& c) {
   c.motion.g_meanings.tell("961=surface-speed-per-minute", "SONE p.99: G961", Manual);
   c.motion.g_meanings.tell("971=spindle-speed-per-minute", "SONE p.99: G971", Manual);
   c.motion.g_meanings.tell("973=spindle-speed-per-revolution", "SONE p.99: G973", Manual);
+}
+
+void motion(Control& c) {
+  meanings(c);
   frames_and_tools(c);
   paths(c);
   c.motion.feed_mode_change = {FeedModeChange::DeletesFeed,

@@ -331,7 +331,7 @@ bool text_here(OpenBlock& open, Block& block, std::string& text) {
 }
 
 /// Read the text that names the block to return to.
-bool return_text(OpenBlock& open, Block& block, CallExtras& to) {
+static bool return_text(OpenBlock& open, Block& block, CallExtras& to) {
   Value text;
   Type type = Type::Real;
   if (!open.expression.value_of_any(text, type)) return open.refuse(block);

@@ -270,6 +270,17 @@ bool count_loop(OpenBlock& open, Block& block, Link& link, Statement loop) {
 
 }  // namespace
 
+/// Read the rest of a block that begins, parts or ends a structure.
+static bool structure_word(OpenBlock& open, Block& block, const Structure& of,
+                           Statement& statement) {
+  const bool until = of.kind == Link::Kind::Until;
+  if (of.condition && !open.expression.condition(statement.expression, until))
+    return open.refuse(block);
+  if (!open.end_of_statement(block)) return false;
+  open.to.become(block, of.op, statement);
+  return true;
+}
+
 bool statement(OpenBlock& open, Block& block, Link& link, bool& read_it) {
   const std::uint32_t at = open.line.offset();
   const std::string word = capitals(open.line.name());
@@ -285,17 +296,11 @@ bool statement(OpenBlock& open, Block& block, Link& link, bool& read_it) {
   if (!structure && !other) return false;
   open.line.pass(word.size());
   Statement statement;
-  statement.at = at;
-  statement.width = open.line.width_from(at);
-  link.at = statement.at;
-  link.width = statement.width;
+  link.at = statement.at = at;
+  link.width = statement.width = open.line.width_from(at);
   if (structure) {
     link.kind = known->kind;
-    const bool until = known->kind == Link::Kind::Until;
-    read_it = !known->condition || open.expression.condition(statement.expression, until) ||
-              open.refuse(block);
-    read_it = read_it && open.end_of_statement(block);
-    if (read_it) open.to.become(block, known->op, statement);
+    read_it = structure_word(open, block, *known, statement);
   } else if (is_among(kCalls, word)) {
     read_it = other_call(open, block, link, word, at);
   } else if (word == "IF") {

@@ -136,24 +136,38 @@ std::vector<std::string_view> known_system_variables() {
   return names;
 }
 
+namespace {
+
+/// Return the name of a variable of the table; nothing where none has the kind of the range.
+std::string name_in_table(const VariableRange& range, std::int32_t index) {
+  for (const SystemVariable& of : kVariables) {
+    if (of.kind != range.kind || of.address != range.address || of.by == By::Group) continue;
+    std::string name = "$" + std::string(of.name);
+    if (of.by == By::Axis) name += "[" + axis_letter(index + 1) + "]";
+    if (of.by == By::Number) name += "[" + std::to_string(index + 1) + "]";
+    return name;
+  }
+  return "";
+}
+
+std::string name_in_range(const VariableRange& range, std::int32_t index) {
+  if (range.kind == VariableKind::ToolName) return "$TC_TP2[" + std::to_string(index) + "]";
+  if (range.kind == VariableKind::EdgeDatum) {
+    const EdgeDatum of = EdgeDatum::of(index);
+    return "$TC_DP" + std::to_string(of.datum) + "[" + std::to_string(of.tool) + "," +
+           std::to_string(of.edge) + "]";
+  }
+  std::string frame = name_of_frame(range.kind, index);
+  return frame.empty() ? name_in_table(range, index) : frame;
+}
+
+}  // namespace
+
 std::string name_of_variable(const Control& control, std::int64_t number) {
   for (const VariableRange& range : control.variables) {
     if (number < range.first || number > range.last) continue;
-    const auto index = static_cast<std::int32_t>(number - range.first);
-    if (range.kind == VariableKind::ToolName) return "$TC_TP2[" + std::to_string(index) + "]";
-    if (range.kind == VariableKind::EdgeDatum) {
-      const EdgeDatum of = EdgeDatum::of(index);
-      return "$TC_DP" + std::to_string(of.datum) + "[" + std::to_string(of.tool) + "," +
-             std::to_string(of.edge) + "]";
-    }
-    if (const std::string frame = name_of_frame(range.kind, index); !frame.empty()) return frame;
-    for (const SystemVariable& of : kVariables) {
-      if (of.kind != range.kind || of.address != range.address || of.by == By::Group) continue;
-      std::string name = "$" + std::string(of.name);
-      if (of.by == By::Axis) name += "[" + axis_letter(index + 1) + "]";
-      if (of.by == By::Number) name += "[" + std::to_string(index + 1) + "]";
-      return name;
-    }
+    std::string name = name_in_range(range, static_cast<std::int32_t>(number - range.first));
+    if (!name.empty()) return name;
   }
   return "";
 }
