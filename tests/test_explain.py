@@ -204,7 +204,8 @@ _NO_WORDS = frozenset(
         " ",
         "CYCLE_ MPF SPF DEF_ _N_ _MPF _SPF _DEF _X NCK CHAN SYNR SYNW SYNRW PHU APR APW APRP APWP"
         " APRB APWB INIPO INIRE LLI ULI ACTBLOCNO PREPRO ICYCOF ICYCON AS ISOCALL N10 TEXT MILL_10"
-        " ABC BCDFEGSX MSTDHEQ NN NNN TC TT ABCDFIJKSTUVWXYZ ABCDEFGHIJKLMNOPQRSTUVWXYZ",
+        " ABC BCDFEGSX MSTDHEQ NN NNN TC TT ABCDFIJKSTUVWXYZ ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+        " ABCIJKUVWXYZ DFST",
     )
 )
 
@@ -245,7 +246,9 @@ def _names_given(library: cncsub.Library) -> set[str]:
             given |= {
                 name for name in names if name.removesuffix("_SPF") in library or name[:3] == "_N_"
             }
-            if {"DEF", "DEFINE", "PROC", "SETVN", "GOTOC"} & set(names) or "P[" in block.text:
+            if {"DEF", "DEFINE", "PROC", "EXTERN", "SETVN", "GOTOC"} & set(
+                names
+            ) or "P[" in block.text:
                 given |= set(names)
     return given
 
