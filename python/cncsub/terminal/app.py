@@ -196,9 +196,10 @@ class DebugApp(App[None]):
         answer = asking.answered(lambda: self.session.goto(place).text)
         if answer.wrong:
             self.tell(answer.text, wrong=True)
-        else:
-            self.frame = 0
-            self.look_again(f"{place}: {answer.text}")
+            return
+        self.frame = 0
+        self.look_again()
+        self.tell(f"{place}: {answer.text}")
 
     def action_back_to_cursor(self) -> None:
         self.go_back_to(self.board.place_of_cursor())
