@@ -15,7 +15,6 @@ namespace cncsub::sinumerik {
 
 namespace {
 
-constexpr int kMostM = 5;                  // of a block [NCI groups; general knowledge]
 constexpr double kLargestM = 2147483647;   // the largest INT [general knowledge]
 constexpr std::size_t kLongestLabel = 32;  // [NCI labels: manual 4.1.5.2]
 constexpr std::string_view kAddresses = "ABCDFIJKSTUVWXYZ";
@@ -327,20 +326,6 @@ bool text_field(OpenBlock& open, Block& block, PrintField& field) {
   field.is_variable = field.is_text = text.computed;
   field.expression = text.expression;
   if (!text.computed) field.text = open.to.code().texts.at(to_whole<std::size_t>(text.number));
-  return true;
-}
-
-bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
-  if (words.list.m_count == kMostM)
-    return open.refuse(block, Cause::TooManyWords, "more than five M codes", value.at);
-  const int code = to_whole<int>(std::clamp(std::round(value.number), -1.0, kLargestCode));
-  const Role role = value.computed ? Role::None : open.to.control().calls.roles.value.of_m(code);
-  if (role == Role::Return) {
-    words.back = value.at;
-    return true;
-  }
-  words.ends = words.ends || role == Role::End;
-  words.list.add_m(word_of(value));
   return true;
 }
 

@@ -1,5 +1,5 @@
-// Addresses with an index: G[8]=2, M[1]=5, S[SPINDLE]=500; tools by their names; and the data of
-// tools that a program writes.
+// Codes, also of an index: M3, G[8]=2, M[1]=5, S[SPINDLE]=500; tools by their names; and the data
+// of tools that a program writes.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -131,6 +131,22 @@ bool value_of_code(OpenBlock& open, Block& block, std::uint32_t at, Value& value
   if (!open.expression.value(value)) return open.refuse(block);
   return !quick || open.line.take(')') ||
          open.refuse(block, Cause::BracketNotClosed, ") is missing", at);
+}
+
+/// Take an M code, whose value was read.
+bool m_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
+  constexpr int kMostM = 5;  // of a block [NCI groups; general knowledge]
+  if (words.list.m_count == kMostM)
+    return open.refuse(block, Cause::TooManyWords, "more than five M codes", value.at);
+  const int code = to_whole<int>(std::clamp(std::round(value.number), -1.0, kLargestCode));
+  const Role role = value.computed ? Role::None : open.to.control().calls.roles.value.of_m(code);
+  if (role == Role::Return) {
+    words.back = value.at;
+    return true;
+  }
+  words.ends = words.ends || role == Role::End;
+  words.list.add_m({value.computed, value.expression, value.number});
+  return true;
 }
 
 bool indexed(OpenBlock& open, Block& block, Words& words, char letter, std::uint32_t at) {
