@@ -140,7 +140,8 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
     assert client.ask("setExpression", expression="#100", value="#6*2")["value"] == "10"
     for context, text, result in (
         ("watch", "#6*2+#100", "20"), ("repl", "#101=7", "7"), ("repl", "#101", "7"),
-        ("hover", "#6", "#6 = 5\none of the locals"), ("repl", "work=G55", "G55"),
+        ("repl", "work=G55", "G55"),
+        ("hover", "#6", "#6 = 5\na local variable of the program that runs, at its level: #1 to #33"),
         ("watch", "work", "G55"), ("clipboard", "Z", "50"),
     ):  # fmt: skip
         body = client.ask("evaluate", expression=text, context=context, frameId=frames[0]["id"])

@@ -405,7 +405,7 @@ def test_what_is_known_of_a_block_and_of_a_value_is_told() -> None:
         await screen.press("escape", "s", "s", "1")
         screen.app.board.variables.highlighted = 2
         await screen.press("i")
-        assert "one of the locals" in screen.text
+        assert "a local variable of the program that runs" in screen.text
         await screen.press("escape", "0", "home", "i")
         assert "no block on this line" in screen.text
 

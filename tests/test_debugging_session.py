@@ -275,8 +275,9 @@ def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Se
 def test_hover_tells_the_value_and_the_meaning(session: Session) -> None:
     session.into()
     session.into()
-    assert session.hover("#6") == "#6 = 4\none of the locals"
-    assert session.hover("#5221").endswith("one of the work offsets")
+    known = "a local variable of the program that runs, at its level: #1 to #33"
+    assert session.hover("#6") == f"#6 = 4\n{known}"
+    assert session.hover("#5221").startswith("#5221 = 0\nan offset of a work coordinate system")
     assert session.hover("G81").startswith("mill: drills a hole\nlathe-")
     assert session.hover("?!") == ""
 

@@ -48,12 +48,13 @@ def hover(machine: Machine, text: str, frame: StackFrame) -> str:
     with contextlib.suppress(KeyError, TypeError, ValueError):  # a code, a word, half an expression
         lines.append(f"{asked} = {evaluate(machine, asked, frame)}")
     control = machine.core.code.control
-    if (number := number_of(machine, asked)) is not None:
-        facts = machine.core.code.variable_facts(number)
-        lines += [] if facts is None else [f"one of the {facts[0]}"]
-    for fact in code_explanations(asked, [control]):
+    explained = code_explanations(asked, [control])
+    for fact in explained:
         machines = [machine for on in fact["on"] for machine in on["machines"]]
         lines.append(f"{', '.join(machines)}: {fact['does']}" if machines else fact["does"])
+    if not explained and (number := number_of(machine, asked)) is not None:
+        facts = machine.core.code.variable_facts(number)
+        lines += [] if facts is None else [f"one of the {facts[0]}"]
     return "\n".join(lines)
 
 
