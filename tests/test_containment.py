@@ -149,11 +149,13 @@ def test_a_settings_file_is_a_regular_file(tmp_path: Path) -> None:
 def test_nothing_that_is_read_can_be_code() -> None:
     refused = {"pickle", "marshal", "shelve", "dill", "yaml", "subprocess", "ctypes", "socket"}
     for file in PACKAGE.glob("**/*.py"):
+        # The adapter of debuggers listens on a port where it is asked to.
+        here = refused - ({"socket"} if file.name == "dap.py" else set())
         for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Import):
-                assert not refused & {name.name.split(".")[0] for name in node.names}, file
+                assert not here & {name.name.split(".")[0] for name in node.names}, file
             if isinstance(node, ast.ImportFrom) and node.module:
-                assert node.module.split(".")[0] not in refused, file
+                assert node.module.split(".")[0] not in here, file
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
                 assert node.func.id not in ("eval", "exec", "compile", "__import__"), file
 

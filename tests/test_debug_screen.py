@@ -267,7 +267,7 @@ def test_it_runs_to_the_cursor_and_back_to_it() -> None:
         await screen.press(*["down"] * 8, "g")
         assert (screen.at, screen.rows("points")) == (150, [])
         await screen.press("c")
-        screen.app.board.open(screen.app.session.library["O9100"], 9)
+        screen.app.board.show_program(screen.app.session.library["O9100"], 9)
         await screen.press("G")
         assert (screen.at, screen.app.session.evaluate("#30")) == (140, "2")
         screen.app.board.source.go(14)

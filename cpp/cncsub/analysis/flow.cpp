@@ -107,7 +107,7 @@ void FlowReader::back(const CallRecord& record) {
                                  TextPlace{record.p.at, record.p.width}});
 }
 
-/// Record the block that a return with values names. [RET("N10", 1, 2)]
+/// Record the block that a return with values names: RET("N10", 1, 2).
 void FlowReader::back_by_name(const CallRecord& record) {
   const CallExtras& to = record.extras.get();
   const bool computed = to.by_values && to.name_text.present();

@@ -87,7 +87,7 @@ class Edits:
         for file, data in new.items():
             replace_whole(file, data)
         for old, name in self.files.items():
-            Path(old).rename(name)
+            Path(old).replace(name)
         return [*new, *self.files.values()]
 
     def data_of(self, file: str) -> bytes:

@@ -138,10 +138,10 @@ class _Work:
         head.modes_before_moves()
         head.variables(commons=not data)
         head.tool()
+        head.clamp(self.before)  # before the surface speed turns the spindle
         head.spindle()
         head.approach(*approach)
         head.shift()
-        head.clamp(self.before)
         head.modes_after_moves(self.before)
         if repeats and not (self.state.step and self._repeat(head)):
             raise NoTailsError("the block before it moves")

@@ -298,7 +298,7 @@ def choose_program(app: DebugApp) -> Choose:
 
     def take(chosen: object) -> None:
         if isinstance(chosen, Program):
-            app.board.open(chosen, first_line(chosen))
+            app.board.show_program(chosen, first_line(chosen))
             app.board.source.focus()
 
     return Choose("Programs", rows(), take)

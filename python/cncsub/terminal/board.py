@@ -89,7 +89,7 @@ class Board:
         self.calls.highlighted = index
         if frame.block is None:
             return
-        self.open(frame.block.program, frame.block.line)
+        self.show_program(frame.block.program, frame.block.line)
 
     def show_values(self, index: int) -> None:
         scopes = scopes_of(self._session, index)
@@ -98,7 +98,7 @@ class Board:
         self.modes.fill(value_rows(modes))
         self.variables.fill(value_rows(scopes.values()))
 
-    def open(self, program: Program, line: int) -> None:
+    def show_program(self, program: Program, line: int) -> None:
         """Show the file of a program, with the cursor on a line."""
         shown_file = self.source.text
         there = any(each.index == program.index for each in shown_file.programs)
