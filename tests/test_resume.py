@@ -187,7 +187,7 @@ HEADS: list[tuple[str, str, str, dict[str, Any], list[str]]] = [
         "O1\nN10 T0303\nN20 G50 S800\nN30 G96 S150 M3\nN40 G0 X40. Z2.\nN50 G1 X30. F0.2\nN60 M30\n",
         "O1:N50",
         {"machine": "lathe-a"},
-        ["T0303", "G96 S150 M3", "G00 Z2.", "G00 X40.", "G50 S800"],
+        ["T0303", "G50 S800", "G96 S150 M3", "G00 Z2.", "G00 X40."],
     ),
     (
         "siemens-one",
