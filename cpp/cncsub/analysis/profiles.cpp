@@ -29,7 +29,8 @@ std::int64_t written(const Code& code, const Block& block, char address) {
 bool cuts_profile(const Code& code, const GCodes& codes, const Block& block) {
   if ((block.mask & bit('P')) == 0 || (block.mask & bit('Q')) == 0 || block.g_count == 0)
     return false;
-  const auto g = code.codes_of(block).g();
+  const auto& codes_here = code.codes_of(block);  // kept: `g` looks into it
+  const auto g = codes_here.g();
   return std::any_of(g.begin(), g.end(),
                      [&](int each) { return follows_profile(codes.find(each).meaning); });
 }
