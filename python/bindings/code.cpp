@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bindings.hpp"
-#include "cncsub/control/variable_groups.hpp"
+#include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/system/memory.hpp"

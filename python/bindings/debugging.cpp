@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bindings.hpp"
+#include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/flat/numbers.hpp"
 #include "gil.hpp"
@@ -185,9 +186,7 @@ py::list open_frames(Live& live) {
 
 /// Return whether a variable is a clock or a date of the control.
 bool follows_time(const Live& live, std::int64_t number) {
-  const VariableKind kind = live.code->place(number).kind;
-  return kind == VariableKind::Milliseconds || kind == VariableKind::Hours ||
-         kind == VariableKind::Date || kind == VariableKind::Time;
+  return group_of(live.code->place(number).kind) == "clock";
 }
 
 /// Return how the control assigns a value to a variable: #100=5, R100=5.

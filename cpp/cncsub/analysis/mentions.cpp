@@ -203,11 +203,7 @@ void MentionReader::return_by_values(const CallRecord& back) {
   const std::int64_t n = block_number_in(extras.name);
   for (const Site& site : callers_[static_cast<std::size_t>(program_)]) {
     const Program& caller = code_.programs[static_cast<std::size_t>(site.program)];
-    Address to = kNowhere;
-    if (n >= 0) {
-      to = code_.next_of(caller, n, site.at);
-      if (to == kNowhere) to = code_.first_of(caller, n);
-    }
+    const Address to = n < 0 ? kNowhere : code_.named_return_target(caller, extras.name, site.at);
     target(place, to, true, site.program);
   }
 }

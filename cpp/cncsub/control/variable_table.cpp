@@ -233,68 +233,82 @@ std::string option_with(const Control& control, std::int64_t number) {
 
 namespace {
 
+/// What is told of a kind: the group in which its variables are shown, and what they hold, or do.
 struct KindText {
   VariableKind kind;
-  std::string_view holds;
+  std::string_view group, holds;
 };
 constexpr KindText kKinds[] = {
-    {VariableKind::Vacant, "is always vacant"},
-    {VariableKind::Local, "a local variable of the program that runs, at its level"},
-    {VariableKind::LevelImage, "the local variables of a level, by its number"},
-    {VariableKind::Common, "a variable of all programs, cleared at power-off"},
-    {VariableKind::Kept, "a variable of all programs, kept at power-off"},
-    {VariableKind::Input, "a signal from the machine, 0 or 1"},
-    {VariableKind::InputWord, "signals from the machine, as one number"},
-    {VariableKind::Output, "a signal to the machine, 0 or 1"},
-    {VariableKind::OutputWord, "signals to the machine, as one number"},
-    {VariableKind::UserAlarm, "raises an alarm of the program, with the text after it"},
-    {VariableKind::Milliseconds, "a clock that counts milliseconds"},
-    {VariableKind::Hours, "a clock that counts hours"},
-    {VariableKind::Control1, "switches of the automatic operation: single block, feed hold"},
-    {VariableKind::Settings, "settings of the control, bit by bit"},
-    {VariableKind::Message, "stops the program and shows the text after it"},
-    {VariableKind::Mirror, "the axes that are mirrored, bit by bit"},
-    {VariableKind::Restart, "whether the program is being restarted"},
-    {VariableKind::Date, "the date, as YYYYMMDD"},
-    {VariableKind::Time, "the time of the day, as HHMMSS"},
-    {VariableKind::PartsCount, "a count of parts"},
-    {VariableKind::ModalCode, "the code in force of a G group, before this block"},
-    {VariableKind::ModalWord, "the value in force of an address, before this block"},
-    {VariableKind::ActiveCode, "the code in force of a G group, in this block"},
-    {VariableKind::ActiveWord, "the value in force of an address, in this block"},
-    {VariableKind::BlockEnd, "where the block before ended, in work coordinates"},
-    {VariableKind::MachinePosition, "where an axis stands, in machine coordinates"},
-    {VariableKind::WorkPosition, "where an axis stands, in work coordinates"},
-    {VariableKind::SkipPosition, "where the last skip ended, in work coordinates"},
-    {VariableKind::SkipTouched, "whether the signal of the last skip came"},
-    {VariableKind::ActiveLength, "the length offset in force"},
-    {VariableKind::ToolLength, "the length of the tool in the spindle"},
-    {VariableKind::ServoError, "how far an axis is behind its command"},
-    {VariableKind::WorkOffset, "an offset of a work coordinate system"},
-    {VariableKind::AxisWorkOffset, "an offset of a work coordinate system, axis by axis"},
-    {VariableKind::Shift, "the shift of the coordinates, and whether it counts"},
-    {VariableKind::ReferencePoint, "a reference point, in machine coordinates"},
-    {VariableKind::MessageSwitch, "whether messages are shown"},
-    {VariableKind::WorkSystem, "which work coordinate system is in force"},
-    {VariableKind::ExtraWorkOffset, "an offset of a further work coordinate system"},
-    {VariableKind::LengthWear, "the wear of a tool's length"},
-    {VariableKind::LengthGeometry, "the length of a tool"},
-    {VariableKind::RadiusWear, "the wear of a tool's radius"},
-    {VariableKind::RadiusGeometry, "the radius of a tool"},
-    {VariableKind::EdgeDatum, "a datum of an edge of a tool"},
-    {VariableKind::ToolName, "the name of a tool"},
-    {VariableKind::ParameterChoice, "which parameter of the control is read"},
-    {VariableKind::ParameterValue, "the value of the parameter that was chosen"},
-    {VariableKind::StoredFrame, "the frame of a work system"},
-    {VariableKind::FrameInForce, "a frame in force"},
-    {VariableKind::FrameNumber, "which of the stored frames is in force"}};
+    {VariableKind::Vacant, "locals", "is always vacant"},
+    {VariableKind::Local, "locals", "a local variable of the program that runs, at its level"},
+    {VariableKind::LevelImage, "locals", "the local variables of a level, by its number"},
+    {VariableKind::Common, "commons", "a variable of all programs, cleared at power-off"},
+    {VariableKind::Kept, "commons", "a variable of all programs, kept at power-off"},
+    {VariableKind::Input, "signals", "a signal from the machine, 0 or 1"},
+    {VariableKind::InputWord, "signals", "signals from the machine, as one number"},
+    {VariableKind::Output, "signals", "a signal to the machine, 0 or 1"},
+    {VariableKind::OutputWord, "signals", "signals to the machine, as one number"},
+    {VariableKind::UserAlarm, "settings", "raises an alarm of the program, with the text after it"},
+    {VariableKind::Milliseconds, "clock", "a clock that counts milliseconds"},
+    {VariableKind::Hours, "clock", "a clock that counts hours"},
+    {VariableKind::Control1, "settings",
+     "switches of the automatic operation: single block, feed hold"},
+    {VariableKind::Settings, "settings", "settings of the control, bit by bit"},
+    {VariableKind::Message, "settings", "stops the program and shows the text after it"},
+    {VariableKind::Mirror, "settings", "the axes that are mirrored, bit by bit"},
+    {VariableKind::Restart, "settings", "whether the program is being restarted"},
+    {VariableKind::Date, "clock", "the date, as YYYYMMDD"},
+    {VariableKind::Time, "clock", "the time of the day, as HHMMSS"},
+    {VariableKind::PartsCount, "settings", "a count of parts"},
+    {VariableKind::ModalCode, "modes", "the code in force of a G group, before this block"},
+    {VariableKind::ModalWord, "modes", "the value in force of an address, before this block"},
+    {VariableKind::ActiveCode, "modes", "the code in force of a G group, in this block"},
+    {VariableKind::ActiveWord, "modes", "the value in force of an address, in this block"},
+    {VariableKind::BlockEnd, "position", "where the block before ended, in work coordinates"},
+    {VariableKind::MachinePosition, "position", "where an axis stands, in machine coordinates"},
+    {VariableKind::WorkPosition, "position", "where an axis stands, in work coordinates"},
+    {VariableKind::SkipPosition, "position", "where the last skip ended, in work coordinates"},
+    {VariableKind::SkipTouched, "position", "whether the signal of the last skip came"},
+    {VariableKind::ActiveLength, "tool offsets", "the length offset in force"},
+    {VariableKind::ToolLength, "tool offsets", "the length of the tool in the spindle"},
+    {VariableKind::ServoError, "position", "how far an axis is behind its command"},
+    {VariableKind::WorkOffset, "work offsets", "an offset of a work coordinate system"},
+    {VariableKind::AxisWorkOffset, "work offsets",
+     "an offset of a work coordinate system, axis by axis"},
+    {VariableKind::Shift, "work offsets", "the shift of the coordinates, and whether it counts"},
+    {VariableKind::ReferencePoint, "work offsets", "a reference point, in machine coordinates"},
+    {VariableKind::MessageSwitch, "settings", "whether messages are shown"},
+    {VariableKind::WorkSystem, "work offsets", "which work coordinate system is in force"},
+    {VariableKind::ExtraWorkOffset, "work offsets",
+     "an offset of a further work coordinate system"},
+    {VariableKind::LengthWear, "tool offsets", "the wear of a tool's length"},
+    {VariableKind::LengthGeometry, "tool offsets", "the length of a tool"},
+    {VariableKind::RadiusWear, "tool offsets", "the wear of a tool's radius"},
+    {VariableKind::RadiusGeometry, "tool offsets", "the radius of a tool"},
+    {VariableKind::EdgeDatum, "tool offsets", "a datum of an edge of a tool"},
+    {VariableKind::ToolName, "tool offsets", "the name of a tool"},
+    {VariableKind::ParameterChoice, "settings", "which parameter of the control is read"},
+    {VariableKind::ParameterValue, "settings", "the value of the parameter that was chosen"},
+    {VariableKind::StoredFrame, "work offsets", "the frame of a work system"},
+    {VariableKind::FrameInForce, "work offsets", "a frame in force"},
+    {VariableKind::FrameNumber, "work offsets", "which of the stored frames is in force"}};
+
+/// Return whether every kind has its row, in their order.
+constexpr bool are_all_told() {
+  for (std::size_t i = 0; i < std::size(kKinds); ++i)
+    if (kKinds[i].kind != static_cast<VariableKind>(i)) return false;
+  return kKinds[std::size(kKinds) - 1].kind == VariableKind::FrameNumber;
+}
+static_assert(are_all_told());
 
 }  // namespace
 
+std::string_view group_of(VariableKind kind) {
+  return kKinds[static_cast<std::size_t>(kind)].group;
+}
+
 std::string_view what_it_holds(VariableKind kind) {
-  for (const KindText& of : kKinds)
-    if (of.kind == kind) return of.holds;
-  return "";
+  return kKinds[static_cast<std::size_t>(kind)].holds;
 }
 
 }  // namespace cncsub

@@ -34,6 +34,8 @@ std::string numbers_of(const VariableOption& option);
 /// Return whether these are other names of commons.
 bool is_alias(const VariableRange& range);
 
+/// Return the group in which a variable of a kind is shown: "locals", "work offsets", ...
+std::string_view group_of(VariableKind kind);
 /// Return what variables of a kind hold, or do.
 std::string_view what_it_holds(VariableKind kind);
 

@@ -112,15 +112,20 @@ Result check_block(MotionView m, const BlockWords& block) {
 
 namespace {
 
+/// Delete the feed where its mode is not the one before any more, and the control deletes it then.
+void delete_feed(MotionContext& m, Meaning before) {
+  if (m.facts.control->motion.feed_mode_change.value == FeedModeChange::DeletesFeed &&
+      m.state.modal[at(Group::Feed)].meaning != before)
+    m.state.feed = 0;
+}
+
 /// Set the mode of G93, G94 and G95.
 void set_feed_mode(MotionContext& m, const BlockWords& block) {
   if (!block.has(Group::Feed)) return;
   const Meaning before = m.state.modal[at(Group::Feed)].meaning;
   remember(m.state, *block.words.codes, bit(Group::Feed));
-  const FeedModeChange change = m.facts.control->motion.feed_mode_change.value;
-  if (change == FeedModeChange::DeletesFeed && block.meaning(Group::Feed) != before)
-    m.state.feed = 0;
-  if (change != FeedModeChange::EndsFeed) return;
+  delete_feed(m, before);
+  if (m.facts.control->motion.feed_mode_change.value != FeedModeChange::EndsFeed) return;
   if (block.meaning(Group::Feed) != Meaning::InverseTime)
     m.state.feed_before = 0;
   else if (before != Meaning::InverseTime)
@@ -139,9 +144,7 @@ static void set_feed_by_spindle(MotionContext& m, const BlockWords& block) {
   const Meaning before = feed.meaning;
   if (block.has(Group::Surface)) {
     feed = m.facts.codes.of(surface.variant == 1 ? Meaning::PerRevolution : Meaning::PerMinute);
-    if (feed.meaning != before &&
-        m.facts.control->motion.feed_mode_change.value == FeedModeChange::DeletesFeed)
-      m.state.feed = 0;
+    delete_feed(m, before);
   } else if (block.has(Group::Feed)) {
     surface = {};
   }
