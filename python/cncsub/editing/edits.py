@@ -11,7 +11,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Unpack
 
-from cncsub import _core
 from cncsub.byte_edits import edited
 from cncsub.checking import Edit
 from cncsub.library import Library
@@ -138,8 +137,3 @@ def applied(text: str, edits: Iterable[Edit], file: str) -> str:
             line = line[:at] + edit.new + line[at + len(edit.old) :]
         lines[number - 1] = line
     return "\n".join(lines)
-
-
-def rule(control: _core.Control, name: str) -> object:
-    """Return the value of a rule of a control, `None` where it has none of that name."""
-    return next((row.value for row in control.rules if row.name == name), None)

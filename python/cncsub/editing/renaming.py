@@ -8,7 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from cncsub.checking import Edit
-from cncsub.editing.edits import Edits, rule
+from cncsub.controls import rule_value
+from cncsub.editing.edits import Edits
 from cncsub.editing.errors import EditError, refusal
 from cncsub.editing.mentions import Mention, mention_at, mentions, thing
 from cncsub.library import Library
@@ -302,7 +303,7 @@ class _Renaming:
             "program": ("max_program_number",),
         }
         for name in rules.get(self._found.kind, ()):
-            most = rule(self._library.control, name)
+            most = rule_value(self._library.control, name)
             if self._new.isdecimal() and isinstance(most, int) and int(self._new) > most:
                 raise self._refused(own[0], f"the control has numbers to {most}")
 

@@ -8,7 +8,8 @@ from typing import Literal
 
 from cncsub import _core
 from cncsub.checking import Edit
-from cncsub.editing.edits import Edits, rule
+from cncsub.controls import rule_value
+from cncsub.editing.edits import Edits
 from cncsub.editing.errors import refusal
 from cncsub.editing.mentions import Mention, mentions
 from cncsub.library import Library
@@ -145,7 +146,7 @@ class _Renumbering:
 
     def _refuse_too_large(self, targets: set[_Key], which: Which) -> None:
         for name, counted in (("max_sequence_number", False), ("max_jump_number", True)):
-            most = rule(self._library.control, name)
+            most = rule_value(self._library.control, name)
             if not isinstance(most, int):
                 continue
             for (program, block), n in self._new.items():
