@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -16,7 +15,7 @@ from cncsub.comparison.reasons import machine_of
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
 from cncsub.library import Library
-from cncsub.lines import lines_of
+from cncsub.lines import diff_of
 from cncsub.loading import load
 from cncsub.run import Run, Stop
 from cncsub.run_options import MdiOptions, takes
@@ -52,11 +51,8 @@ class Translation:
 
     def diff(self) -> str:
         """Return the changes as a unified diff; empty where nothing had to change."""
-        parts: list[str] = []
-        for file, text in self.texts.items():
-            before = lines_of(self._before[file])
-            parts += difflib.unified_diff(before, lines_of(text), file, file)
-        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+        texts = self.texts.items()
+        return "".join(diff_of(self._before[file], text, file) for file, text in texts)
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:
         """Write all files, changed or not, into a folder, which is made where it is missing; return

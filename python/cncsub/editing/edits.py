@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import errno
 import os
 from collections.abc import Iterable, Mapping
@@ -14,7 +13,7 @@ from typing import TYPE_CHECKING, Unpack
 from cncsub.byte_edits import edited
 from cncsub.checking import Edit
 from cncsub.library import Library
-from cncsub.lines import lines_of
+from cncsub.lines import diff_of
 from cncsub.run_options import FlattenOptions, takes
 from cncsub.writing import replace_whole
 
@@ -63,14 +62,10 @@ class Edits:
 
     def diff(self) -> str:
         """Return the changes as a unified diff; empty where nothing changes."""
-        parts: list[str] = []
-        for file in dict.fromkeys([*self.texts, *self.files]):
-            before, after = (
-                [line.decode("utf-8", "surrogateescape") for line in lines_of(data)]
-                for data in (self._data(file), self.data_of(file))
-            )
-            parts += difflib.unified_diff(before, after, file, self.files.get(file, file))
-        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+        return "".join(
+            diff_of(self._data(file), self.data_of(file), file, self.files.get(file))
+            for file in dict.fromkeys([*self.texts, *self.files])
+        )
 
     def write(self) -> list[str]:
         """Write the files that change, each as a whole, and return their names. Bytes that no edit
