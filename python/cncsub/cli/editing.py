@@ -36,7 +36,7 @@ from cncsub.editing import EditError, Edits
 from cncsub.editing import format as formatted
 from cncsub.editing import renumber as renumbered
 from cncsub.escapes import shown
-from cncsub.setup import setup_of
+from cncsub.setup import machine_of
 from cncsub.writing import opened
 
 if TYPE_CHECKING:
@@ -156,7 +156,7 @@ def _edit(
         setup = setup_for(options, project)
         asked = {} if setup is None else {"setup": setup}
         try:
-            made = edits_of(library, own, _machine_of(setup))
+            made = edits_of(library, own, machine_of(setup))
             proof = made.prove(**asked)  # type: ignore[arg-type]
         except EditError as error:
             _refused(error, library, options)
@@ -166,11 +166,6 @@ def _edit(
             _tell(made, proof)
     shows = options["check"] or options["diff"]
     raise typer.Exit(1 if shows and not made.empty else 0)
-
-
-def _machine_of(setup: cncsub.Setup | None) -> str:
-    """Return the kind of machine that a setup names; empty where it names none."""
-    return str((setup_of(setup) or {}).get("machine") or "")
 
 
 def _one_of(options: Mapping[str, Any]) -> None:

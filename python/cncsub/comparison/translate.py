@@ -11,7 +11,6 @@ from typing import Unpack
 from cncsub._core import Control
 from cncsub.analysis.pairs import OtherControlPair, Parting, variables_lacking
 from cncsub.checking import Edit
-from cncsub.comparison.reasons import machine_of
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
 from cncsub.library import Library
@@ -19,6 +18,7 @@ from cncsub.lines import diff_of
 from cncsub.loading import load
 from cncsub.run import Run, Stop
 from cncsub.run_options import MdiOptions, takes
+from cncsub.setup import machine_of
 from cncsub.writing import write_whole
 
 
@@ -111,7 +111,7 @@ def translate(
         library = load(of, control=control)
     if lacking := variables_lacking(target, options.get("variables") or {}):
         raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
-    rewriting = Rewriting(library, target, machine_of(options))
+    rewriting = Rewriting(library, target, machine_of(options.get("setup")))
     rewriting.rewrite()
     return _proved(rewriting, main, options)
 

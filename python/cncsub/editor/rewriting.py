@@ -38,7 +38,7 @@ def renamed(snap: Snapshot, path: str, line: int, character: int, new: str) -> W
     mention = mention_at(snap, path, line, character)
     if mention is None:
         return None
-    return changed(snap, rename(snap.library, mention, new, machine=machine_of(snap)))
+    return changed(snap, rename(snap.library, mention, new, machine=snap.machine))
 
 
 def formatted(
@@ -58,12 +58,7 @@ def renumbered(snap: Snapshot, path: str) -> WorkspaceEdit:
     where a number cannot be followed.
     """
     programs = [program.name for program in snap.programs_of(path)]
-    return changed(snap, renumber(snap.library, programs, machine=machine_of(snap)))
-
-
-def machine_of(snap: Snapshot) -> str:
-    """Return the kind of machine that the setup tells, an empty text where it tells none."""
-    return (snap.setup.machine if snap.setup is not None else None) or ""
+    return changed(snap, renumber(snap.library, programs, machine=snap.machine))
 
 
 def changed(snap: Snapshot, edits: Edits) -> WorkspaceEdit:
