@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -16,6 +15,7 @@ from cncsub.cli.options import (
     ControlName,
     Encoding,
     External,
+    FindingFormat,
     Main,
     Output,
     Param,
@@ -36,15 +36,6 @@ from cncsub.cli.options import (
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 from cncsub.reports.printing import Console, Text
-
-
-class FindingFormat(enum.StrEnum):
-    TEXT = "text"
-    JSON = "json"
-    SARIF = "sarif"
-    JUNIT = "junit"
-    GITHUB = "github"
-
 
 Rules = Annotated[
     list[str] | None,

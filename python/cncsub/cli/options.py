@@ -45,6 +45,14 @@ class Format(enum.StrEnum):
     JSON = "json"
 
 
+class FindingFormat(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+    SARIF = "sarif"
+    JUNIT = "junit"
+    GITHUB = "github"
+
+
 class RunFormat(enum.StrEnum):
     TEXT = "text"
     JSON = "json"
@@ -291,6 +299,7 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
     return list(numbers)
 
 
+NOT_DONE = 5  # exit status: no room on the disk, in memory, for files, for processes
 STATUS = {
     cncsub.Stop.END: 0,
     cncsub.Stop.CYCLES: 0,
