@@ -35,6 +35,7 @@ from cncsub.cli.project import project_for
 from cncsub.editing import EditError, Edits
 from cncsub.editing import format as formatted
 from cncsub.editing import renumber as renumbered
+from cncsub.editing.edits import listed
 from cncsub.escapes import shown
 from cncsub.setup import machine_of
 from cncsub.writing import opened
@@ -212,8 +213,7 @@ def _tell(made: Edits, proof: Proof) -> None:
     for place in proof.partly:
         print(f"compared as far as it runs: {shown(place)}", file=sys.stderr)
     if proof.ran:
-        names = ", ".join(proof.ran[:5]) + (", ..." if len(proof.ran) > 5 else "")
-        print(f"ran before and after, the same: {shown(names)}", file=sys.stderr)
+        print(f"ran before and after, the same: {shown(listed(proof.ran))}", file=sys.stderr)
 
 
 def _finish(made: Edits, proof: Proof, own: Sequence[str], options: Mapping[str, Any]) -> None:

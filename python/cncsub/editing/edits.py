@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
@@ -19,6 +19,8 @@ from cncsub.writing import replace_whole
 
 if TYPE_CHECKING:
     from cncsub.editing.proof import Proof
+
+_LISTED = 5  # of lines or names that are told
 
 
 @dataclass(frozen=True)
@@ -115,6 +117,11 @@ class Edits:
         from cncsub.editing.proof import prove
 
         return prove(self, main, options)
+
+
+def listed(things: Sequence[object]) -> str:
+    """Return the first of some lines or names, such as `4, 7, 9, 12, 20, ...`."""
+    return ", ".join(map(str, things[:_LISTED])) + (", ..." if len(things) > _LISTED else "")
 
 
 def _applied(text: str, edits: Iterable[Edit]) -> str:
