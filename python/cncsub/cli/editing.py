@@ -8,7 +8,7 @@ import enum
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
@@ -36,12 +36,10 @@ from cncsub.editing import EditError, Edits
 from cncsub.editing import format as formatted
 from cncsub.editing import renumber as renumbered
 from cncsub.editing.edits import listed
+from cncsub.editing.proof import Proof
 from cncsub.escapes import shown
 from cncsub.setup import machine_of
 from cncsub.writing import opened
-
-if TYPE_CHECKING:
-    from cncsub.editing.proof import Proof
 
 
 class WhichBlocks(enum.StrEnum):
@@ -89,7 +87,7 @@ def renumber(
     The programs are run before and after, and nothing is written where they do not do the same. The
     exit status is 1 where --check or --diff finds a change, and where a program is refused.
     """
-    options = {**locals(), "main": None, "mdi": None}
+    options = {**locals(), "mdi": None}
 
     def made(library: cncsub.Library, files: list[str], machine: str) -> Edits:
         return renumbered(library, None, start, step, which.value, files=files, machine=machine)
@@ -126,7 +124,7 @@ def format_files(
     The programs are run before and after, and nothing is written where they do not do the same. The
     exit status is 1 where --check or --diff finds a change.
     """
-    options = {**locals(), "main": None, "mdi": None}
+    options = {**locals(), "mdi": None}
 
     def made(library: cncsub.Library, files: list[str], machine: str) -> Edits:
         return formatted(
@@ -185,23 +183,21 @@ def _one_file(options: Mapping[str, Any], own: list[str]) -> None:
 
 def _refused(error: EditError, library: cncsub.Library, options: Mapping[str, Any]) -> None:
     if options["format"] is Format.JSON:
-        write_json(None, _facts(library, None, None, error.reasons))
+        write_json(None, _facts(Edits(library, ()), Proof((), ()), error.reasons))
         return
     for reason in error.reasons:
         print(f"refused: {shown(reason)}", file=sys.stderr)
 
 
-def _facts(
-    library: cncsub.Library, made: Edits | None, proof: Proof | None, refused: Sequence[str] = ()
-) -> dict[str, Any]:
+def _facts(made: Edits, proof: Proof, refused: Sequence[str] = ()) -> dict[str, Any]:
     """Return what changes as JSON can hold it."""
     return {
         "version": 1,
-        "control": library.control.name,
-        "edits": [edit._asdict() for edit in made.edits] if made is not None else [],
-        "notes": list(made.notes) if made is not None else [],
-        "ran": list(proof.ran) if proof is not None else [],
-        "partly": list(proof.partly) if proof is not None else [],
+        "control": made.library.control.name,
+        "edits": [edit._asdict() for edit in made.edits],
+        "notes": list(made.notes),
+        "ran": list(proof.ran),
+        "partly": list(proof.partly),
         "refused": list(refused),
     }
 
@@ -219,7 +215,7 @@ def _tell(made: Edits, proof: Proof) -> None:
 def _finish(made: Edits, proof: Proof, own: Sequence[str], options: Mapping[str, Any]) -> None:
     """Write or show what changes."""
     if options["format"] is Format.JSON:
-        write_json(None, _facts(made.library, made, proof))
+        write_json(None, _facts(made, proof))
     elif options["check"]:
         for file in made.texts:
             typer.echo(f"would change: {shown(file)}")
