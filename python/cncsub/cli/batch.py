@@ -22,17 +22,17 @@ from cncsub.cli.folders import (
     in_processes,
     work_of,
 )
+from cncsub.cli.memory import outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
     External,
     Param,
     SetupFile,
-    outside,
     setup_for,
-    tell_all,
     wrong_use,
 )
+from cncsub.cli.output import tell_all
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 

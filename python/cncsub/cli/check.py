@@ -11,6 +11,7 @@ import typer
 
 import cncsub
 from cncsub.checking import Finding, chosen_rules, counts
+from cncsub.cli.memory import files_beside, idle_entries, library_of, outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
@@ -22,17 +23,10 @@ from cncsub.cli.options import (
     Paths,
     Prefer,
     SetupFile,
-    files_beside,
-    idle_entries,
-    library_of,
-    outside,
     setup_for,
-    tell_all,
-    write_code,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_code, write_json, write_text
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 from cncsub.reports.printing import Console, Text

@@ -21,7 +21,8 @@ import typer.main
 
 import cncsub
 from cncsub import interrupts, system
-from cncsub.cli.options import NOT_DONE, WrongUseError, told_of
+from cncsub.cli.options import WrongUseError, told_of
+from cncsub.cli.output import NOT_DONE
 from cncsub.controls import did_you_mean
 from cncsub.escapes import shown
 

@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.cli.memory import files_beside, library_of, outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
@@ -22,15 +23,10 @@ from cncsub.cli.options import (
     Paths,
     Prefer,
     SetupFile,
-    files_beside,
-    library_of,
-    outside,
     setup_for,
-    tell_all,
-    write_code,
-    write_json,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_code, write_json
 from cncsub.cli.project import project_for
 from cncsub.editing import EditError, Edits
 from cncsub.editing import format as formatted

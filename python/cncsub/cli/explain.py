@@ -8,16 +8,8 @@ import typer
 
 import cncsub
 from cncsub.checking import CheckRule, rule_names
-from cncsub.cli.options import (
-    ControlName,
-    Format,
-    Output,
-    WrongUseError,
-    control_named,
-    write_json,
-    write_text,
-    wrong_use,
-)
+from cncsub.cli.options import ControlName, Format, Output, WrongUseError, control_named, wrong_use
+from cncsub.cli.output import write_json, write_text
 from cncsub.reports.explained import (
     known_facts,
     near_facts,

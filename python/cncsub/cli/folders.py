@@ -10,7 +10,8 @@ import typer
 
 from cncsub import system
 from cncsub.archive.work import WorkersError
-from cncsub.cli.options import NOT_DONE, control_for
+from cncsub.cli.options import control_for
+from cncsub.cli.output import NOT_DONE
 from cncsub.cli.project import Project
 
 Folders = Annotated[list[str] | None, typer.Argument(help="Files and folders.", show_default=False)]

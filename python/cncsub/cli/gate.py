@@ -18,6 +18,7 @@ from cncsub.cli.folders import (
     in_processes,
     work_of,
 )
+from cncsub.cli.memory import outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
@@ -26,13 +27,10 @@ from cncsub.cli.options import (
     Output,
     Param,
     SetupFile,
-    outside,
     setup_for,
-    tell_all,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_json, write_text
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 
