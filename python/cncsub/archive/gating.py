@@ -98,8 +98,12 @@ class Allowed(NamedTuple):
         return self.what.upper() in (each.upper() for each in told)
 
 
-# Options that a run has not.
-ONLY_OF_GATE = ("rules", "entry", "allow")
+_ONLY_OF_GATE = ("rules", "entry", "allow")
+
+
+def options_of_run(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options of a gate without those that a run has not."""
+    return {name: value for name, value in options.items() if name not in _ONLY_OF_GATE}
 
 
 def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) -> list[Finding]:
@@ -112,8 +116,7 @@ def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) ->
     found = [finding for finding in library.check(**asked) if finding.file in own]
     found = [_in_earnest(finding) for finding in found]
     found += _forms(library, own)
-    limits = {name: value for name, value in options.items() if name not in ONLY_OF_GATE}
-    run = uninterrupted(_without_allowed(library, found, options).run(**limits))
+    run = uninterrupted(_without_allowed(library, found, options).run(**options_of_run(options)))
     found += [finding for finding in _stopped(library, run) if not _known(finding, found)]
     return sorted(found, key=lambda finding: (finding.file, finding.line, finding.column))
 
