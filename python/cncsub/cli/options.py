@@ -291,9 +291,7 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     """Return the control of the options or the project, with the parameters of both."""
     named = options["control"] or project.control
-    control = control_named(named, project)
-    if named == project.control and project.parameters:
-        control = control.with_parameters(dict(project.parameters))
+    control = project.configured(control_named(named, project), named)
     if options["param"]:
         pairs = (_named_value("--param", text) for text in options["param"])
         control = control.with_parameters(dict(pairs))

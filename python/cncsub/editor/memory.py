@@ -139,10 +139,7 @@ class Memories:
                 " `cncsub controls` lists all"
             )
             return None
-        control = project.control_named(name)
-        if name == project.control and project.parameters:
-            control = control.with_parameters(dict(project.parameters))
-        return control
+        return project.configured(project.control_named(name), name)
 
     def _paths(self, path: str, project: Project) -> tuple[str, ...]:
         """Return the files and folders of a document's memory: those of its project, else the
