@@ -244,6 +244,11 @@ def token_at(block: Block, character: int) -> Token | None:
     return found
 
 
+def comment_words(text: str) -> str:
+    """Return what a comment says, without the signs around it."""
+    return text.strip().strip("();").strip()
+
+
 def _first_at(data: _core.ProgramData, line: int) -> int:
     """Return the place of the first block on a line, from 1, or after it."""
     low, high = 0, data.blocks

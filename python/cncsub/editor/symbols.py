@@ -15,7 +15,7 @@ from lsprotocol.types import (
 
 from cncsub import _core
 from cncsub.editor.names import label_of
-from cncsub.editor.snapshot import Snapshot
+from cncsub.editor.snapshot import Snapshot, comment_words
 from cncsub.files import clean
 from cncsub.program import Block, Program
 
@@ -111,7 +111,7 @@ def comment_alone(snap: Snapshot, text: str) -> str:
     comments = [part for kind, part in kinds if kind == "comment"]
     if len(comments) != 1 or any(kind == "word" for kind, _ in kinds):
         return ""
-    return comments[0].strip().strip("();").strip()
+    return comment_words(comments[0])
 
 
 def workspace_symbols(snap: Snapshot, query: str) -> list[WorkspaceSymbol]:
