@@ -314,7 +314,7 @@ def test_line_ends_of_windows_and_of_old_tapes_are_line_ends() -> None:
 
 
 def test_written_files_have_the_same_line_ends_on_every_system(tmp_path: Path) -> None:
-    from cncsub.cli.options import opened
+    from cncsub.writing import opened
 
     with opened(tmp_path / "out.txt", "w") as file:
         file.write("a\nb\r\n")

@@ -7,14 +7,13 @@ and browsers import: `import { start } from "./cncsub.js"`.
 from __future__ import annotations
 
 import json
-import re
 import shutil
 import sys
+import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 SOURCES = ROOT / "javascript"
-_VERSION = re.compile(r'^version = "([^"]+)"', re.MULTILINE)
 
 
 def engine(build: Path) -> str:
@@ -32,8 +31,8 @@ def write(build: Path, folder: Path) -> None:
         shutil.copy(SOURCES / name, folder)
     shutil.copy(ROOT / "LICENSE", folder)
     told = json.loads((SOURCES / "package.json").read_text(encoding="utf-8"))
-    version = _VERSION.search((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    told["version"] = version[1] if version is not None else told["version"]
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    told["version"] = project["version"]
     (folder / "package.json").write_text(json.dumps(told, indent=2) + "\n", encoding="utf-8")
     size = sum(file.stat().st_size for file in folder.iterdir())
     print(f"{folder}: the package for JavaScript, {size / 1e6:.2f} MB")

@@ -12,6 +12,7 @@ the format. A row that cannot be written so is counted by its reason.
 from __future__ import annotations
 
 import argparse
+import itertools
 import math
 import sys
 from collections import Counter
@@ -252,9 +253,8 @@ def table_rows(told: Told, left_out: Counter[str], every: int) -> Iterator[list[
 def example_rows(told: Told, every: int) -> Iterator[list[str]]:
     """Each shipped program on every control: most alarm on most, and that is an outcome too."""
     files = sorted((ROOT / "examples").rglob("*.nc"))
-    for file, control in [(file, control) for file in files for control in cncsub.controls][
-        ::every
-    ]:
+    each = itertools.product(files, cncsub.controls)
+    for file, control in itertools.islice(each, 0, None, every):
         library = cncsub.load(file, control=control)
         run = library.run(max_blocks=2000)
         name = f"{file.relative_to(ROOT).as_posix()} [{control}]"

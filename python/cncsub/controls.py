@@ -221,6 +221,11 @@ def control(name: str | Control) -> Control:
 control_of = control
 
 
+def rule_value(control: Control, name: str) -> object:
+    """Return the value of a rule of a control; `None` where it has none of that name."""
+    return next((rule.value for rule in control.rules if rule.name == name), None)
+
+
 def cure_of(alarm: Alarm, control: Control) -> str:
     """Return what to change in a program that raised an alarm, in the words of the control."""
     return _core.told_for(control)[1][alarm.cause][1]

@@ -28,6 +28,21 @@ def _split(data: bytes) -> list[bytes]:
     return lines if lines[-1] else lines[:-1]
 
 
+def diff_of(before: AnyStr, after: AnyStr, file: str, renamed: str | None = None) -> str:
+    """Return the changes of a file as a unified diff, in which each line has its end. `renamed`:
+    what the file is called afterwards.
+    """
+    import difflib  # seldom needed
+
+    old, new = ([_shown(line) for line in lines_of(text)] for text in (before, after))
+    parts = difflib.unified_diff(old, new, file, renamed or file)
+    return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+
+
+def _shown(line: str | bytes) -> str:
+    return line if isinstance(line, str) else line.decode("utf-8", "surrogateescape")
+
+
 def without_end(line: AnyStr) -> AnyStr:
     """Return a line of `lines_of` without its end."""
     if isinstance(line, str):

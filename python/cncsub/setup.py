@@ -153,6 +153,14 @@ def setup_of(setup: Setup | Mapping[str, Any] | None) -> dict[str, Any] | None:
     return setup_from(setup).to_core()
 
 
+def machine_of(setup: Setup | Mapping[str, Any] | None) -> str:
+    """Return the kind of machine that a setup gives; empty for the control's own."""
+    if setup is None:
+        return ""
+    told = setup.get("machine") if isinstance(setup, Mapping) else setup.machine
+    return told or ""
+
+
 def setup_from(values: Mapping[str, Any]) -> Setup:
     known = [f.name for f in dataclasses.fields(Setup)]
     for key in values:

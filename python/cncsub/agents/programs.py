@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
-from cncsub.loading import load_with
 
 LARGEST_TEXT = 8_000_000  # characters of all texts together
 MOST_BLOCKS = 1_000_000
@@ -48,18 +47,16 @@ class Folders:
         control: str,
         programs: Mapping[str, str] | None,
         paths: Sequence[str] | None,
-        external: str | None = None,
     ) -> cncsub.Library:
         """Return the memory of a control with texts by the names of their files, or with files."""
         if bool(programs) == bool(paths):
             raise RefusedError("give either programs, texts by their names, or paths")
-        device = None if external is None else self.path(external)
         if paths:
-            return load_with([self.path(path) for path in paths], (), control, device)
+            return cncsub.load(*map(self.path, paths), control=control)
         assert programs is not None
         if sum(map(len, programs.values())) > LARGEST_TEXT:
             raise RefusedError(f"the texts have more than {LARGEST_TEXT:,} characters")
-        return cncsub.loads(programs, control=control, external=device)
+        return cncsub.loads(programs, control=control)
 
 
 def limits(max_blocks: int, max_seconds: float) -> dict[str, Any]:

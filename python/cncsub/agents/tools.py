@@ -22,8 +22,7 @@ from cncsub.agents.answers import (
     TreeAnswer,
 )
 from cncsub.agents.programs import Folders, limits
-from cncsub.cli.explain import known_facts
-from cncsub.reports.explained import near_facts
+from cncsub.reports.explained import known_facts, near_facts
 from cncsub.reports.facts import (
     alarm_facts,
     comparison_facts,

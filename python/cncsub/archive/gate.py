@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from cncsub._core import Control
-from cncsub.archive.gating import ONLY_OF_GATE, Allowed, gate_finding
+from cncsub.archive.gating import Allowed, gate_finding, options_of_run
 from cncsub.archive.many import LIMITS, Crew, Paths, jobs_of, task_of
 from cncsub.archive.work import do_chunk
 from cncsub.checking import Finding
@@ -116,10 +116,9 @@ def gate(
     }
     options.update({name: value for name, value in asked.items() if value is not None})
     task = task_of("gate", control, each, external, encoding, options)
-    running = {name: value for name, value in options.items() if name not in ONLY_OF_GATE}
     library = loads("", control=task.control, external=external)
     library.check(rules=rules, setup=setup, entry=entry)  # wrong options are told now
-    library.run(**running)
+    library.run(**options_of_run(options))
     skipped: dict[str, int] = {}
     rows: dict[int, list[tuple[str, list[Any]]]] = {}
     with contextlib.closing(Crew(executor, jobs)) as crew:

@@ -5,7 +5,7 @@ alarm of a dry run.
 from __future__ import annotations
 
 import fnmatch
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import PurePath
 from typing import Any, NamedTuple
@@ -98,8 +98,12 @@ class Allowed(NamedTuple):
         return self.what.upper() in (each.upper() for each in told)
 
 
-# Options that a run has not.
-ONLY_OF_GATE = ("rules", "entry", "allow")
+_ONLY_OF_GATE = ("rules", "entry", "allow")
+
+
+def options_of_run(options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options of a gate without those that a run has not."""
+    return {name: value for name, value in options.items() if name not in _ONLY_OF_GATE}
 
 
 def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) -> list[Finding]:
@@ -111,9 +115,8 @@ def gated(library: Library, files: Iterable[str], options: Mapping[str, Any]) ->
     asked = {name: options[name] for name in ("rules", "setup", "entry") if name in options}
     found = [finding for finding in library.check(**asked) if finding.file in own]
     found = [_in_earnest(finding) for finding in found]
-    found += [finding for name in own for finding in _form(library, name)]
-    limits = {name: value for name, value in options.items() if name not in ONLY_OF_GATE}
-    run = uninterrupted(_without_allowed(library, found, options).run(**limits))
+    found += _forms(library, own)
+    run = uninterrupted(_without_allowed(library, found, options).run(**options_of_run(options)))
     found += [finding for finding in _stopped(library, run) if not _known(finding, found)]
     return sorted(found, key=lambda finding: (finding.file, finding.line, finding.column))
 
@@ -138,9 +141,10 @@ def _without_allowed(
     }
     if not allowed:
         return library
-    texts: dict[str, list[str]] = {}
-    for name, _, data, _ in library.code.sources:
-        texts[name] = data.decode("utf-8", "surrogateescape").split("\n")
+    texts = {
+        name: data.decode("utf-8", "surrogateescape").split("\n")
+        for name, data in _texts(library).items()
+    }
     for program in library.values():
         for block in program.blocks:
             if (program.file, block.line) in allowed:
@@ -186,16 +190,28 @@ def gate_finding(
 # ---- the form of a file ----
 
 
-def _form(library: Library, file: str) -> Iterator[Finding]:
-    """Yield what is missing in a file of a control that calls programs by their numbers."""
+def _texts(library: Library) -> dict[str, bytes]:
+    """Return the texts of all files, which the engine copies each time."""
+    return {name: data for name, _, data, _ in library.code.sources}
+
+
+def _forms(library: Library, files: Container[str]) -> Iterator[Finding]:
+    """Yield what is missing in files of a control that calls programs by their numbers."""
     if not any(rule.name == "max_program_number" for rule in library.control.rules):
         return
-    first = next((p for p in library.values() if p.file == file), None)
-    if first is None:
-        return
+    firsts: dict[str, Program] = {}
+    for program in library.values():
+        if program.file in files:
+            firsts.setdefault(program.file, program)
+    texts = _texts(library)
+    for file, first in firsts.items():
+        yield from _form(first, texts[file])
+
+
+def _form(first: Program, text: bytes) -> Iterator[Finding]:
+    """Yield what is missing in a file, by its first program and its text."""
     if not first.data.has_head:
         yield _at_head("head-missing", first)
-    text = next(data for name, _, data, _ in library.code.sources if name == file)
     lines = text.strip(b" \t\r\n\0").split(b"\n")
     begins, ends = (line.lstrip().startswith(b"%") for line in (lines[0], lines[-1]))
     if len(lines) > 1 and begins != ends:
@@ -214,8 +230,7 @@ def _at_head(name: str, program: Program) -> Finding:
 
 def _line_of(library: Library, file: str, line: int) -> str:
     """Return the text of a line of a file; empty where there is none."""
-    text = next((data for name, _, data, _ in library.code.sources if name == file), b"")
-    lines = text.split(b"\n")
+    lines = _texts(library).get(file, b"").split(b"\n")
     return lines[line - 1].decode(errors="replace").rstrip() if 0 < line <= len(lines) else ""
 
 

@@ -12,26 +12,31 @@ from typing import Annotated, Any
 
 import typer
 
-from cncsub import system
-from cncsub.archive.work import WorkersError
 from cncsub.checking import chosen_rules
+from cncsub.cli.folders import (
+    Each,
+    Folders,
+    Jobs,
+    MaxBlocks,
+    MaxSeconds,
+    in_processes,
+    work_of,
+)
+from cncsub.cli.memory import outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
     External,
     Param,
     SetupFile,
-    control_for,
-    outside,
     setup_for,
-    tell_all,
     wrong_use,
 )
+from cncsub.cli.output import tell_all
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 
 _SHOWN = 20  # of the runs that did not end well, and of the findings, as text
-NOT_DONE = 5  # exit status: no room for processes
 FINE = ("ran", "cycles", "note", "foreign")
 
 
@@ -43,21 +48,14 @@ class BatchFormat(enum.StrEnum):
 
 
 def batch(
-    paths: Annotated[
-        list[str] | None, typer.Argument(help="Files and folders.", show_default=False)
-    ] = None,
+    paths: Folders = None,
     control: ControlName = None,
     param: Param = None,
-    jobs: Annotated[
-        int | None, typer.Option("-j", "--jobs", help="The number of processes.", min=1)
-    ] = None,
+    jobs: Jobs = None,
     out: Annotated[
         Path | None, typer.Option(help="A folder for Parquet files; the same command resumes.")
     ] = None,
-    each: Annotated[
-        str,
-        typer.Option(help="What one run loads: file, beside (all files of its folder) or folder."),
-    ] = "file",
+    each: Each = "file",
     external: External = None,
     encoding: Encoding = None,
     setup: SetupFile = None,
@@ -67,8 +65,8 @@ def batch(
             "--check", help="Check the programs as `cncsub check` does, without running them."
         ),
     ] = False,
-    max_blocks: Annotated[int, typer.Option(help="The limit of each run.", min=0)] = 1_000_000,
-    max_seconds: Annotated[float, typer.Option(help="The limit of each run.")] = 10.0,
+    max_blocks: MaxBlocks = 1_000_000,
+    max_seconds: MaxSeconds = 10.0,
     format: Annotated[
         BatchFormat, typer.Option(help="json writes one object per line.")
     ] = BatchFormat.TEXT,
@@ -82,13 +80,10 @@ def batch(
         project = project_for(paths)
         tell_all(list(outside(options, project)))
         try:
-            with system.started_without_main():
+            with in_processes():
                 rows = _rows(options, project)
         except ImportError as error:
             raise ValueError(str(error)) from None
-        except WorkersError as error:
-            typer.echo(f"cncsub: {error}", err=True)
-            raise typer.Exit(NOT_DONE) from None
     counts = _tell(rows, format, project.severity)
     if not counts and check and format is BatchFormat.TEXT:
         typer.echo("nothing found")
@@ -102,25 +97,14 @@ def _rows(options: Mapping[str, Any], project: Project) -> Any:
     """Return the rows of the runs or the findings."""
     from cncsub.archive.many import check_many, run_many
 
-    paths = options["paths"] or list(project.folders)
-    if not paths:
-        raise ValueError("which programs? Give files or folders")
-    shared: dict[str, Any] = {
-        "control": control_for(options, project),
-        "each": options["each"],
-        "external": options["external"] or project.external,
-        "encoding": options["encoding"],
-        "jobs": options["jobs"],
-        "out": options["out"],
-        "progress": True,
-    }
+    shared = {**work_of(options, project), "out": options["out"], "progress": True}
     if (setup := setup_for(options, project)) is not None:
         shared["setup"] = setup
     if not options["check"]:
         limits = {name: options[name] for name in ("max_blocks", "max_seconds")}
-        return run_many(paths, **shared, **limits)
+        return run_many(**shared, **limits)
     asked = chosen_rules(None) - project.ignore
-    return check_many(paths, **shared, rules=sorted(asked), entry=project.entry)
+    return check_many(**shared, rules=sorted(asked), entry=project.entry)
 
 
 def _tell(rows: Any, format: BatchFormat, severities: Mapping[str, str]) -> dict[str, int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -12,39 +11,25 @@ import typer
 
 import cncsub
 from cncsub.checking import Finding, chosen_rules, counts
+from cncsub.cli.memory import files_beside, idle_entries, library_of, outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
     External,
+    FindingFormat,
     Main,
     Output,
     Param,
     Paths,
     Prefer,
     SetupFile,
-    files_beside,
-    idle_entries,
-    library_of,
-    outside,
     setup_for,
-    tell_all,
-    write_code,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_code, write_json, write_text
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 from cncsub.reports.printing import Console, Text
-
-
-class FindingFormat(enum.StrEnum):
-    TEXT = "text"
-    JSON = "json"
-    SARIF = "sarif"
-    JUNIT = "junit"
-    GITHUB = "github"
-
 
 Rules = Annotated[
     list[str] | None,

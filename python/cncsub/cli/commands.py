@@ -22,6 +22,7 @@ import typer.main
 import cncsub
 from cncsub import interrupts, system
 from cncsub.cli.options import WrongUseError, told_of
+from cncsub.cli.output import NOT_DONE
 from cncsub.controls import did_you_mean
 from cncsub.escapes import shown
 
@@ -50,7 +51,6 @@ COMMANDS = {
     "batch": ("cli.batch.batch", "Run every program of some folders."),
     "gate": ("cli.gate.gate", "Let the output of a post processor pass, or not."),
 }
-NOT_DONE = 5  # exit status: no room on the disk, in memory, for files
 LOOK: dict[str, Any] = {
     "pretty_exceptions_enable": False,
     "rich_markup_mode": None,

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.cli.memory import memory_of
 from cncsub.cli.options import (
     ControlName,
     Format,
@@ -15,14 +16,11 @@ from cncsub.cli.options import (
     Output,
     Paths,
     control_named,
-    memory_of,
     run_options,
     runs_programs,
-    told_idle,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import told_idle, write_json, write_text
 from cncsub.cli.translate import Translate, tell_translation
 from cncsub.comparison.changes import changed_lines
 from cncsub.controls import names_beginning

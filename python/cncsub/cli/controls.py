@@ -13,7 +13,8 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
-from cncsub.cli.options import Format, Output, control_named, write_json, write_text, wrong_use
+from cncsub.cli.options import Format, Output, control_named, wrong_use
+from cncsub.cli.output import write_json, write_text
 from cncsub.cli.project import project_for
 from cncsub.comparison.reasons import told_apart, value_text
 from cncsub.controls import names_beginning

@@ -10,17 +10,9 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
-from cncsub.cli.options import (
-    ControlName,
-    Paths,
-    memory_of,
-    run_options,
-    runs_programs,
-    tell_dropped,
-    told_idle,
-    whole_run,
-    wrong_use,
-)
+from cncsub.cli.memory import memory_of
+from cncsub.cli.options import ControlName, Paths, run_options, runs_programs, wrong_use
+from cncsub.cli.output import tell_dropped, told_idle, whole_run
 from cncsub.coverage.formats import below_limit, coverage_lines
 from cncsub.coverage.summary import Coverage
 from cncsub.escapes import shown

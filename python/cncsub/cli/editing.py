@@ -8,11 +8,12 @@ import enum
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
 import cncsub
+from cncsub.cli.memory import files_beside, library_of, outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
@@ -22,25 +23,19 @@ from cncsub.cli.options import (
     Paths,
     Prefer,
     SetupFile,
-    files_beside,
-    library_of,
-    outside,
     setup_for,
-    tell_all,
-    write_code,
-    write_json,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_code, write_json
 from cncsub.cli.project import project_for
 from cncsub.editing import EditError, Edits
 from cncsub.editing import format as formatted
 from cncsub.editing import renumber as renumbered
+from cncsub.editing.edits import listed
+from cncsub.editing.proof import Proof
 from cncsub.escapes import shown
-from cncsub.setup import setup_of
+from cncsub.setup import machine_of
 from cncsub.writing import opened
-
-if TYPE_CHECKING:
-    from cncsub.editing.proof import Proof
 
 
 class WhichBlocks(enum.StrEnum):
@@ -88,7 +83,7 @@ def renumber(
     The programs are run before and after, and nothing is written where they do not do the same. The
     exit status is 1 where --check or --diff finds a change, and where a program is refused.
     """
-    options = {**locals(), "main": None, "mdi": None}
+    options = {**locals(), "mdi": None}
 
     def made(library: cncsub.Library, files: list[str], machine: str) -> Edits:
         return renumbered(library, None, start, step, which.value, files=files, machine=machine)
@@ -125,7 +120,7 @@ def format_files(
     The programs are run before and after, and nothing is written where they do not do the same. The
     exit status is 1 where --check or --diff finds a change.
     """
-    options = {**locals(), "main": None, "mdi": None}
+    options = {**locals(), "mdi": None}
 
     def made(library: cncsub.Library, files: list[str], machine: str) -> Edits:
         return formatted(
@@ -156,7 +151,7 @@ def _edit(
         setup = setup_for(options, project)
         asked = {} if setup is None else {"setup": setup}
         try:
-            made = edits_of(library, own, _machine_of(setup))
+            made = edits_of(library, own, machine_of(setup))
             proof = made.prove(**asked)  # type: ignore[arg-type]
         except EditError as error:
             _refused(error, library, options)
@@ -166,11 +161,6 @@ def _edit(
             _tell(made, proof)
     shows = options["check"] or options["diff"]
     raise typer.Exit(1 if shows and not made.empty else 0)
-
-
-def _machine_of(setup: cncsub.Setup | None) -> str:
-    """Return the kind of machine that a setup names; empty where it names none."""
-    return str((setup_of(setup) or {}).get("machine") or "")
 
 
 def _one_of(options: Mapping[str, Any]) -> None:
@@ -189,23 +179,21 @@ def _one_file(options: Mapping[str, Any], own: list[str]) -> None:
 
 def _refused(error: EditError, library: cncsub.Library, options: Mapping[str, Any]) -> None:
     if options["format"] is Format.JSON:
-        write_json(None, _facts(library, None, None, error.reasons))
+        write_json(None, _facts(Edits(library, ()), Proof((), ()), error.reasons))
         return
     for reason in error.reasons:
         print(f"refused: {shown(reason)}", file=sys.stderr)
 
 
-def _facts(
-    library: cncsub.Library, made: Edits | None, proof: Proof | None, refused: Sequence[str] = ()
-) -> dict[str, Any]:
+def _facts(made: Edits, proof: Proof, refused: Sequence[str] = ()) -> dict[str, Any]:
     """Return what changes as JSON can hold it."""
     return {
         "version": 1,
-        "control": library.control.name,
-        "edits": [edit._asdict() for edit in made.edits] if made is not None else [],
-        "notes": list(made.notes) if made is not None else [],
-        "ran": list(proof.ran) if proof is not None else [],
-        "partly": list(proof.partly) if proof is not None else [],
+        "control": made.library.control.name,
+        "edits": [edit._asdict() for edit in made.edits],
+        "notes": list(made.notes),
+        "ran": list(proof.ran),
+        "partly": list(proof.partly),
         "refused": list(refused),
     }
 
@@ -217,14 +205,13 @@ def _tell(made: Edits, proof: Proof) -> None:
     for place in proof.partly:
         print(f"compared as far as it runs: {shown(place)}", file=sys.stderr)
     if proof.ran:
-        names = ", ".join(proof.ran[:5]) + (", ..." if len(proof.ran) > 5 else "")
-        print(f"ran before and after, the same: {shown(names)}", file=sys.stderr)
+        print(f"ran before and after, the same: {shown(listed(proof.ran))}", file=sys.stderr)
 
 
 def _finish(made: Edits, proof: Proof, own: Sequence[str], options: Mapping[str, Any]) -> None:
     """Write or show what changes."""
     if options["format"] is Format.JSON:
-        write_json(None, _facts(made.library, made, proof))
+        write_json(None, _facts(made, proof))
     elif options["check"]:
         for file in made.texts:
             typer.echo(f"would change: {shown(file)}")

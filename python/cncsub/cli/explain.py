@@ -2,33 +2,22 @@
 
 from __future__ import annotations
 
-import re
 from typing import Annotated, Any
 
 import typer
 
 import cncsub
-from cncsub.checking import CheckRule, rule_named, rule_names
-from cncsub.cli.options import (
-    ControlName,
-    Format,
-    Output,
-    WrongUseError,
-    control_named,
-    write_json,
-    write_text,
-    wrong_use,
-)
-from cncsub.reports.code_facts import code_explanations, code_named
+from cncsub.checking import CheckRule, rule_names
+from cncsub.cli.options import ControlName, Format, Output, WrongUseError, control_named, wrong_use
+from cncsub.cli.output import write_json, write_text
 from cncsub.reports.explained import (
+    known_facts,
     near_facts,
-    parameter_explanations,
     print_check_rule,
     print_facts,
     print_near,
-    rule_explanations,
 )
-from cncsub.reports.facts import explanations, unknown_alarm
+from cncsub.reports.facts import unknown_alarm
 from cncsub.reports.nearest import is_told_by, nearest
 from cncsub.reports.printing import Console, print_explanations
 
@@ -52,7 +41,8 @@ def explain(
     """
     asked = " ".join(name)
     among = list(cncsub.controls.values()) if control is None else [control_named(control)]
-    alarms, others, check = known_facts(asked, among)
+    with wrong_use():
+        alarms, others, check = known_facts(asked, among)
     if not (check or alarms or others):
         _explain_near(asked, among, format, output)
         return
@@ -78,29 +68,6 @@ def explain(
                 print_facts(console, others)
 
     write_text(output, write)
-
-
-def known_facts(
-    asked: str, among: list[cncsub.Control]
-) -> tuple[list[dict[str, Any]], list[dict[str, Any]], CheckRule | None]:
-    """Return what is called so: alarms, then codes, rules and parameters, and the rule of check."""
-    check = _check_rule(asked)
-    alarms = [] if _is_number_of_check(asked) else explanations(asked, among)
-    others = [*rule_explanations(asked, among), *parameter_explanations(asked, among)]
-    if code_named(asked) is not None or not (check or alarms or others):
-        others = [*code_explanations(asked, among), *others]
-    return alarms, others, check
-
-
-def _is_number_of_check(asked: str) -> bool:
-    return re.fullmatch(r"CS\d*", asked, re.IGNORECASE) is not None
-
-
-def _check_rule(asked: str) -> CheckRule | None:
-    if not _is_number_of_check(asked) and asked.lower() not in rule_names():
-        return None
-    with wrong_use():
-        return rule_named(asked)
 
 
 def _explain_near(asked: str, among: list[cncsub.Control], format: Format, output: Any) -> None:

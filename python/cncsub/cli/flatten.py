@@ -6,19 +6,18 @@ from typing import Annotated, Any
 
 import typer
 
+from cncsub.cli.memory import memory_of
 from cncsub.cli.options import (
     ControlName,
     Main,
     Output,
     Paths,
     control_named,
-    memory_of,
     run_options,
     runs_programs,
-    told_idle,
-    write_code,
     wrong_use,
 )
+from cncsub.cli.output import told_idle, write_code
 from cncsub.writing import opened
 
 

@@ -2,31 +2,35 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from cncsub import system
-from cncsub.archive.work import WorkersError
 from cncsub.checking import chosen_rules
+from cncsub.cli.folders import (
+    Each,
+    Folders,
+    Jobs,
+    MaxBlocks,
+    MaxSeconds,
+    in_processes,
+    work_of,
+)
+from cncsub.cli.memory import outside
 from cncsub.cli.options import (
     ControlName,
     Encoding,
     External,
+    FindingFormat,
     Output,
     Param,
     SetupFile,
-    control_for,
-    outside,
     setup_for,
-    tell_all,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_json, write_text
 from cncsub.cli.project import Project, project_for
 from cncsub.escapes import shown
 
@@ -35,21 +39,9 @@ if TYPE_CHECKING:
     from cncsub.checking import Finding
     from cncsub.reports.printing import Console
 
-NOT_DONE = 5  # exit status: no room for processes
-
-
-class GateFormat(enum.StrEnum):
-    TEXT = "text"
-    JSON = "json"
-    SARIF = "sarif"
-    JUNIT = "junit"
-    GITHUB = "github"
-
 
 def gate(
-    paths: Annotated[
-        list[str] | None, typer.Argument(help="Files and folders.", show_default=False)
-    ] = None,
+    paths: Folders = None,
     control: ControlName = None,
     allow: Annotated[
         Path | None,
@@ -57,19 +49,14 @@ def gate(
     ] = None,
     strict: Annotated[bool, typer.Option("--strict", help="Warnings do not pass either.")] = False,
     param: Param = None,
-    jobs: Annotated[
-        int | None, typer.Option("-j", "--jobs", help="The number of processes.", min=1)
-    ] = None,
-    each: Annotated[
-        str,
-        typer.Option(help="What one run loads: file, beside (all files of its folder) or folder."),
-    ] = "file",
+    jobs: Jobs = None,
+    each: Each = "file",
     external: External = None,
     encoding: Encoding = None,
     setup: SetupFile = None,
-    max_blocks: Annotated[int, typer.Option(help="The limit of each run.", min=0)] = 1_000_000,
-    max_seconds: Annotated[float, typer.Option(help="The limit of each run.")] = 10.0,
-    format: Annotated[GateFormat, typer.Option()] = GateFormat.TEXT,
+    max_blocks: MaxBlocks = 1_000_000,
+    max_seconds: MaxSeconds = 10.0,
+    format: Annotated[FindingFormat, typer.Option()] = FindingFormat.TEXT,
     output: Output = None,
 ) -> None:
     """Let programs pass that the control reads, that come to their end and stay within its limits.
@@ -81,12 +68,8 @@ def gate(
     with wrong_use():
         project = project_for(paths)
         tell_all(list(outside(options, project)))
-        try:
-            with system.started_without_main():
-                found = _gated(options, project)
-        except WorkersError as error:
-            typer.echo(f"cncsub: {error}", err=True)
-            raise typer.Exit(NOT_DONE) from None
+        with in_processes():
+            found = _gated(options, project)
         if not found.files:
             raise ValueError("no program was found")
     fails = ("error", "warning") if strict else ("error",)
@@ -101,40 +84,32 @@ def gate(
 def _gated(options: Mapping[str, Any], project: Project) -> Gate:
     from cncsub.archive.gate import gate as gate_of
 
-    paths = options["paths"] or list(project.folders)
-    if not paths:
-        raise ValueError("which programs? Give files or folders")
     more = {} if options["allow"] is None else {"allow": options["allow"]}
     return gate_of(
-        paths,
-        control_for(options, project),
-        each=options["each"],
-        external=options["external"] or project.external,
-        encoding=options["encoding"],
+        **work_of(options, project),
         setup=setup_for(options, project),
         rules=sorted(chosen_rules(None) - project.ignore),
         entry=project.entry,
-        jobs=options["jobs"],
         max_blocks=options["max_blocks"],
         max_seconds=options["max_seconds"],
         **more,
     )
 
 
-def _write(found: Gate, fails: tuple[str, ...], format: GateFormat, output: Path | None) -> None:
+def _write(found: Gate, fails: tuple[str, ...], format: FindingFormat, output: Path | None) -> None:
     from cncsub.archive.gating import RULES
     from cncsub.reports import findings
 
     every = [finding for file in found.files for finding in file.findings]
-    if format is GateFormat.JSON:
+    if format is FindingFormat.JSON:
         write_json(output, _facts(found, fails))
-    elif format is GateFormat.SARIF:
+    elif format is FindingFormat.SARIF:
         write_json(output, findings.sarif(every, RULES))
-    elif format is GateFormat.JUNIT:
+    elif format is FindingFormat.JUNIT:
         paths = [file.path for file in found.files]
         text = findings.junit(every, paths, "gate", fails)
         write_text(output, lambda console: console.print(text))
-    elif format is GateFormat.GITHUB:
+    elif format is FindingFormat.GITHUB:
         if every:
             text = findings.github_annotations(every)
             write_text(output, lambda console: console.print(text))

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 import cncsub
+from cncsub.cli.memory import idle_entries, library_of, notes_on
 from cncsub.cli.options import (
     ControlName,
     Encoding,
@@ -19,14 +20,9 @@ from cncsub.cli.options import (
     Param,
     Paths,
     Prefer,
-    idle_entries,
-    library_of,
-    notes_on,
-    tell_all,
-    write_json,
-    write_text,
     wrong_use,
 )
+from cncsub.cli.output import tell_all, write_json, write_text
 from cncsub.cli.project import project_for
 from cncsub.escapes import shown
 from cncsub.program import named_like

@@ -1,17 +1,13 @@
-"""The common parts of the commands: options, what is made of them, and how output is written."""
+"""The options of the commands, as they are declared and as they are meant."""
 
 from __future__ import annotations
 
 import contextlib
 import enum
 import inspect
-import itertools
-import json
 import math
 import os
-import re
-import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_type_hints
 
@@ -19,17 +15,10 @@ import typer
 
 import cncsub
 from cncsub import system
-from cncsub.analysis.notes import Note, program_in_its_place, same_blocks
-from cncsub.cli.project import PLACES, Project, project_for
+from cncsub.cli.project import Project, project_for
 from cncsub.controls import names_beginning
-from cncsub.escapes import shown
-from cncsub.loading import load_with
 from cncsub.option_errors import option_of
-from cncsub.program import named_like
-from cncsub.reports.printing import Console, console_on, stop_text
 from cncsub.run_options import RunOptions, stated
-from cncsub.sibling_files import with_files_beside
-from cncsub.writing import opened
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -43,6 +32,14 @@ class WrongUseError(Exception):
 class Format(enum.StrEnum):
     TEXT = "text"
     JSON = "json"
+
+
+class FindingFormat(enum.StrEnum):
+    TEXT = "text"
+    JSON = "json"
+    SARIF = "sarif"
+    JUNIT = "junit"
+    GITHUB = "github"
 
 
 class RunFormat(enum.StrEnum):
@@ -291,126 +288,10 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
     return list(numbers)
 
 
-STATUS = {
-    cncsub.Stop.END: 0,
-    cncsub.Stop.CYCLES: 0,
-    cncsub.Stop.ALARM: 1,
-    cncsub.Stop.WAITING: 3,
-    cncsub.Stop.LIMIT: 4,
-    cncsub.Stop.INTERRUPTED: 130,
-}
-
-
-def whole_run(run: cncsub.Run) -> cncsub.Run:
-    """Return the run. Where Ctrl-C broke it off, report where it stood and raise
-    `KeyboardInterrupt`.
-    """
-    if run.stop is cncsub.Stop.INTERRUPTED:
-        at = ""
-        if len(run.steps):
-            last = run.steps[-1]
-            block = f"line {last.line}" if last.n is None else f"N{last.n}"
-            at = f", at {shown(f'{last.program} {block}')}"
-        typer.echo(f"stopped: {stop_text(run)}{at}", err=True)
-        raise KeyboardInterrupt
-    return run
-
-
-def status_of(run: cncsub.Run | cncsub.Stream) -> int:
-    """Return the exit status of a run; 1 for a stream that was left before its end."""
-    return 1 if run.stop is None else STATUS[cncsub.Stop(run.stop)]
-
-
-_WRITTEN = ("output", "html", "lcov", "cobertura")  # options that name a file to write
-_READ = ("setup", "inputs", "variables")  # options that name a file to read beside the programs
-
-
-def library_of(options: Mapping[str, Any]) -> cncsub.Library:
-    library = _read(options)
-    written = [Path(path) for name in _WRITTEN if (path := options.get(name)) is not None]
-    project = project_for(options.get("paths")) if written else Project()
-    read: list[str | Path] = [*library.files, *_files_beside_programs(options, project)]
-    external = options.get("external") or project.places.get("external")
-    for place, path in enumerate(written):
-        _refuse_to_overwrite(path, read, written[:place], external)
-    return library
-
-
-def _files_beside_programs(options: Mapping[str, Any], project: Project) -> list[Path]:
-    """Return the files of setup, inputs and variables that the options or the project name, and the
-    file of the project itself.
-    """
-    named = [options.get(name) or project.places.get(name) for name in _READ]
-    return [Path(path) for path in (*named, project.file) if path is not None]
-
-
-def _refuse_to_overwrite(
-    path: Path, read: Sequence[str | Path], written: Sequence[Path], external: Path | None
-) -> None:
-    """Refuse to write over a file that was read, whatever name it goes by, or to write
-    one twice.
-    """
-    real = Path(os.path.realpath(path))
-    if str(path) == "-":
-        raise ValueError(
-            "- cannot be written as a file; without -o the output goes to the standard output"
-        )
-    if any(real == Path(os.path.realpath(other)) for other in written):
-        raise ValueError(f"{path} cannot be written twice; give a different file for each output")
-    if not path.exists():
-        return
-    for other in read:
-        if Path(other).exists() and path.samefile(other):
-            what = "the program" if str(path) == str(other) else f"{other}, which was read"
-            raise ValueError(f"{path} is {what}; give another file for the output")
-    if external is not None and real.is_relative_to(os.path.realpath(external)):
-        raise ValueError(f"{path} is a file of the external device; give another file")
-
-
-def _read(options: Mapping[str, Any]) -> cncsub.Library:
-    project = project_for(options.get("paths"))
-    places: dict[str, Any] = {
-        "control": control_for(options, project),
-        "external": options["external"] or project.external,
-    }
-    paths = options["paths"] or project.folders
-    if options.get("prefer") and (not paths or paths == ["-"]):
-        raise ValueError("--prefer chooses between files: give the files or folders to read")
-    if "-" in paths and len(paths) > 1:
-        raise ValueError(
-            "- is the standard input, which is read alone: leave out either - or the files"
-        )
-    if paths == ["-"]:
-        text = sys.stdin.buffer.read()
-        return cncsub.loads(text, encoding=options["encoding"], **places)
-    if paths:
-        prefer = options.get("prefer") or ()
-
-        def load(named: Sequence[str], siblings: Sequence[str] = ()) -> cncsub.Library:
-            wanted = {"encoding": options["encoding"], "prefer": prefer, **places}
-            return load_with(named, siblings, **wanted)
-
-        _refuse_words_of_mdi(options["paths"] or (), options["mdi"])
-        return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
-    if options["mdi"] is None:
-        raise ValueError("which program? Give a file, a folder or --mdi")
-    return cncsub.loads("", **places)
-
-
-def _refuse_words_of_mdi(paths: Sequence[str], mdi: str | None) -> None:
-    """Refuse words split off by the shell: it makes a text and a file of `--mdi G65 P9100`."""
-    word = next((p for p in paths if re.fullmatch(r"[A-Z][-+.\d]+", p, re.I)), None)
-    if mdi is not None and word is not None and not Path(word).exists():
-        whole = f'--mdi "{mdi} {word}"'
-        raise ValueError(f"{word}: no such file; put quotes around a text with blanks: {whole}")
-
-
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     """Return the control of the options or the project, with the parameters of both."""
     named = options["control"] or project.control
-    control = control_named(named, project)
-    if named == project.control and project.parameters:
-        control = control.with_parameters(dict(project.parameters))
+    control = project.configured(control_named(named, project), named)
     if options["param"]:
         pairs = (_named_value("--param", text) for text in options["param"])
         control = control.with_parameters(dict(pairs))
@@ -421,150 +302,6 @@ def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | No
     """Return the setup of the options or the project, where one of them names its file."""
     file = options["setup"] or project.setup
     return None if file is None else cncsub.Setup.from_toml(file)
-
-
-def _is_one_file(paths: Sequence[str]) -> bool:
-    return len(paths) == 1 and Path(paths[0]).is_file()
-
-
-def files_beside(options: Mapping[str, Any], library: cncsub.Library) -> list[str]:
-    """Return the files that were read because the named file calls their programs."""
-    return list(library.files[1:]) if _is_one_file(options["paths"] or ()) else []
-
-
-def notes_on(options: Mapping[str, Any], library: cncsub.Library) -> list[Note]:
-    """Return the notes on a memory, except on files that the options name themselves."""
-    project = project_for(options.get("paths"))
-    known = {os.path.realpath(file) for file in _files_beside_programs(options, project)}
-    siblings = [
-        Note("beside", "also read, because a call names its program", file)
-        for file in files_beside(options, library)
-    ]
-    return [*defaulted(options), *outside(options, project), *siblings] + [
-        note
-        for note in library.notes
-        if note.kind != "left-out" or os.path.realpath(note.file) not in known
-    ]
-
-
-def defaulted(options: Mapping[str, Any]) -> Iterator[Note]:
-    """Yield a note where the control is the project's, because no option named one."""
-    project = project_for(options.get("paths"))
-    if options["control"] is None and project.control is not None:
-        told = f"the control is {project.control}, from the project file"
-        yield Note("defaulted", told, str(project.file))
-
-
-def outside(options: Mapping[str, Any], project: Project) -> Iterator[Note]:
-    """Yield a note for each file and folder that the project names outside its own folder."""
-    places = [
-        (name, place)
-        for name in PLACES
-        if name in options and options[name] is None and (place := project.outside(name))
-    ]
-    if not options.get("paths"):
-        places += [("folders", place) for place in project.programs_outside]
-    for name, place in places:
-        told = f"the project file gives it as {name}, and it is outside the folder of the project"
-        yield Note("outside", told, str(place))
-
-
-def idle_entries(
-    options: Mapping[str, Any], project: Project, libraries: Sequence[cncsub.Library]
-) -> Iterator[Note]:
-    """Yield a note for each entry of the project that is the name of none of its programs."""
-    for pattern in () if options.get("paths") else project.entry:
-        if not any(named_like(library.code, [pattern]) for library in libraries):
-            yield Note(
-                "no-effect", "no program has such a name", f"entry {pattern} of {project.file}"
-            )
-
-
-def told_idle(
-    library: cncsub.Library, asked: Mapping[str, Any], typed: cncsub.Program | None = None
-) -> list[Note]:
-    """Report and return the options that no block asks for; `typed` is what was typed in MDI."""
-    from cncsub.reports.hints import without_effect
-
-    idle = list(without_effect(library, asked, typed))
-    tell_all(idle)
-    return idle
-
-
-def told_lengths(run: cncsub.Run, asked: Mapping[str, Any]) -> list[Note]:
-    """Report and return what is told of lengths without a decimal point."""
-    from cncsub.reports.hints import lengths_without_point
-
-    notes = list(lengths_without_point(run, asked))
-    tell_all(notes)
-    return notes
-
-
-def typed_in(run: cncsub.Run) -> cncsub.Program:
-    """Return what was typed in MDI, as a program: the last one of the memory."""
-    code = run.core.code
-    return cncsub.Program(code.program(len(code) - 1), len(code) - 1)
-
-
-MOST_NOTES = 20
-
-
-def memory_of(
-    options: Mapping[str, Any], tell: Callable[[Sequence[Note]], None] | None = None
-) -> cncsub.Library:
-    """Return the library as `library_of` does, for a run. The notes are reported on the error
-    stream, or by `tell`. Of two different programs of one number one has to be chosen, because a
-    control's memory holds only one.
-    """
-    library = library_of(options)
-    chosen = {os.path.realpath(path) for path in options.get("prefer") or ()}
-    for program in library.duplicates:
-        counts = program_in_its_place(library, program)
-        if os.path.realpath(counts.file) not in chosen and not same_blocks(program, counts):
-            places = f"{counts.file}:{counts.line} and {program.file}:{program.line}"
-            cure = _cure_of_two(library, program, counts)
-            raise ValueError(f"{counts.name} exists twice with different blocks: {places}; {cure}")
-    notes = notes_on(options, library)
-    if notes:
-        (tell or tell_all)(notes)
-    return library
-
-
-def _cure_of_two(library: cncsub.Library, program: cncsub.Program, counts: cncsub.Program) -> str:
-    """Return what makes one of two programs of one name the only one."""
-    from cncsub.reports.hints import other_reading
-
-    if program.file != counts.file:
-        return f"choose one with --prefer {counts.file}, or leave a file out"
-    return other_reading(library, program.file) or "remove one of them"
-
-
-def tell_all(notes: Sequence[Note]) -> None:
-    """Report the first of many notes on the error stream."""
-    for note in notes[:MOST_NOTES]:
-        typer.echo(f"note: {shown(str(note))}", err=True)
-    if (left := len(notes) - MOST_NOTES) > 0:
-        typer.echo(f"note: ... and {left:,} more", err=True)
-
-
-def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
-    """Report on the error stream that words were dropped, for commands that show none of them, and
-    once what does not start because of that.
-    """
-    if dropped:
-        words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
-        typer.echo(f"note: the control dropped {words}; cncsub run and check show which", err=True)
-    for warning in sorted({each for each in warnings if each is not None}):
-        typer.echo(f"warning: an M code was dropped: {warning}", err=True)
-
-
-def tell_hints(hints: Iterable[str]) -> None:
-    """Report on the error stream what leads on from an alarm."""
-    for hint in hints:
-        first, *more = hint.split("\n")
-        typer.echo(f"hint: {shown(first)}", err=True)
-        for line in more:  # of a file that is suggested
-            typer.echo(f"      {shown(line)}", err=True)
 
 
 def control_named(name: str | None, project: Project | None = None) -> cncsub.Control:
@@ -611,42 +348,3 @@ def _assignment(
         raise ValueError(
             f"{option} must be NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
         ) from None
-
-
-# ---- writing ----
-
-
-def _escaped(found: re.Match[str]) -> str:
-    """Return a character as JSON writes it in plain ASCII, where it cannot be seen."""
-    return found[0] if found[0].isprintable() else json.dumps(found[0]).strip('"')
-
-
-def write_text(output: Path | None, write: Callable[[Console], None]) -> None:
-    if output is None:
-        write(console_on(sys.stdout))
-        return
-    with opened(output, "w") as file:
-        write(console_on(file))
-
-
-def write_code(pieces: Iterable[str]) -> None:
-    """Write programs, or their changes, as they are; on a terminal without what would move it."""
-    if not sys.stdout.isatty():
-        for piece in pieces:
-            typer.echo(piece.encode(errors="surrogateescape"), nl=False)
-        return
-    for line in "".join(pieces).splitlines():
-        typer.echo(shown(line))
-
-
-def write_json(output: Path | None, facts: object) -> None:
-    plain = output is None and not system.takes_any_text(sys.stdout)
-    pieces = json.JSONEncoder(ensure_ascii=plain, indent=2, allow_nan=False).iterencode(facts)
-    with contextlib.nullcontext(sys.stdout) if output is None else opened(output, "w") as file:
-        while piece := "".join(itertools.islice(pieces, 10_000)):
-            # Characters that a terminal would obey are escaped; all beyond ASCII is in a string.
-            file.write(_BEYOND_ASCII.sub(_escaped, piece))
-        file.write("\n")
-
-
-_BEYOND_ASCII = re.compile(r"[^\x20-\x7e\n]")

@@ -10,22 +10,18 @@ import typer
 
 import cncsub
 from cncsub.analysis.notes import Note
+from cncsub.cli.memory import memory_of
 from cncsub.cli.options import (
     ControlName,
     Main,
     Output,
     Paths,
     Watch,
-    memory_of,
     run_options,
     runs_programs,
-    status_of,
-    tell_all,
-    tell_dropped,
-    told_idle,
-    whole_run,
     wrong_use,
 )
+from cncsub.cli.output import status_of, tell_all, tell_dropped, told_idle, whole_run
 from cncsub.escapes import shown
 from cncsub.plot.page import page_of
 from cncsub.plot.still import still_svg

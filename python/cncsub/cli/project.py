@@ -49,6 +49,14 @@ class Project:
         own = {} if self.own_control is None else {self.own_control.name: self.own_control}
         return control_named(name, {**own, **controls})
 
+    def configured(self, control: Control, name: str | None) -> Control:
+        """Return the control of a name with the parameters of the project, where it is the one that
+        the project names.
+        """
+        if name != self.control or not self.parameters:
+            return control
+        return control.with_parameters(dict(self.parameters))
+
     @property
     def setup(self) -> Path | None:
         """The TOML file of the setup."""

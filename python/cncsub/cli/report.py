@@ -8,20 +8,18 @@ from typing import Any
 import typer
 
 import cncsub
+from cncsub.cli.memory import memory_of
 from cncsub.cli.options import (
     ControlName,
     Main,
     Output,
     Paths,
     Watch,
-    memory_of,
     run_options,
     runs_programs,
-    status_of,
-    told_idle,
-    whole_run,
     wrong_use,
 )
+from cncsub.cli.output import status_of, told_idle, whole_run
 from cncsub.cli.project import project_for
 from cncsub.escapes import shown
 from cncsub.reports.printing import console_on, print_stop

@@ -7,19 +7,17 @@ from typing import Annotated, Any
 
 import typer
 
+from cncsub.cli.memory import memory_of
 from cncsub.cli.options import (
     ControlName,
     Format,
     Main,
     Paths,
-    memory_of,
     run_options,
     runs_programs,
-    told_idle,
-    write_code,
-    write_json,
     wrong_use,
 )
+from cncsub.cli.output import told_idle, write_code, write_json
 from cncsub.escapes import shown
 from cncsub.resume import Resume
 

@@ -13,6 +13,7 @@ import typer
 
 import cncsub
 from cncsub.cli.listing import Listing, Where, filters, write_listing
+from cncsub.cli.memory import memory_of, notes_on, typed_in
 from cncsub.cli.options import (
     ControlName,
     Format,
@@ -23,20 +24,19 @@ from cncsub.cli.options import (
     RunFormat,
     Watch,
     WrongUseError,
-    memory_of,
-    notes_on,
     run_options,
     runs_programs,
+    wrong_use,
+)
+from cncsub.cli.output import (
     status_of,
     tell_dropped,
     tell_hints,
     told_idle,
     told_lengths,
-    typed_in,
     whole_run,
     write_json,
     write_text,
-    wrong_use,
 )
 from cncsub.cli.static_tree import draw_static_tree
 from cncsub.escapes import cell

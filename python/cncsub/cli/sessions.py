@@ -6,7 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from cncsub.analysis.notes import Note
-from cncsub.cli.options import memory_of, run_options, tell_all
+from cncsub.cli.memory import memory_of
+from cncsub.cli.options import run_options
+from cncsub.cli.output import tell_all
 from cncsub.debugging import Session
 from cncsub.run_options import stated
 

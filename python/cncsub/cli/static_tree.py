@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from cncsub.analysis.static_tree import MOST, StaticCall, static_tree
-from cncsub.cli.options import Format, memory_of, notes_on, write_json, write_text, wrong_use
+from cncsub.cli.memory import memory_of, notes_on
+from cncsub.cli.options import Format, wrong_use
+from cncsub.cli.output import write_json, write_text
 from cncsub.escapes import shown
 from cncsub.reports.printing import Console
 

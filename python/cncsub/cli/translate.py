@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from cncsub.cli.options import write_code, write_json
+from cncsub.cli.output import write_code, write_json
 from cncsub.escapes import shown
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from cncsub._core import Alarm, Control
 from cncsub.analysis.first_difference import column_of, first_difference
 from cncsub.analysis.pairs import LISTS, OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.comparison.changes import BlockChange, block_changes
-from cncsub.comparison.reasons import machine_of, modes_apart, reasons
+from cncsub.comparison.reasons import modes_apart, reasons
 from cncsub.comparison.rule_bisection import RuleExchange
 from cncsub.controls import control_of
 from cncsub.library import Library
@@ -20,6 +20,7 @@ from cncsub.loading import load
 from cncsub.option_errors import wrong_value
 from cncsub.run import Run
 from cncsub.run_options import MdiOptions, takes
+from cncsub.setup import machine_of
 from cncsub.tables.rows import Step
 
 MOST_DIFFERENCES = 20  # that are looked for one after the other
@@ -278,7 +279,7 @@ class _OfControls:
             pair.run(library, max_blocks=at + 1).modal
             for library, at in zip(pair.libraries, parting[:2], strict=True)
         )
-        machine = machine_of(self._options)
+        machine = machine_of(self._options.get("setup"))
         yield from modes_apart(both, self._names, (one, other), parting.column, machine)
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from cncsub import _core
 from cncsub._core import Control
+from cncsub.controls import rule_value
 from cncsub.program import Block, Program
 
 # The engine's names for G codes: those that begin a drilling cycle, and those that end one.
@@ -56,5 +57,4 @@ class CycleCounts:
 
 def letters_of(control: Control) -> tuple[str, ...]:
     """Return the addresses that repeat a drilling cycle, the one that takes precedence first."""
-    written = next((rule.value for rule in control.rules if rule.name == "cycle_repeats"), "")
-    return tuple(str(written))
+    return tuple(str(rule_value(control, "cycle_repeats") or ""))

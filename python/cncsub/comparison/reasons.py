@@ -49,15 +49,6 @@ def reasons(
     return tuple(lines)
 
 
-def machine_of(options: Mapping[str, Any]) -> str:
-    """Return the kind of machine that the setup gives; empty for the control's own."""
-    setup = options.get("setup")
-    if setup is None:
-        return ""
-    told = setup.get("machine") if isinstance(setup, Mapping) else setup.machine
-    return told or ""
-
-
 # ---- modes ----
 
 

@@ -12,6 +12,7 @@ from cncsub._core import Control
 from cncsub.analysis.block_errors import BlockError
 from cncsub.checking import Edit
 from cncsub.comparison.cycle_counts import CycleCounts, letters_of
+from cncsub.controls import rule_value
 from cncsub.library import Library
 from cncsub.loading import loads
 from cncsub.program import Block, Program, Token, tokens_of
@@ -39,10 +40,6 @@ class _Tail(NamedTuple):
     file: str
     first: int  # line numbers
     last: int
-
-
-def rule(control: Control, name: str) -> object:
-    return next((row.value for row in control.rules if row.name == name), None)
 
 
 def _number(program: str) -> int | None:
@@ -77,7 +74,7 @@ class Rewriting:
 
     def _rules(self, name: str) -> tuple[object, object]:
         """Return the values of a rule on both controls."""
-        return rule(self.library.control, name), rule(self.target, name)
+        return rule_value(self.library.control, name), rule_value(self.target, name)
 
     # ---- what changes ----
 
@@ -190,7 +187,7 @@ class Rewriting:
             number = self._tail(block, call.program, start)
             start = None
             words = self.written(number, None, call.repeats, external=False)
-        most = rule(self.target, "max_repeats")
+        most = rule_value(self.target, "max_repeats")
         if words is None and isinstance(most, int) and call.repeats > most:
             words, more = self._split(number, start, call, most)
             behind = "\n".join([*(f"{code} {each}" for each in more), *filter(None, [behind])])
@@ -272,7 +269,7 @@ class Rewriting:
         return self._tails[key].number
 
     def _first_free(self) -> int:
-        most = rule(self.target, "max_program_number")
+        most = rule_value(self.target, "max_program_number")
         return min(_FIRST_FREE, int(str(most)) - 98) if most is not None else _FIRST_FREE
 
     def _jump(self, block: Block, jump: JumpTo, read: Sequence[JumpTo]) -> None:
@@ -415,7 +412,7 @@ class _Returns:
     def __init__(self, rewriting: Rewriting) -> None:
         self._rewriting = rewriting
         self._to: dict[int | None, int] = {}  # from a program's number to the N it returns to
-        self._rule = rule(rewriting.library.control, "return_with_p")
+        self._rule = rule_value(rewriting.library.control, "return_with_p")
 
     def look(self) -> None:
         library, target = self._rewriting.library, self._rewriting.target
@@ -426,7 +423,7 @@ class _Returns:
             if not back or not edges:
                 continue
             once = all(edge.repeats == 1 for edge in edges)
-            other = rule(target, "return_with_p")
+            other = rule_value(target, "return_with_p")
             kinds = {self._rule, other}
             alike = len(kinds) == 1 or (once and kinds <= {"at-once", "last-pass"})
             if alike and self._known(target):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -12,14 +11,14 @@ from typing import Unpack
 from cncsub._core import Control
 from cncsub.analysis.pairs import OtherControlPair, Parting, variables_lacking
 from cncsub.checking import Edit
-from cncsub.comparison.reasons import machine_of
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
 from cncsub.library import Library
-from cncsub.lines import lines_of
+from cncsub.lines import diff_of
 from cncsub.loading import load
 from cncsub.run import Run, Stop
 from cncsub.run_options import MdiOptions, takes
+from cncsub.setup import machine_of
 from cncsub.writing import write_whole
 
 
@@ -52,11 +51,8 @@ class Translation:
 
     def diff(self) -> str:
         """Return the changes as a unified diff; empty where nothing had to change."""
-        parts: list[str] = []
-        for file, text in self.texts.items():
-            before = lines_of(self._before[file])
-            parts += difflib.unified_diff(before, lines_of(text), file, file)
-        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+        texts = self.texts.items()
+        return "".join(diff_of(self._before[file], text, file) for file, text in texts)
 
     def write(self, folder: str | os.PathLike[str]) -> list[str]:
         """Write all files, changed or not, into a folder, which is made where it is missing; return
@@ -115,7 +111,7 @@ def translate(
         library = load(of, control=control)
     if lacking := variables_lacking(target, options.get("variables") or {}):
         raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
-    rewriting = Rewriting(library, target, machine_of(options))
+    rewriting = Rewriting(library, target, machine_of(options.get("setup")))
     rewriting.rewrite()
     return _proved(rewriting, main, options)
 

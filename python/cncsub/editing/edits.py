@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-import difflib
 import errno
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Unpack
 
-from cncsub import _core
 from cncsub.byte_edits import edited
 from cncsub.checking import Edit
 from cncsub.library import Library
-from cncsub.lines import lines_of
+from cncsub.lines import diff_of
 from cncsub.run_options import FlattenOptions, takes
 from cncsub.writing import replace_whole
 
 if TYPE_CHECKING:
     from cncsub.editing.proof import Proof
+
+_LISTED = 5  # of lines or names that are told
 
 
 @dataclass(frozen=True)
@@ -45,11 +45,10 @@ class Edits:
     @cached_property
     def texts(self) -> dict[str, str]:
         """The texts of the files that change, as they are afterwards."""
-        changed = {edit.file for edit in self.edits}
         return {
-            name: applied(data.decode("utf-8", "surrogateescape"), self.edits, name)
-            for name, _, data, outside in self.library.code.sources
-            if name in changed and not outside
+            name: _applied(data.decode("utf-8", "surrogateescape"), self._by_file[name])
+            for name, data in self._read.items()
+            if name in self._by_file
         }
 
     @cached_property
@@ -64,14 +63,10 @@ class Edits:
 
     def diff(self) -> str:
         """Return the changes as a unified diff; empty where nothing changes."""
-        parts: list[str] = []
-        for file in dict.fromkeys([*self.texts, *self.files]):
-            before, after = (
-                [line.decode("utf-8", "surrogateescape") for line in lines_of(data)]
-                for data in (self._data(file), self.data_of(file))
-            )
-            parts += difflib.unified_diff(before, after, file, self.files.get(file, file))
-        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+        return "".join(
+            diff_of(self._data(file), self.data_of(file), file, self.files.get(file))
+            for file in dict.fromkeys([*self.texts, *self.files])
+        )
 
     def write(self) -> list[str]:
         """Write the files that change, each as a whole, and return their names. Bytes that no edit
@@ -80,7 +75,7 @@ class Edits:
         Nothing is written where one of the files is not as it was read: `NoPlaceError`, a
         `ValueError`. Raises `FileExistsError` where the new name of a file is taken.
         """
-        new = {file: self.data_of(file) for file in dict.fromkeys(edit.file for edit in self.edits)}
+        new = {file: self.data_of(file) for file in self._by_file}
         for name in self.files.values():
             if Path(name).exists():
                 raise FileExistsError(errno.EEXIST, os.strerror(errno.EEXIST), name)
@@ -94,9 +89,8 @@ class Edits:
         """Return the bytes of a file as they are afterwards: those of a text that no file holds are
         UTF-8. Raises `NoPlaceError` where the file is not as it was read.
         """
-        own = [edit for edit in self.edits if edit.file == file]
         shown = self._read[file].decode("utf-8", "surrogateescape")
-        return edited(self._data(file), own, shown)
+        return edited(self._data(file), self._by_file.get(file, ()), shown)
 
     def _data(self, file: str) -> bytes:
         """Return the bytes of a file as they are."""
@@ -105,6 +99,13 @@ class Edits:
     @cached_property
     def _read(self) -> dict[str, bytes]:
         return {name: data for name, _, data, outside in self.library.code.sources if not outside}
+
+    @cached_property
+    def _by_file(self) -> dict[str, list[Edit]]:
+        found: dict[str, list[Edit]] = {}
+        for edit in self.edits:
+            found.setdefault(edit.file, []).append(edit)
+        return found
 
     @takes(FlattenOptions)
     def prove(self, main: str | int | None = None, **options: Unpack[FlattenOptions]) -> Proof:
@@ -118,14 +119,18 @@ class Edits:
         return prove(self, main, options)
 
 
-def applied(text: str, edits: Iterable[Edit], file: str) -> str:
+def listed(things: Sequence[object]) -> str:
+    """Return the first of some lines or names, such as `4, 7, 9, 12, 20, ...`."""
+    return ", ".join(map(str, things[:_LISTED])) + (", ..." if len(things) > _LISTED else "")
+
+
+def _applied(text: str, edits: Iterable[Edit]) -> str:
     """Return the text of a file with its edits made. Raises `ValueError` for an edit whose old text
     is not where it says.
     """
     by_line: dict[int, list[Edit]] = {}
     for edit in edits:
-        if edit.file == file:
-            by_line.setdefault(edit.line, []).append(edit)
+        by_line.setdefault(edit.line, []).append(edit)
     lines = text.split("\n")
     for number, of_line in by_line.items():
         line = lines[number - 1]
@@ -134,12 +139,7 @@ def applied(text: str, edits: Iterable[Edit], file: str) -> str:
             if not edit.old:
                 at = len(line)
             elif not line.startswith(edit.old, at):
-                raise ValueError(f"{file}:{number}:{edit.column}: there is no {edit.old!r}")
+                raise ValueError(f"{edit.file}:{number}:{edit.column}: there is no {edit.old!r}")
             line = line[:at] + edit.new + line[at + len(edit.old) :]
         lines[number - 1] = line
     return "\n".join(lines)
-
-
-def rule(control: _core.Control, name: str) -> object:
-    """Return the value of a rule of a control, `None` where it has none of that name."""
-    return next((row.value for row in control.rules if row.name == name), None)

@@ -7,7 +7,8 @@ from typing import Literal
 
 from cncsub import _core
 from cncsub.checking import Edit
-from cncsub.editing.edits import Edits, rule
+from cncsub.controls import rule_value
+from cncsub.editing.edits import Edits, listed
 from cncsub.library import Library
 from cncsub.option_errors import carrying
 
@@ -61,10 +62,11 @@ def format(
         rows, left = _core.formatted(library.code, name, spacing, blanks, capitals, points)
         edits += [Edit(name, *row) for row in rows]
         if left:
-            lines = ", ".join(map(str, left[:5])) + (", ..." if len(left) > 5 else "")
             what = "line" if len(left) == 1 else "lines"
-            notes.append(f"{name}: {what} {lines} would be read otherwise, and stay as they are")
-    if points and rule(library.control, "whole_numbers") != "millimetres":
+            notes.append(
+                f"{name}: {what} {listed(left)} would be read otherwise, and stay as they are"
+            )
+    if points and rule_value(library.control, "whole_numbers") != "millimetres":
         notes.append(
             "a length without a point counts increments on this control: no point is added"
         )

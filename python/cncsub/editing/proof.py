@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from cncsub import _core
 from cncsub.analysis.first_difference import alike
 from cncsub.analysis.pairs import Pair, Parting
-from cncsub.editing.errors import EditError
+from cncsub.editing.errors import EditError, refusal
 from cncsub.editing.mentions import Mention, mentions
 from cncsub.library import Library
 from cncsub.run import Run, Stop
@@ -129,33 +129,26 @@ def same_as_written(edits: Edits) -> None:
         raise EditError("edited, the programs have other blocks")
     refused = [_core.refused_blocks(code) for code in (library.code, after.code)]
     if refused[0] != refused[1]:
-        program, block = min(set(refused[0]) ^ set(refused[1]))
-        where = library.code.program(program)
-        n, line, _ = where.block(block)
-        raise EditError("edited, the control reads this block otherwise", where.name, n, line)
+        place = min(set(refused[0]) ^ set(refused[1]))
+        raise refusal(library, [(*place, "edited, the control reads this block otherwise")])
     old, new = (
         _targets(mentions(each, "block program", machine=edits.machine))
         for each in (library, after)
     )
     for key in sorted(old.keys() | new.keys()):
         if old.get(key) != new.get(key):
-            program, at, line = key
-            where = library.code.program(program)
-            raise EditError(
-                f"edited, {at} leads elsewhere" if at else "edited, it leads elsewhere",
-                where.name,
-                None,
-                line,
-            )
+            program, line = key
+            name = library.code.program(program).name
+            raise EditError("edited, it leads elsewhere", name, None, line)
 
 
-def _targets(all_of_them: list[Mention]) -> dict[tuple[int, str, int], list[object]]:
+def _targets(all_of_them: list[Mention]) -> dict[tuple[int, int], list[object]]:
     """Return what the mentions of each line name, apart from the numbers and names themselves."""
-    found: dict[tuple[int, str, int], list[object]] = {}
+    found: dict[tuple[int, int], list[object]] = {}
     for m in all_of_them:
         if not m.defines:
             row = (m.kind, m.computed, m.in_caller, m.to_program, m.to_block)
-            found.setdefault((m.program, "", m.line), []).append(row)
+            found.setdefault((m.program, m.line), []).append(row)
     for rows in found.values():
         rows.sort(key=repr)
     return found

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from cncsub import _core
 from cncsub.checking import Edit
-from cncsub.editing.edits import Edits, rule
+from cncsub.controls import rule_value
+from cncsub.editing.edits import Edits
 from cncsub.editing.errors import EditError, refusal
 from cncsub.editing.mentions import Mention, mention_at, mentions, thing
 from cncsub.library import Library
@@ -137,6 +139,7 @@ class _Renaming:
         self._found = found
         self._new = new
         self._things = self._meant()
+        self._places = {place for _, place, *_ in self._things}
 
     def _meant(self) -> set[tuple[object, ...]]:
         """Return what counts as the thing: a local is one of all programs that share it."""
@@ -157,8 +160,6 @@ class _Renaming:
         """Return the programs that a local of this one is a variable of: subprograms have the
         locals of their callers.
         """
-        from cncsub import _core
-
         code = self._library.code
         pairs: dict[object, set[object]] = {}
         for caller, _, row in _core.all_calls(code):
@@ -203,12 +204,11 @@ class _Renaming:
 
     def _refuse_taken(self) -> None:
         found, new = self._found, self._new
-        places = {place for _, place, *_ in self._things}
         for m in self._every:
             if m.computed or m.kind != found.kind or thing(m) in self._things:
                 continue
             called = str(m.number) if m.number is not None else m.name
-            near = m.kind == "program" or m.to_program in places
+            near = m.kind == "program" or m.to_program in self._places
             if near and called.upper() == new.upper():
                 raise self._refused(m, f"{m.shown} stands here already")
         if found.kind == "program" and self._is_of_control():
@@ -250,8 +250,8 @@ class _Renaming:
         for m in self._every:
             if not m.computed or m.kind != ("number" if found.kind == "label" else found.kind):
                 continue
-            places = {place for _, place, *_ in self._things}
-            if m.kind == "number" and m.to_program is not None and m.to_program not in places:
+            elsewhere = m.to_program is not None and m.to_program not in self._places
+            if m.kind == "number" and elsewhere:
                 continue
             if m.kind == "variable" and found.number is None:
                 continue
@@ -271,30 +271,20 @@ class _Renaming:
                     (m.program, m.block, "a program of the external device is not edited")
                 )
         if self._is_local():
-            new = int(self._new)
-            for m in self._every:
-                if (
-                    m.kind == "variable"
-                    and m.fixed
-                    and m.number == new
-                    and (m.computed or m.to_program in {p for _, p, *_ in self._things})
-                ):
-                    causes.append((m.program, m.block, f"{m.text.strip()} of a call sets #{new}"))
-                if (
-                    m.kind == "variable"
-                    and m.fixed
-                    and m.computed
-                    and m.number == self._found.number
-                ):
-                    causes.append(
-                        (
-                            m.program,
-                            m.block,
-                            f"{m.text.strip()} of a call may set {self._found.shown}",
-                        )
-                    )
+            causes += self._of_arguments(int(self._new))
         if causes:
             raise refusal(self._library, causes)
+
+    def _of_arguments(self, new: int) -> Iterator[tuple[int, int | None, str]]:
+        """Yield the arguments of calls that set the new local, or may set the old one."""
+        for m in self._every:
+            if m.kind != "variable" or not m.fixed:
+                continue
+            word = f"{m.text.strip()} of a call"
+            if m.number == new and (m.computed or m.to_program in self._places):
+                yield m.program, m.block, f"{word} sets #{new}"
+            if m.number == self._found.number and m.computed:
+                yield m.program, m.block, f"{word} may set {self._found.shown}"
 
     def _refuse_too_large(self, own: Sequence[Mention]) -> None:
         rules = {
@@ -302,7 +292,7 @@ class _Renaming:
             "program": ("max_program_number",),
         }
         for name in rules.get(self._found.kind, ()):
-            most = rule(self._library.control, name)
+            most = rule_value(self._library.control, name)
             if self._new.isdecimal() and isinstance(most, int) and int(self._new) > most:
                 raise self._refused(own[0], f"the control has numbers to {most}")
 

@@ -8,7 +8,8 @@ from typing import Literal
 
 from cncsub import _core
 from cncsub.checking import Edit
-from cncsub.editing.edits import Edits, rule
+from cncsub.controls import rule_value
+from cncsub.editing.edits import Edits, listed
 from cncsub.editing.errors import refusal
 from cncsub.editing.mentions import Mention, mentions
 from cncsub.library import Library
@@ -65,8 +66,7 @@ def renumber(
     if files is not None:
         known = frozenset(files)
         chosen = frozenset(i for i in chosen if library.code.program(i).file in known)
-    job = _Renumbering(library, chosen, mentions(library, kinds, machine=machine))
-    return replace(job.edits(start, step, which), machine=machine)
+    return _Renumbering(library, chosen, kinds, machine).edits(start, step, which)
 
 
 def _check(start: int, step: int, which: str) -> None:
@@ -106,12 +106,11 @@ def _lies_in(span: tuple[int, int, int], spans: Iterable[tuple[int, int, int]]) 
 class _Renumbering:
     """The numbers of some programs, and what names them."""
 
-    def __init__(
-        self, library: Library, chosen: frozenset[int], all_of_them: list[Mention]
-    ) -> None:
+    def __init__(self, library: Library, chosen: frozenset[int], kinds: str, machine: str) -> None:
         self._library = library
         self._chosen = chosen
-        numbers = [m for m in all_of_them if m.kind == "number"]
+        self._machine = machine
+        numbers = [m for m in mentions(library, kinds, machine=machine) if m.kind == "number"]
         self._own = [m for m in numbers if m.defines and m.program in chosen]
         self._uses = [m for m in numbers if not m.defines]
         self._new: dict[_Key, int | None] = {}  # None: the block loses its number
@@ -127,7 +126,8 @@ class _Renumbering:
         edits = [*self._of_blocks(), *self._of_uses()]
         self._tell_duplicates()
         self._tell_refused()
-        made = Edits(self._library, tuple(sorted(edits)), tuple(self._notes))
+        notes = tuple(self._notes)
+        made = Edits(self._library, tuple(sorted(edits)), notes, machine=self._machine)
         return made if which != "all" else self._without_refused(made)
 
     # ---- what cannot be done ----
@@ -145,7 +145,7 @@ class _Renumbering:
 
     def _refuse_too_large(self, targets: set[_Key], which: Which) -> None:
         for name, counted in (("max_sequence_number", False), ("max_jump_number", True)):
-            most = rule(self._library.control, name)
+            most = rule_value(self._library.control, name)
             if not isinstance(most, int):
                 continue
             for (program, block), n in self._new.items():
@@ -197,7 +197,7 @@ class _Renumbering:
             name = self._library.code.program(program).name
             what = "the block of line" if len(of) == 1 else "the blocks of lines"
             why = "a number that such a block names is left as it is"
-            self._notes.append(f"{name}: the control refuses {what} {_listed(of)}; {why}")
+            self._notes.append(f"{name}: the control refuses {what} {listed(of)}; {why}")
 
     def _tell_duplicates(self) -> None:
         lines: dict[tuple[int, int], list[int]] = {}
@@ -207,7 +207,7 @@ class _Renumbering:
         for (program, number), of in lines.items():
             if len(of) > 1:
                 name = self._library.code.program(program).name
-                told = f"N{number} is in lines {_listed(of)}"
+                told = f"N{number} is in lines {listed(of)}"
                 self._notes.append(f"{name}: {told}; each has its own number now")
 
     # ---- the edits ----
@@ -284,15 +284,10 @@ class _Renumbering:
         kept = tuple(e for e in made.edits if (e.file, e.line, e.column) not in lines)
         count = len(made.edits) - len(kept)
         note = f"{count} block{'' if count == 1 else 's'} can have no number on this control"
-        return replace(Edits(self._library, kept), notes=(*made.notes, note))
+        return replace(made, edits=kept, notes=(*made.notes, note))
 
 
 def _like(old: str, n: int) -> str:
     """Return a number written as another one was: N0010 has four digits."""
     digits = "".join(old.split())
     return str(n).zfill(len(digits)) if digits.startswith("0") else str(n)
-
-
-def _listed(lines: list[int]) -> str:
-    most = 5
-    return ", ".join(map(str, lines[:most])) + (", ..." if len(lines) > most else "")

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.editor.snapshot import Snapshot
+from cncsub.editor.snapshot import Snapshot, comment_words
 from cncsub.program import Program, Token
 from cncsub.reports.code_facts import code_explanations
 
@@ -59,7 +59,7 @@ def arguments_of(snap: Snapshot, program: Program, code: str | None = None) -> l
 
 def _comment(data: _core.ProgramData, place: int) -> str:
     comments = [row[1] for row in data.tokens(place) if row[0] == "comment"]
-    return comments[0].strip().strip("();").strip() if comments else ""
+    return comment_words(comments[0]) if comments else ""
 
 
 def macro_call_at(snap: Snapshot, tokens: list[Token]) -> str | None:

@@ -79,7 +79,9 @@ def actions(snap: Snapshot, path: str, asked: Range) -> list[CodeAction]:
     if len(fixed) > 1:
         edits = [edit for finding in fixed for edit in finding.fix or ()]
         kind = CodeActionKind.SourceFixAll
-        found.append(CodeAction(f"Correct {len(fixed)} findings", kind, edit=_change(snap, edits)))
+        found.append(
+            CodeAction(f"Correct {len(fixed)} findings", kind, edit=workspace_edit(snap, edits))
+        )
     found.append(
         CodeAction(
             "Number the blocks anew",
@@ -98,7 +100,7 @@ def _action(snap: Snapshot, path: str, finding: Finding) -> CodeAction:
         CodeActionKind.QuickFix,
         diagnostics=[next(_of(snap, path, finding))],
         is_preferred=True,
-        edit=_change(snap, edits),
+        edit=workspace_edit(snap, edits),
     )
 
 
@@ -116,6 +118,7 @@ def text_edits(snap: Snapshot, edits: Iterable[Edit]) -> dict[str, list[TextEdit
     return changes
 
 
-def _change(snap: Snapshot, edits: Iterable[Edit]) -> WorkspaceEdit:
+def workspace_edit(snap: Snapshot, edits: Iterable[Edit]) -> WorkspaceEdit:
+    """Return edits of several files as one change of the client."""
     changes = text_edits(snap, edits)
     return WorkspaceEdit(changes={uri_of(path): rows for path, rows in changes.items()})

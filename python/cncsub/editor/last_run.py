@@ -86,13 +86,12 @@ class LastRun:
         of_step = np.asarray(moves.step)
         here = np.asarray(steps.program)[of_step] == steps.programs.index(program)
         line_of = np.asarray(steps.line)[of_step]
-        found = {}
-        for line in lines:
-            rows = np.flatnonzero(here & (line_of == line))
-            if len(rows):
-                move = int(rows[-1])
-                found[line] = {axis: float(getattr(moves, axis)[move]) for axis in "xyz"}
-        return found
+        rows = np.flatnonzero(here & np.isin(line_of, list(lines)))
+        last = dict(zip(line_of[rows].tolist(), rows.tolist(), strict=True))
+        return {
+            line: {axis: float(getattr(moves, axis)[last[line]]) for axis in "xyz"}
+            for line in sorted(last)
+        }
 
     def values_of(self, variable: int) -> list[float | None]:
         """Return the values that a variable took, one after the other, the last `MOST_VALUES`."""

@@ -139,10 +139,7 @@ class Memories:
                 " `cncsub controls` lists all"
             )
             return None
-        control = project.control_named(name)
-        if name == project.control and project.parameters:
-            control = control.with_parameters(dict(project.parameters))
-        return control
+        return project.configured(project.control_named(name), name)
 
     def _paths(self, path: str, project: Project) -> tuple[str, ...]:
         """Return the files and folders of a document's memory: those of its project, else the
@@ -188,8 +185,7 @@ class Memories:
             for path in self.documents
             if path in shown - known
         ]
-        rows = [(name, stem, [text], outside) for name, stem, text, outside in sources]
-        code = _core.compile(key.control, rows, project.external is not None)
+        code = _compiled(key.control, sources, device=project.external is not None)
         names = [name for name, _, _, outside in sources if not outside]
         documents = {path: self.documents[path] for path in self.documents if path in shown | known}
         closed = {name: text for name, _, text, _ in files.sources if name not in documents}
@@ -219,8 +215,7 @@ class Memories:
         def load(named: list[str], siblings: list[str]) -> Library:
             read.append(_read(tuple(named), None, siblings))
             sources = [self._shown(source) for source in read[-1].sources]
-            rows = [(name, stem, [text], outside) for name, stem, text, outside in sources]
-            code = _core.compile(control, rows, False)
+            code = _compiled(control, sources, device=False)
             return Library(code, [name for name, *_ in sources])
 
         with_files_beside(path, load)
@@ -247,6 +242,11 @@ class Memories:
             return source
         name, stem, _, outside = source
         return name, stem, engine_text(document.text), outside
+
+
+def _compiled(control: Control, sources: Sequence[Source], *, device: bool) -> _core.Code:
+    rows = [(name, stem, [text], outside) for name, stem, text, outside in sources]
+    return _core.compile(control, rows, device)
 
 
 def named_in(document: Document) -> str | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from lsprotocol.types import (
     CallHierarchyIncomingCall,
@@ -102,6 +102,8 @@ def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[Doc
 
 # ---- calls ----
 
+_CALLER, _CALLED = 0, 1  # the ends of a call
+
 
 def call_item(snap: Snapshot, program: Program) -> CallHierarchyItem:
     """Return a program as an item of the call hierarchy."""
@@ -136,41 +138,28 @@ def _program_of(snap: Snapshot, item: CallHierarchyItem) -> Program | None:
 
 def incoming(snap: Snapshot, item: CallHierarchyItem) -> list[CallHierarchyIncomingCall]:
     """Return the programs that call a program, each with the words that do."""
-    program = _program_of(snap, item)
-    if program is None:
-        return []
-    callers = _grouped(snap, lambda caller, called: called == program.index, by_caller=True)
-    return [
-        CallHierarchyIncomingCall(
-            call_item(snap, snap.program(caller)), [_call_range(snap, *call) for call in calls]
-        )
-        for caller, calls in callers.items()
-    ]
+    return [CallHierarchyIncomingCall(*each) for each in _calls(snap, item, _CALLED, _CALLER)]
 
 
 def outgoing(snap: Snapshot, item: CallHierarchyItem) -> list[CallHierarchyOutgoingCall]:
     """Return the programs that a program calls, each with the words that do."""
+    return [CallHierarchyOutgoingCall(*each) for each in _calls(snap, item, _CALLER, _CALLED)]
+
+
+def _calls(
+    snap: Snapshot, item: CallHierarchyItem, own: int, other: int
+) -> Iterator[tuple[CallHierarchyItem, list[Range]]]:
+    """Yield what stands at the other end of the calls of a program, each with the words."""
     program = _program_of(snap, item)
     if program is None:
-        return []
-    called = _grouped(snap, lambda caller, called: caller == program.index, by_caller=False)
-    return [
-        CallHierarchyOutgoingCall(
-            call_item(snap, snap.program(to)), [_call_range(snap, *call) for call in calls]
-        )
-        for to, calls in called.items()
-    ]
-
-
-def _grouped(
-    snap: Snapshot, wanted: Callable[[int, int], bool], *, by_caller: bool
-) -> dict[int, list[tuple[int, int, _core._CallRow]]]:
-    found: dict[int, list[tuple[int, int, _core._CallRow]]] = {}
-    for call in snap.calls:
-        caller, _, row = call
-        if row[2] is not None and wanted(caller, row[2]):
-            found.setdefault(caller if by_caller else row[2], []).append(call)
-    return found
+        return
+    found: dict[int, list[Range]] = {}
+    for caller, at, row in snap.calls:
+        ends = (caller, row[2])
+        if ends[own] == program.index and (there := ends[other]) is not None:
+            found.setdefault(there, []).append(_call_range(snap, caller, at, row))
+    for place, words in found.items():
+        yield call_item(snap, snap.program(place)), words
 
 
 def _call_range(snap: Snapshot, caller: int, at: int, row: _core._CallRow) -> Range:

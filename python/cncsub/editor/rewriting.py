@@ -14,8 +14,8 @@ from lsprotocol.types import (
 
 from cncsub.editing import Edits, format, rename, renumber
 from cncsub.editing.formatting import MOST_INDENT
-from cncsub.editor.diagnostics import text_edits
-from cncsub.editor.names import at_of, mention_at
+from cncsub.editor.diagnostics import text_edits, workspace_edit
+from cncsub.editor.names import location, mention_at
 from cncsub.editor.snapshot import Snapshot, uri_of
 
 
@@ -26,8 +26,7 @@ def prepare_rename(
     mention = mention_at(snap, path, line, character)
     if mention is None or mention.computed or mention.fixed:
         return None
-    at = at_of(mention)
-    return PrepareRenamePlaceholder(snap.range(at.file, at.line, at.column, at.width), mention.text)
+    return PrepareRenamePlaceholder(location(snap, mention).range, mention.text)
 
 
 def renamed(snap: Snapshot, path: str, line: int, character: int, new: str) -> WorkspaceEdit | None:
@@ -38,7 +37,7 @@ def renamed(snap: Snapshot, path: str, line: int, character: int, new: str) -> W
     mention = mention_at(snap, path, line, character)
     if mention is None:
         return None
-    return changed(snap, rename(snap.library, mention, new, machine=machine_of(snap)))
+    return changed(snap, rename(snap.library, mention, new, machine=snap.machine))
 
 
 def formatted(
@@ -58,22 +57,16 @@ def renumbered(snap: Snapshot, path: str) -> WorkspaceEdit:
     where a number cannot be followed.
     """
     programs = [program.name for program in snap.programs_of(path)]
-    return changed(snap, renumber(snap.library, programs, machine=machine_of(snap)))
-
-
-def machine_of(snap: Snapshot) -> str:
-    """Return the kind of machine that the setup tells, an empty text where it tells none."""
-    return (snap.setup.machine if snap.setup is not None else None) or ""
+    return changed(snap, renumber(snap.library, programs, machine=snap.machine))
 
 
 def changed(snap: Snapshot, edits: Edits) -> WorkspaceEdit:
     """Return edits of programs, and the new names of their files, as the client makes them."""
-    by_file = text_edits(snap, edits.edits)
+    if not edits.files:
+        return workspace_edit(snap, edits.edits)
     moves = [RenameFile(uri_of(old), uri_of(new)) for old, new in edits.files.items()]
-    if not moves:
-        return WorkspaceEdit(changes={uri_of(path): rows for path, rows in by_file.items()})
     texts = [
         TextDocumentEdit(OptionalVersionedTextDocumentIdentifier(uri_of(path)), rows)
-        for path, rows in by_file.items()
+        for path, rows in text_edits(snap, edits.edits).items()
     ]
     return WorkspaceEdit(document_changes=[*texts, *moves])

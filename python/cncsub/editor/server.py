@@ -49,7 +49,7 @@ class Server(LanguageServer):
         self.debugs = False  # whether the client has a command that debugs
         self.uris: dict[str, str] = {}  # how the client calls its documents, by path
         self._given = control
-        self._waiting: dict[str, asyncio.Task[None]] = {}
+        self._checking: asyncio.Task[None] | None = None
 
     def _tell(self, message: str) -> None:
         self.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, message))
@@ -74,9 +74,9 @@ class Server(LanguageServer):
     def checked_soon(self, path: str) -> None:
         """Check the documents when no key was pressed for a while, the one at hand first."""
         others = [each for each in self.memories.documents if each != path]
-        for waiting in self._waiting.values():
-            waiting.cancel()
-        self._waiting["check"] = asyncio.ensure_future(self._check([path, *others]))
+        if self._checking is not None:
+            self._checking.cancel()
+        self._checking = asyncio.ensure_future(self._check([path, *others]))
 
     async def _check(self, paths: list[str]) -> None:
         await asyncio.sleep(QUIET)
@@ -115,13 +115,6 @@ class Server(LanguageServer):
         self.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(uri, found, version=version)
         )
-
-
-def _more_than_none(value: object, otherwise: float) -> float:
-    """Return a number of the client's settings, if it is one that a limit can be."""
-    if isinstance(value, int | float) and not isinstance(value, bool) and 1e-3 < value < 1e12:
-        return value
-    return otherwise
 
 
 def path_of(uri: str) -> str:

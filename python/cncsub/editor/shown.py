@@ -19,7 +19,6 @@ from cncsub.editor.last_run import LastRun
 from cncsub.editor.snapshot import MANY_LINES, Snapshot, place_of
 from cncsub.number_text import length_text
 from cncsub.program import Block, Program, Token
-from cncsub.references import references_of
 
 TYPES = ["keyword", "function", "variable", "number", "comment", "label", "macro"]
 MODIFIERS = ["modification"]
@@ -62,14 +61,14 @@ def semantic_tokens(
 def coloured(snap: Snapshot, path: str, first: int, last: int) -> Iterator[Coloured]:
     """Yield the words and comments of the blocks of some lines, in their order."""
     for block in snap.blocks_between(path, first, last):
-        writes = {use.column for use in references_of(block.program.data, place_of(block)).writes}
-        calls = {row[10] for row in _core.references(block.program.data, place_of(block))[0]}
+        calls, _, _, writes = _core.references(block.program.data, place_of(block))
+        called, written = {row[10] for row in calls}, {row[4] for row in writes}
         for token in block.tokens:
-            kind = _kind(token, calls)
+            kind = _kind(token, called)
             if kind is not None and "\n" not in token.text:
-                written = int(token.column in writes)
+                modifiers = int(token.column in written)
                 width = len(token.text.rstrip())
-                yield block.line - 1, token.column - 1, width, kind, written
+                yield block.line - 1, token.column - 1, width, kind, modifiers
 
 
 def _kind(token: Token, calls: set[int]) -> str | None:

@@ -12,7 +12,7 @@ from pygls.uris import from_fs_path
 
 from cncsub import _core
 from cncsub._core import Control
-from cncsub.checking import Finding, all_rules, check
+from cncsub.checking import Finding, check, chosen_rules
 from cncsub.cli.project import Project
 from cncsub.editing import Mention, mentions
 from cncsub.editor.documents import Document
@@ -20,7 +20,7 @@ from cncsub.editor.last_run import LastRun
 from cncsub.library import Library
 from cncsub.program import Block, Program, Token, named_like
 from cncsub.reports.findings import with_severity
-from cncsub.setup import Setup
+from cncsub.setup import Setup, machine_of
 
 MANY_LINES = 20_000  # of a document that is answered for in parts
 
@@ -135,8 +135,7 @@ class Snapshot:
         """
         if self._mentions:
             return self._mentions[0]
-        machine = None if self.setup is None else self.setup.machine
-        found = mentions(self.library, machine=machine or "")
+        found = mentions(self.library, machine=self.machine)
         if len(found) <= MANY_LINES:
             self._mentions.append(found)
         return found
@@ -150,6 +149,11 @@ class Snapshot:
         """The setup that the project names."""
         return None if self.project.setup is None else Setup.from_toml(self.project.setup)
 
+    @property
+    def machine(self) -> str:
+        """The kind of machine that the setup gives; empty for the control's own."""
+        return machine_of(self.setup)
+
     @cached_property
     def _found(self) -> dict[str, list[Finding]]:
         return {}
@@ -158,18 +162,17 @@ class Snapshot:
         """Return what `check` finds in a file; the first program of the file is one that is run."""
         found = self._found.get(path)
         if found is None:
-            programs = self.programs_of(path)
-            main = programs[0].index if programs else -1
-            machine = None if self.setup is None else self.setup.machine
-            found = self._found[path] = list(self._checked(path, main, machine))
+            found = self._found[path] = self._checked(path)
         return found
 
-    def _checked(self, path: str, main: int, machine: str | None) -> Iterator[Finding]:
-        rules = [rule.number for rule in all_rules() if rule.number not in self.project.ignore]
+    def _checked(self, path: str) -> list[Finding]:
+        programs = self.programs_of(path)
+        main = programs[0].index if programs else -1
+        rules = chosen_rules(None) - self.project.ignore
         entries = named_like(self.code, self.project.entry)
-        found = check(self.code, main, rules, machine, entries)
+        found = check(self.code, main, rules, self.machine, entries)
         own = [finding for finding in found if finding.file == path]
-        yield from with_severity(own, dict(self.project.severity))
+        return with_severity(own, dict(self.project.severity))
 
     @cached_property
     def calls(self) -> list[tuple[int, int, _core._CallRow]]:
@@ -239,6 +242,11 @@ def token_at(block: Block, character: int) -> Token | None:
         if token.end == character + 1 and token.kind == "word":
             found = token
     return found
+
+
+def comment_words(text: str) -> str:
+    """Return what a comment says, without the signs around it."""
+    return text.strip().strip("();").strip()
 
 
 def _first_at(data: _core.ProgramData, line: int) -> int:

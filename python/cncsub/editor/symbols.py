@@ -15,7 +15,7 @@ from lsprotocol.types import (
 
 from cncsub import _core
 from cncsub.editor.names import label_of
-from cncsub.editor.snapshot import Snapshot
+from cncsub.editor.snapshot import Snapshot, comment_words
 from cncsub.files import clean
 from cncsub.program import Block, Program
 
@@ -25,9 +25,14 @@ MOST_FOUND = 500  # symbols of a workspace that are listed
 
 def document_symbols(snap: Snapshot, path: str) -> list[DocumentSymbol]:
     """Return the programs of a file, each with what stands in it."""
+    return [_program(snap, path, each, end) for each, end in _with_ends(snap, path)]
+
+
+def _with_ends(snap: Snapshot, path: str) -> Iterator[tuple[Program, int]]:
+    """Yield the programs of a file, each with the line, from 0, at which the next one begins."""
     programs = snap.programs_of(path)
     ends = [program.line - 1 for program in programs[1:]] + [len(snap.document(path).lines)]
-    return [_program(snap, path, each, end) for each, end in zip(programs, ends)]
+    return zip(programs, ends)
 
 
 def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentSymbol:
@@ -106,7 +111,7 @@ def comment_alone(snap: Snapshot, text: str) -> str:
     comments = [part for kind, part in kinds if kind == "comment"]
     if len(comments) != 1 or any(kind == "word" for kind, _ in kinds):
         return ""
-    return comments[0].strip().strip("();").strip()
+    return comment_words(comments[0])
 
 
 def workspace_symbols(snap: Snapshot, query: str) -> list[WorkspaceSymbol]:
@@ -132,10 +137,8 @@ def workspace_symbols(snap: Snapshot, query: str) -> list[WorkspaceSymbol]:
 def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
     """Return the programs, the loops and the stretches of one tool."""
     document = snap.document(path)
-    programs = snap.programs_of(path)
-    ends = [program.line - 1 for program in programs[1:]] + [len(document.lines)]
     found: dict[tuple[int, int], FoldingRange] = {}
-    for program, end in zip(programs, ends):
+    for program, end in _with_ends(snap, path):
         last = end - 1
         while last >= program.line and not document.line(last).strip():
             last -= 1

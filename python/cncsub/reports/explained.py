@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
 from cncsub._core import Control
-from cncsub.checking import CheckRule
+from cncsub.checking import CheckRule, rule_named, rule_names
 from cncsub.escapes import shown
-from cncsub.reports.code_facts import example_of
-from cncsub.reports.facts import effect_of
+from cncsub.reports.code_facts import code_explanations, code_named, example_of
+from cncsub.reports.facts import effect_of, explanations
 from cncsub.reports.nearest import Entry
 from cncsub.reports.printing import Console, Text, wrapped
 
@@ -19,6 +20,22 @@ SHORT = 60  # letters of a value, where the values of several controls are liste
 
 
 # ---- facts ----
+
+
+def known_facts(
+    asked: str, among: list[Control]
+) -> tuple[list[Facts], list[Facts], CheckRule | None]:
+    """Return what is called so: alarms, then codes, rules and parameters, and the rule of check.
+
+    Raises `KeyError` for a number that no rule of check has.
+    """
+    of_check = re.fullmatch(r"CS\d*", asked, re.IGNORECASE) is not None
+    check = rule_named(asked) if of_check or asked.lower() in rule_names() else None
+    alarms = [] if of_check else explanations(asked, among)
+    others = [*rule_explanations(asked, among), *parameter_explanations(asked, among)]
+    if code_named(asked) is not None or not (check or alarms or others):
+        others = [*code_explanations(asked, among), *others]
+    return alarms, others, check
 
 
 def rule_explanations(asked: str, among: list[Control]) -> list[Facts]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -14,7 +13,7 @@ from cncsub._core import Frame, __version__
 from cncsub.byte_edits import place_in
 from cncsub.checking import CheckRule, Edit, Finding, Place, all_rules
 from cncsub.escapes import for_github, for_xml, referred
-from cncsub.lines import lines_of, without_end
+from cncsub.lines import diff_of, lines_of, without_end
 from cncsub.reports.source_root import SourceRoot
 from cncsub.writing import replace_whole
 
@@ -268,14 +267,10 @@ class Mended:
         return finding.fix is not None and self._left.isdisjoint(finding.fix)
 
     def diff(self) -> str:
-        parts: list[str] = []
-        for file, old in self._old.items():
-            new = lines_of(b"".join(self._new[file]))
-            before, after = (
-                [line.decode("utf-8", "surrogateescape") for line in lines] for lines in (old, new)
-            )
-            parts += difflib.unified_diff(before, after, file, file)
-        return "".join(part if part.endswith("\n") else part + "\n" for part in parts)
+        return "".join(
+            diff_of(b"".join(old), b"".join(self._new[file]), file)
+            for file, old in self._old.items()
+        )
 
     def write(self) -> list[str]:
         """Write the files that change, and return their names."""
