@@ -37,19 +37,22 @@ class Before:
 
     def last_executed(self, asked: Callable[[Block], bool]) -> int | None:
         """Return the step of the last block of this kind, `None` where none was executed."""
-        places = {
-            (program.name, block.line)
-            for program in self._library.values()
-            for block in program.blocks
-            if asked(block)
-        }
+        import numpy as np
+
         steps = self._machine.steps
-        if not places:
+        lines = {
+            program.name: [block.line for block in program.blocks if asked(block)]
+            for program in self._library.values()
+        }
+        wanted = [
+            code << 32 | line
+            for code, name in enumerate(steps.programs)
+            for line in lines.get(name, ())
+        ]
+        if not wanted:
             return None
-        return next(
-            (i for i in reversed(range(len(steps))) if (steps[i].program, steps[i].line) in places),
-            None,
-        )
+        found = np.flatnonzero(np.isin(steps.program.astype(np.int64) << 32 | steps.line, wanted))
+        return int(found[-1]) if len(found) else None
 
     def flat_text(self, step: int, end: int | None = None) -> list[str]:
         """Return what a flat program has of a block that was executed, or of those before the step
