@@ -121,8 +121,10 @@ class _Work:
     def _refuse_compensation(self) -> None:
         """Refuse a start inside radius compensation: its path depends on the blocks before."""
         code = self.state.modal.get("radius")
+        if code in (None, "G40"):
+            return
         began = self.before.block_that_changed("radius")
-        if code in (None, "G40") or began is None:
+        if began is None:
             return
         block = began[0]
         place = f"line {block.line}" if block.n is None else f"N{block.n}"
