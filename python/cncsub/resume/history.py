@@ -62,7 +62,7 @@ class Before:
         machine = self._library.machine(self._main, **options)
         machine.run()
         machine.back(step)
-        return flat_lines(machine.core.copy()).lines
+        return FlatLines(machine.core.copy()).lines
 
 
 class FlatLines:
@@ -70,17 +70,14 @@ class FlatLines:
 
     def __init__(self, core: _core.Machine) -> None:
         flattening = _core.flattening(core, False, None)
-        text, count = "", 0
+        text = ""
         while (piece := flattening.next()) is not None:
             text += piece[0].decode(errors="surrogateescape")
-            count += len(piece[1]["n"])
         lines = text.split("\n")[:-1]
-        taped = lines[:1] == ["%"]
-        if taped:
+        if lines[:1] == ["%"]:
             lines = lines[1 : len(lines) - (lines[-1] == "%")]
         self.refusal = flattening.refusal
         self.ends = flattening.ends
-        # The last block may be an end that no block of the program wrote.
         self.lines = lines[1:] if _is_head(core, lines) else lines
 
 
@@ -90,7 +87,3 @@ def _is_head(core: _core.Machine, lines: list[str]) -> bool:
         return False
     alone = _core.compile(core.code.control, [("<text>", "", [lines[0] + "\n"], False)], False)
     return alone.program(0).blocks == 0 if len(alone) else False
-
-
-def flat_lines(core: _core.Machine) -> FlatLines:
-    return FlatLines(core)

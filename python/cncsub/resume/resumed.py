@@ -12,7 +12,7 @@ from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
 from cncsub.resume.errors import refused
 from cncsub.resume.head import Head
-from cncsub.resume.history import Before, flat_lines
+from cncsub.resume.history import Before, FlatLines
 from cncsub.resume.place import Place, as_place, stand_at
 from cncsub.resume.proof import Part, parting
 from cncsub.resume.state import RestartState, state_of
@@ -198,7 +198,7 @@ def _prove(head: Head, told: str | None) -> None:
 
 def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
     head = work.head(approach, data=True, repeats=repeats)
-    rest = flat_lines(work.machine.core.copy())
+    rest = FlatLines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
     lines = [*head.lines, *rest.lines]
