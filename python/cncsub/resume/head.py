@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.errors import ResumeError, refused
@@ -61,23 +61,31 @@ class Head:
         tried = self._run([*self.lines, *lines])
         if tried.alarm is not None or tried.blocks != len(self.lines) + len(lines):
             return False
-        self.lines += lines
+        self.lines = [*self.lines, *lines]
         self.now = tried
         return True
+
+    def _add_where(self, right: Callable[[Machine], bool], *lines: str) -> bool:
+        """Add blocks, unless the control refuses them or what comes of them is not right; `right`
+        is asked with the machine that stood before them.
+        """
+        before = self.lines, self.now
+        if self.add(*lines) and right(before[1]):
+            return True
+        self.lines, self.now = before
+        return False
 
     def _add_for(self, name: str, texts: Iterable[str]) -> bool:
         """Add the first of the texts that puts a mode in force as the state has it, and leaves the
         position as it is.
         """
         wanted = self._state.modal[name]
-        for text in texts:
-            before = self.lines.copy(), self.now
-            if not self.add(text):
-                continue
-            if self.now.modal.get(name) == wanted and (name in _BENDING or self._stays(before[1])):
-                return True
-            self.lines, self.now = before
-        return False
+
+        def right(before: Machine) -> bool:
+            in_force = self.now.modal.get(name) == wanted
+            return in_force and (name in _BENDING or self._stays(before))
+
+        return any(self._add_where(right, text) for text in texts)
 
     def _stays(self, before: Machine) -> bool:
         """Return whether the tool stands where it stood, and went nowhere on the way."""
@@ -111,13 +119,15 @@ class Head:
         """Add a code, unless it changes a mode that is right without it: a control may count the
         feed and the surface speed as one group.
         """
-        wanted, before = self._state.modal, dict(self.now.modal)
-        left = self.lines.copy(), self.now
-        taken = self.add(code)
-        right = [name for name, mode in before.items() if mode == wanted.get(name)]
-        keep = [name for name in right if name != "distance" and name not in _CANCELLED]
-        if taken and any(self.now.modal.get(name) != wanted[name] for name in keep):
-            self.lines, self.now = left
+        wanted = self._state.modal
+        keep = [
+            name
+            for name, mode in self.now.modal.items()
+            if mode == wanted.get(name) and name != "distance" and name not in _CANCELLED
+        ]
+        self._add_where(
+            lambda before: all(self.now.modal.get(name) == wanted[name] for name in keep), code
+        )
 
     def _used(self, mode: str) -> bool:
         return self._state.modal.get(mode) != self._power_on.get(mode)
@@ -269,21 +279,18 @@ class Head:
 
     def repeat(self, lines: Iterable[str]) -> bool:
         """Add blocks of the run that the next one may depend on, where they make no move."""
-        left = self.lines.copy(), self.now
         lines = list(lines)
-        if lines and self.add(*lines) and self._stays(left[1]):
-            return True
-        self.lines, self.now = left
-        return False
+        return bool(lines) and self._add_where(self._stays, *lines)
 
     def _shifts(self, line: str) -> bool:
-        left = self.lines.copy(), self.now
-        if self.add(line) and len(self.now.moves) == len(left[1].moves):
-            wanted = self._state.position
-            if all(abs(self.now.position[axis] - wanted[axis]) < _NEAR for axis in wanted):
-                return True
-        self.lines, self.now = left
-        return False
+        wanted = self._state.position
+
+        def right(before: Machine) -> bool:
+            here = self.now.position
+            unmoved = len(self.now.moves) == len(before.moves)
+            return unmoved and all(abs(here[axis] - wanted[axis]) < _NEAR for axis in wanted)
+
+        return self._add_where(right, line)
 
     def clamp(self, before: Before) -> None:
         """Write the highest speed of the spindle that the program has set last."""
