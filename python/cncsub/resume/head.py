@@ -163,14 +163,14 @@ class Head:
         known = sorted(self._machine.variables.level(0))
         yield from known
         core = self._machine.core
-        if not any(_sets_data(core, block) for block in self._executed()):
+        if not any(_sets_data(core, block) for block in self._blocks()):
             return
         seen = set(known)
         for number in range(1000, 20000):
             if number not in seen and _reads(self._machine, number) != _reads(self.now, number):
                 yield number
 
-    def _executed(self) -> Iterator[Any]:
+    def _blocks(self) -> Iterator[Any]:
         for program in self._library.values():
             yield from program.blocks
 
@@ -205,7 +205,7 @@ class Head:
         """Move to where the run stands: to the safe height, then axis by axis of the order."""
         if not len(self._machine.moves):
             return
-        aim = self._machine.moves[len(self._machine.moves) - 1]
+        aim = self._machine.moves[-1]
         axes = [axis for axis in self._machine.position if _at(aim, axis) is not None]
         mill = "Y" in axes
         if mill and "Z" in axes:
@@ -249,7 +249,7 @@ class Head:
             tried = self._run([*self.lines, line])
             if tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
                 break
-            here = tried.moves[len(tried.moves) - 1]
+            here = tried.moves[-1]
             words = {axis: words[axis] + aim[axis] - (_at(here, axis) or 0.0) for axis in aim}
         self.add(line)
 
@@ -273,7 +273,7 @@ class Head:
     def _writes(self, code: int) -> bool:
         return any(
             word.address == "G" and word.value == code
-            for block in self._executed()
+            for block in self._blocks()
             for word in block.words
         )
 
@@ -304,7 +304,7 @@ class Head:
         """Put in force what the run has in force; raise `ResumeError` where that cannot be."""
         modal = self._state.modal
         late = [name for name in modal if len(name) > 1 and name not in ("motion", "distance")]
-        for name in (*late, "F", "S", "T", "H", "D", "distance", "motion"):
+        for name in (*late, *_WORDS, "distance", "motion"):
             if name not in modal or self.now.modal.get(name) == modal[name]:
                 continue
             if not self._add_for(name, self._texts_for(name, before)):
@@ -370,7 +370,7 @@ def _near(machine: Machine, aim: dict[str, float]) -> bool:
     """Return whether the tool stands at machine coordinates."""
     if not len(machine.moves):
         return False
-    here = machine.moves[len(machine.moves) - 1]
+    here = machine.moves[-1]
     return all(abs((_at(here, axis) or 0.0) - value) < _NEAR for axis, value in aim.items())
 
 
