@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.errors import ResumeError, refused
+from cncsub.resume.errors import ResumeError, place_text, refused
 from cncsub.resume.history import Before
 from cncsub.resume.state import RestartState, roles_of
 
@@ -350,13 +350,12 @@ class Head:
         code = self._state.modal[name]
         found = before.block_that_changed(name)
         shown = f"{name}{code}" if name in _WORDS else f"{code} ({name})"
-        since = "" if found is None else f"; it is in force since {_named(found[0])}: start there"
+        since = (
+            f"; it is in force since {place_text(found[0])}: start there"
+            if found is not None
+            else ""
+        )
         return refused(f"{shown} cannot be put in force without a move{since}", self._state.block)
-
-
-def _named(block: Any) -> str:
-    n = f"line {block.line}" if block.n is None else f"N{block.n}"
-    return f"{block.program.name} {n}"
 
 
 def _at(move: Any, axis: str) -> float | None:

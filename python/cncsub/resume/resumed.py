@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
-from cncsub.resume.errors import refused
+from cncsub.resume.errors import place_text, refused
 from cncsub.resume.head import Head
 from cncsub.resume.history import Before, FlatLines
 from cncsub.resume.place import Place, as_place, stand_at
@@ -89,14 +89,10 @@ class Resume(NotPicklable):
             raise AssertionError(differs)
 
     def __repr__(self) -> str:
-        n = (
-            f"line {self.state.block.line}"
-            if self.state.block.n is None
-            else f"N{self.state.block.n}"
-        )
+        place = place_text(self.state.block)
         count = len(self.files)
         programs = f"{count} program{'s' if count != 1 else ''}"
-        return f"<Resume at {self.state.block.program.name} {n}: {programs}, {self.form}>"
+        return f"<Resume at {place}: {programs}, {self.form}>"
 
 
 class _Work:
@@ -126,11 +122,10 @@ class _Work:
         began = self.before.block_that_changed("radius")
         if began is None:
             return
-        block = began[0]
-        place = f"line {block.line}" if block.n is None else f"N{block.n}"
+        place = place_text(began[0])
         raise refused(
-            f"radius compensation {code} is in force: start at {block.program.name} {place},"
-            " which begins it, or after it is cancelled",
+            f"radius compensation {code} is in force: start at {place}, which begins it, or after"
+            " it is cancelled",
             self.state.block,
         )
 
