@@ -30,7 +30,7 @@ def as_place(at: object, times: int) -> _Found:
     Raises `TypeError` and `ValueError` for what names none.
     """
     if isinstance(at, Mapping):
-        return {_axis(axis): _length(value) for axis, value in at.items()}
+        return {_axis(axis): length("at: a coordinate", value) for axis, value in at.items()}
     if is_whole(at):
         return int(at)  # type: ignore[call-overload,no-any-return]
     if isinstance(at, str) and (pieces := at.replace(",", " ").split()):
@@ -48,9 +48,10 @@ def _axis(name: object) -> str:
     raise ValueError(f"at: a place names axes such as X, not {name!r}")
 
 
-def _length(value: Any) -> float:
+def length(what: str, value: Any) -> float:
+    """Return a length that was given; `ValueError` for what is none."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < 1e15:
-        raise ValueError(f"at: a coordinate must be a number of mm, not {value!r}")
+        raise ValueError(f"{what} must be a number of mm, not {value!r}")
     return float(value)
 
 
@@ -110,4 +111,4 @@ def _nearest(run: Run, place: Mapping[str, float]) -> int:
     return int((((nearest - aim) ** 2).sum(axis=1)).argmin())
 
 
-__all__ = ["Place", "as_place", "stand_at"]
+__all__ = ["Place", "as_place", "length", "stand_at"]

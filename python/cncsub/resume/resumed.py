@@ -13,7 +13,7 @@ from cncsub.pickling import NotPicklable
 from cncsub.resume.errors import place_text, refused
 from cncsub.resume.head import Head
 from cncsub.resume.history import Before, FlatLines
-from cncsub.resume.place import Place, as_place, stand_at
+from cncsub.resume.place import Place, as_place, length, stand_at
 from cncsub.resume.proof import Part, parting
 from cncsub.resume.state import RestartState, state_of
 from cncsub.resume.tails import NoTailsError, Tails
@@ -232,14 +232,6 @@ def _named(work: _Work, programs: Mapping[str, str]) -> dict[str, str]:
     return {f"{name}{suffix or '.nc'}": text for name, text in programs.items()}
 
 
-def _height(height: Any) -> float | None:
-    if height is None:
-        return None
-    if isinstance(height, bool) or not isinstance(height, int | float) or not abs(height) < 1e15:
-        raise ValueError(f"safe_height must be a number of mm, not {height!r}")
-    return float(height)
-
-
 def _order(order: Iterable[str] | None) -> tuple[str, ...] | None:
     """Return the groups of axes; raise `ValueError` for what are none."""
     if order is None:
@@ -268,7 +260,8 @@ def resume(
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
     work = _Work(library, main, place, dict(options))
-    approach = _height(safe_height), _order(order)
+    height = None if safe_height is None else length("safe_height", safe_height)
+    approach = height, _order(order)
     reasons = []
     for form, repeats in ((_of_calls, False), (_flat, False), (_of_calls, True), (_flat, True)):
         try:
