@@ -200,6 +200,14 @@ class Compiled:
         return {"kind": "block", "blocks": blocks}
 
 
+def blocks_of(core: _core.Machine, breakpoint: Breakpoint) -> list[int]:
+    """Return where the blocks of a breakpoint are, none where it is an event. Raises what is wrong
+    with it, as `Machine.run` does.
+    """
+    found: list[int] = Compiled(core, [breakpoint]).rows[0].get("blocks", [])
+    return found
+
+
 def addresses_of(core: _core.Machine, at: At) -> list[int]:
     """Return where the blocks of a place are. Raises `TypeError` and `ValueError` for what is no
     place, and `KeyError` for a program, a block or a line that is not there.
@@ -209,7 +217,7 @@ def addresses_of(core: _core.Machine, at: At) -> list[int]:
             "a block is given as a Block, a program and a sequence number such as ('O2', 30), or a"
             f" text such as 'O2:N30' or 'job.nc:12'; not as {at!r}"
         )
-    found: list[int] = Compiled(core, [Breakpoint(at)]).rows[0].get("blocks", [])
+    found = blocks_of(core, Breakpoint(at))
     if not found:
         raise ValueError(f"{at!r} is an event; a block is given as 'O2:N30' or 'job.nc:12'")
     if isinstance(at, Block):

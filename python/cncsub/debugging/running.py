@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from cncsub.breakpoints import Compiled
+from cncsub.breakpoints import Compiled, blocks_of
 from cncsub.debugging.frames import StackFrame
 from cncsub.debugging.points import ArmedPoint, PausePoints, PlacedPoint
 from cncsub.machine import Machine
@@ -47,7 +47,7 @@ def standing_at(machine: Machine, points: PausePoints) -> list[ArmedPoint]:
     """Return the points at the block that runs next, whose conditions hold."""
     core, found = machine.core, []
     for armed in points.armed():
-        blocks = Compiled(core, [armed.breakpoint]).rows[0].get("blocks", ())
+        blocks = blocks_of(core, armed.breakpoint)
         when = armed.placed.point.when
         if core.next_block in blocks and (when is None or machine.evaluate(when)):
             found.append(armed)

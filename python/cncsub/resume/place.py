@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from cncsub.breakpoints import At, Breakpoint, Compiled
+from cncsub.breakpoints import At, Breakpoint, blocks_of
 from cncsub.inputs import is_whole
 from cncsub.resume.errors import refused
 from cncsub.tables.rows import Step
@@ -88,8 +88,7 @@ def _run_to(machine: Machine, place: Breakpoint) -> None:
 
 def _is_first(machine: Machine, place: Breakpoint) -> bool:
     """Return whether the run begins at the place."""
-    blocks = Compiled(machine.core, [place]).rows[0].get("blocks", ())
-    return place.when is None and machine.core.next_block in blocks
+    return machine.core.next_block in blocks_of(machine.core, place) and place.when is None
 
 
 def _nearest(run: Run, place: Mapping[str, float]) -> int:
