@@ -98,6 +98,18 @@ class Compiled:
         self.rows = [self._row(each) for each in given]
         self.expressions = compiled(core, self._texts, self._what)
 
+    def run(self, depths: Iterable[int] = ()) -> tuple[list[int], tuple[int, str] | None, bool]:
+        """Run the machine to one of the breakpoints, or until no more than so many calls are open.
+        Return which were reached, the depths after the breakpoints; the one that has no value here,
+        and why; and whether `pause` stopped it.
+        """
+        rows = [*self.rows, *({"kind": "depth", "number": depth} for depth in depths)]
+        return self._core.run_to(rows, self.expressions)
+
+    def last_met(self) -> int:
+        """Return the last step before this at which one was met, -1 for none."""
+        return self._core.last_met(self.rows, self.expressions)
+
     def _row(self, of: Breakpoint) -> dict[str, Any]:
         row = self._event(of.at) if isinstance(of.at, str) else self._place(of.at)
         if of.when is not None:

@@ -31,10 +31,8 @@ def run_to(
     """
     armed, levels = points.armed_in(frames)
     breakpoints = [each.breakpoint for each in armed]
-    compiled = Compiled(machine.core, breakpoints)
     depths = [*levels, *([] if depth is None else [depth])]
-    rows = [*compiled.rows, *({"kind": "depth", "number": number} for number in depths)]
-    reached, faulty, paused = machine.core.run_to(rows, compiled.expressions)
+    reached, faulty, paused = Compiled(machine.core, breakpoints).run(depths)
     fault = ""
     if faulty is not None:
         place, detail = faulty
