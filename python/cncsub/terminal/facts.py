@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 from dataclasses import dataclass
 
-from cncsub.analysis.notes import Note
 from cncsub.debugging import Pause, Reason, Scope, Session, StackFrame
 from cncsub.drawing.path import Path, path_of
 from cncsub.escapes import shown
@@ -123,7 +122,3 @@ def place_of(frame: StackFrame) -> str:
     if block is None:
         return frame.program
     return f"{frame.program} {f'line {block.line}' if block.n is None else f'N{block.n}'}"
-
-
-def note_lines(notes: list[Note]) -> list[str]:
-    return [shown(f"note: {note}") for note in notes]
