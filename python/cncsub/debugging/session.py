@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import Unpack
+from typing import NoReturn, Unpack
 
 from cncsub.breakpoints import At
 from cncsub.debugging import help as helping
@@ -273,7 +273,7 @@ class Session:
 
     # ---- what the engine cannot do ----
 
-    def mdi(self, text: str) -> Pause:
+    def mdi(self, text: str) -> NoReturn:
         """Run a typed block in the present state. Raises `NotImplementedError`: the engine
         cannot.
         """
