@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from cncsub import _core
@@ -189,21 +191,30 @@ class Compiled:
             raise ValueError(f"{control.name} has no alarm {name}{near}")
         return name
 
+    @cached_property
+    def _programs_of_files(self) -> dict[str, list[int]]:
+        """The places of the programs of each file: many breakpoints of many programs ask for it."""
+        code = self._core.code
+        found: dict[str, list[int]] = {}
+        for place in range(len(code)):
+            found.setdefault(code.program(place).file, []).append(place)
+        return found
+
     def _on_line(self, name: str, line: int) -> dict[str, Any]:
         """Return the blocks on a line of a file, or of the file in which a program stands."""
-        code = self._core.code
-        programs = [(i, code.program(i)) for i in range(len(code))]
-        named = [(i, p) for i, p in programs if p.file == name]
-        found = named or [(i, p) for i, p in programs if p.file.rpartition("/")[2] == name]
+        code, files = self._core.code, self._programs_of_files
+        ending = (of for file, of in files.items() if file.rpartition("/")[2] == name)
+        found = files.get(name) or sorted(itertools.chain.from_iterable(ending))
         if not found:
             index = find_program(code, name)
             if index < 0:
-                names = [*code.names(), *{p.file for _, p in programs}]
+                names = [*code.names(), *files]
                 raise KeyError(f"no file and no program {name}{did_you_mean(name, names)}")
-            found = [(i, p) for i, p in programs if p.file == code.program(index).file]
-        blocks = [block for i, _ in found for block in self._core.blocks_at(i, -1, line)]
+            found = files[code.program(index).file]
+        blocks = [block for i in found for block in self._core.blocks_at(i, -1, line)]
         if not blocks:
-            lines = sorted(p.block(i)[1] for _, p in found for i in range(p.blocks))
+            programs = map(code.program, found)
+            lines = sorted(p.block(i)[1] for p in programs for i in range(p.blocks))
             before = max((each for each in lines if each < line), default=None)
             after = min((each for each in lines if each > line), default=None)
             near = " and ".join(str(each) for each in (before, after) if each is not None)
