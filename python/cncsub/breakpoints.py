@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 from cncsub import _core
@@ -98,6 +100,18 @@ class Compiled:
         self.rows = [self._row(each) for each in given]
         self.expressions = compiled(core, self._texts, self._what)
 
+    def run(self, depths: Iterable[int] = ()) -> tuple[list[int], tuple[int, str] | None, bool]:
+        """Run the machine to one of the breakpoints, or until no more than so many calls are open.
+        Return which were reached, the depths after the breakpoints; the one that has no value here,
+        and why; and whether `pause` stopped it.
+        """
+        rows = [*self.rows, *({"kind": "depth", "number": depth} for depth in depths)]
+        return self._core.run_to(rows, self.expressions)
+
+    def last_met(self) -> int:
+        """Return the last step before this at which one was met, -1 for none."""
+        return self._core.last_met(self.rows, self.expressions)
+
     def _row(self, of: Breakpoint) -> dict[str, Any]:
         row = self._event(of.at) if isinstance(of.at, str) else self._place(of.at)
         if of.when is not None:
@@ -177,27 +191,44 @@ class Compiled:
             raise ValueError(f"{control.name} has no alarm {name}{near}")
         return name
 
+    @cached_property
+    def _programs_of_files(self) -> dict[str, list[int]]:
+        """The places of the programs of each file: many breakpoints of many programs ask for it."""
+        code = self._core.code
+        found: dict[str, list[int]] = {}
+        for place in range(len(code)):
+            found.setdefault(code.program(place).file, []).append(place)
+        return found
+
     def _on_line(self, name: str, line: int) -> dict[str, Any]:
         """Return the blocks on a line of a file, or of the file in which a program stands."""
-        code = self._core.code
-        programs = [(i, code.program(i)) for i in range(len(code))]
-        named = [(i, p) for i, p in programs if p.file == name]
-        found = named or [(i, p) for i, p in programs if p.file.rpartition("/")[2] == name]
+        code, files = self._core.code, self._programs_of_files
+        ending = (of for file, of in files.items() if file.rpartition("/")[2] == name)
+        found = files.get(name) or sorted(itertools.chain.from_iterable(ending))
         if not found:
             index = find_program(code, name)
             if index < 0:
-                names = [*code.names(), *{p.file for _, p in programs}]
+                names = [*code.names(), *files]
                 raise KeyError(f"no file and no program {name}{did_you_mean(name, names)}")
-            found = [(i, p) for i, p in programs if p.file == code.program(index).file]
-        blocks = [block for i, _ in found for block in self._core.blocks_at(i, -1, line)]
+            found = files[code.program(index).file]
+        blocks = [block for i in found for block in self._core.blocks_at(i, -1, line)]
         if not blocks:
-            lines = sorted(p.block(i)[1] for _, p in found for i in range(p.blocks))
+            programs = map(code.program, found)
+            lines = sorted(p.block(i)[1] for p in programs for i in range(p.blocks))
             before = max((each for each in lines if each < line), default=None)
             after = min((each for each in lines if each > line), default=None)
             near = " and ".join(str(each) for each in (before, after) if each is not None)
             cure = f"; the nearest have lines {near}" if near else ""
             raise KeyError(f"no block on line {line} of {name}{cure}")
         return {"kind": "block", "blocks": blocks}
+
+
+def blocks_of(core: _core.Machine, breakpoint: Breakpoint) -> list[int]:
+    """Return where the blocks of a breakpoint are, none where it is an event. Raises what is wrong
+    with it, as `Machine.run` does.
+    """
+    found: list[int] = Compiled(core, [breakpoint]).rows[0].get("blocks", [])
+    return found
 
 
 def addresses_of(core: _core.Machine, at: At) -> list[int]:
@@ -209,7 +240,7 @@ def addresses_of(core: _core.Machine, at: At) -> list[int]:
             "a block is given as a Block, a program and a sequence number such as ('O2', 30), or a"
             f" text such as 'O2:N30' or 'job.nc:12'; not as {at!r}"
         )
-    found: list[int] = Compiled(core, [Breakpoint(at)]).rows[0].get("blocks", [])
+    found = blocks_of(core, Breakpoint(at))
     if not found:
         raise ValueError(f"{at!r} is an event; a block is given as 'O2:N30' or 'job.nc:12'")
     if isinstance(at, Block):

@@ -12,6 +12,7 @@ from cncsub._core import Alarm
 from cncsub._core import Control as Control
 
 T = TypeVar("T")
+_FIRST_MADE = 9001  # number of the first program that is made
 
 
 class Cause(NamedTuple):
@@ -224,6 +225,14 @@ control_of = control
 def rule_value(control: Control, name: str) -> object:
     """Return the value of a rule of a control; `None` where it has none of that name."""
     return next((rule.value for rule in control.rules if rule.name == name), None)
+
+
+def first_made_number(control: Control) -> int:
+    """Return the number of the first program that is made for a control: O9001, or less where its
+    programs have no such numbers.
+    """
+    most = rule_value(control, "max_program_number")
+    return min(_FIRST_MADE, int(str(most)) - 98) if most is not None else _FIRST_MADE
 
 
 def cure_of(alarm: Alarm, control: Control) -> str:

@@ -126,11 +126,8 @@ class Machine(Outcome):
         stopped it.
         """
         compiled = Compiled(self.core, breakpoints)
-        rows = compiled.rows
-        if depth is not None:
-            rows = [*rows, {"kind": "depth", "number": depth}]
         self._reached = ()
-        reached, faulty, paused = self.core.run_to(rows, compiled.expressions)
+        reached, faulty, paused = compiled.run([] if depth is None else [depth])
         self._reached = tuple(breakpoints[i] for i in reached if i < len(breakpoints))
         if faulty is not None:
             place, detail = faulty
@@ -195,8 +192,7 @@ class Machine(Outcome):
         if isinstance(to, str) and _VARIABLE.match(to) and not _EVENT.match(to):
             to = f"changes {to}"
         breakpoints = as_breakpoints(to)
-        compiled = Compiled(self.core, breakpoints)
-        if (step := self.core.last_met(compiled.rows, compiled.expressions)) < 0:
+        if (step := Compiled(self.core, breakpoints).last_met()) < 0:
             what = " or ".join(repr(each.at) for each in breakpoints)
             raise ValueError(f"to: {what} was not met in the {blocks} blocks before")
         return step

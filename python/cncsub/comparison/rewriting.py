@@ -12,7 +12,7 @@ from cncsub._core import Control
 from cncsub.analysis.block_errors import BlockError
 from cncsub.checking import Edit
 from cncsub.comparison.cycle_counts import CycleCounts, letters_of
-from cncsub.controls import rule_value
+from cncsub.controls import first_made_number, rule_value
 from cncsub.library import Library
 from cncsub.loading import loads
 from cncsub.program import Block, Program, Token, tokens_of
@@ -21,7 +21,6 @@ from cncsub.references import CallTo, Computed, JumpTo
 _CODES = ("M97", "M98", "M198", "M99")
 _CALL_WORDS = "PLHQ"  # the words that belong to a call and not to the rest of its block
 _MOST_CALLS = 20  # calls that may replace one call
-_FIRST_FREE = 9001  # number of the first program that is made
 # What decides how a control takes words of a call that are computed.
 _OF_COMPUTED = ("program_word", "count_and_l", "max_program_digits", "call_values", "start_word")
 _OF_COUNTS = ("zero_repeats", "max_repeats", "too_many_repeats", "return_with_p")
@@ -263,14 +262,11 @@ class Rewriting:
             taken = {_number(name) for name in self.library} | {
                 tail.number for tail in self._tails.values()
             }
-            number = next(n for n in itertools.count(self._first_free()) if n not in taken)
+            free = itertools.count(first_made_number(self.target))
+            number = next(n for n in free if n not in taken)
             last = blocks[len(blocks) - 1].line
             self._tails[key] = _Tail(number, whole.file, blocks[first].line, last)
         return self._tails[key].number
-
-    def _first_free(self) -> int:
-        most = rule_value(self.target, "max_program_number")
-        return min(_FIRST_FREE, int(str(most)) - 98) if most is not None else _FIRST_FREE
 
     def _jump(self, block: Block, jump: JumpTo, read: Sequence[JumpTo]) -> None:
         if not self._called_programs & {block.program.name}:

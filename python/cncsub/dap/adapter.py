@@ -207,8 +207,8 @@ class Adapter:
     def _check(self, request: _Request) -> None:
         if not self.initialized and request.command not in ("initialize", "disconnect"):
             raise RequestError("initialize comes first")
-        if request.handler.launched and self.session is None:
-            raise RequestError("no program is launched: launch comes first")
+        if request.handler.launched:
+            self.running()
         if self.moving and not request.handler.runs:
             raise RequestError("notStopped: the program runs; pause it first")
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from cncsub.dap.adapter import Adapter
-from cncsub.dap.arguments import Arguments, RequestError
+from cncsub.dap.arguments import Arguments
 from cncsub.dap.sources import known_file, source_of
-from cncsub.dap.views import Held
+from cncsub.dap.views import held_by
 from cncsub.debugging import PausePoint, PlacedPoint
 from cncsub.debugging.points import blocks_between, programs_of
 
@@ -108,12 +108,8 @@ def data_breakpoint_info(adapter: Adapter, arguments: Arguments) -> dict[str, An
     """Tell how a value is named for `setDataBreakpoints`."""
     session, name = adapter.running(), arguments.text("name")
     reference = arguments.number("variablesReference", 0)
-    held: Held | None = None
-    if reference:
-        held = adapter.variables[reference - 1] if 0 < reference <= len(adapter.variables) else None
-        if held is None:
-            raise RequestError(f"there is no variablesReference {reference} at this pause")
-    value = next((each for each in held.values if each.name == name), None) if held else None
+    held = held_by(adapter, reference) if reference else None
+    value = None if held is None else held.named(name)
     expression = value.expression if value is not None else name.strip()
     if expression in session.machine.modal and (held is None or value is not None):
         return _info(f"mode {expression}", f"the mode {expression} changes")
@@ -125,7 +121,7 @@ def data_breakpoint_info(adapter: Adapter, arguments: Arguments) -> dict[str, An
         at = expression
     else:
         at = f"changes {expression}"
-    call = held.call if held is not None and held.call is not None else None
+    call = None if held is None else held.call
     placed = session.points.tried(PausePoint(at))
     if placed.refused:
         return {"dataId": None, "description": placed.refused}

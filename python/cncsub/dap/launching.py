@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 from cncsub.controls import did_you_mean
 from cncsub.dap.arguments import Arguments, RequestError
 
-# The options of the command line by the names of a launch configuration, with their kinds.
-_TEXTS = {"control": "control", "main": "main", "setup": "setup", "inputs": "inputs",
-          "external": "external", "encoding": "encoding"}  # fmt: skip
+# The options of the command line that are texts; and others by the names of a launch configuration.
+_TEXTS = ("control", "main", "setup", "inputs", "external", "encoding")
 _NUMBERS = {"start": "start", "maxBlocks": "max_blocks", "maxCycles": "max_cycles"}
 _FLAGS = {"optionalStop": "optional_stop"}
 _OWN = ("program", "programs", "variables", "parameters", "blockSkip", "prefer", "stopOnEntry",
@@ -38,14 +37,14 @@ class Launch:
     stop_on_entry: bool = False
     stop_on_end: bool = False
     debug: bool = True
-    unknown: tuple[str, ...] = field(default=())
+    unknown: tuple[str, ...] = ()
 
 
 def launch_of(arguments: Arguments) -> Launch:
     """Return what a configuration asks for. Raises `RequestError` for a value of a wrong type."""
     options: dict[str, Any] = {"paths": _paths(arguments)}
-    for name, option in _TEXTS.items():
-        options[option] = arguments.text(name, None)
+    for name in _TEXTS:
+        options[name] = arguments.text(name, None)
     for name, option in _NUMBERS.items():
         if (number := arguments.number(name, None)) is not None:
             options[option] = number

@@ -55,16 +55,25 @@ def path_of_uri(path: str) -> str:
 
 def known_file(code: _core.Code, source: Arguments) -> str:
     """Return the file of the library that a source means; the name as it is where none is."""
-    if (reference := source.number("sourceReference", 0)) > 0:
-        names = [name for name, *_ in code.sources]
-        if reference <= len(names):
-            return names[reference - 1]
-        index = reference - len(names) - 1
-        if index < len(code):
-            return code.program(index).file
+    if found := _referred(code, source.number("sourceReference", 0)):
+        return found[0]
     file = file_of(source)
-    found = programs_of(code, file)
-    return found[0].file if found else file
+    programs = programs_of(code, file)
+    return programs[0].file if programs else file
+
+
+def _referred(code: _core.Code, reference: int) -> tuple[str, str] | None:
+    """Return the file and the text that a `sourceReference` means, `None` where it means none."""
+    if reference <= 0:
+        return None
+    sources = code.sources
+    if reference <= len(sources):
+        name, _, text, _ = sources[reference - 1]
+        return name, text.decode("utf-8", "replace")
+    if (index := reference - len(sources) - 1) < len(code):
+        program = code.program(index)
+        return program.file, program.text
+    return None
 
 
 def source(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
@@ -72,14 +81,11 @@ def source(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     code = adapter.running().library.code
     asked = arguments.table("source", {})
     reference = arguments.number("sourceReference", 0) or asked.number("sourceReference", 0)
-    texts = {name: text for name, _, text, _ in code.sources}
-    names = list(texts)
-    if 0 < reference <= len(names):
-        return {"content": texts[names[reference - 1]].decode("utf-8", "replace")}
-    if 0 <= (index := reference - len(names) - 1) < len(code):
-        return {"content": code.program(index).text}
+    if found := _referred(code, reference):
+        return {"content": found[1]}
     if reference == 0:
         file = known_file(code, asked)
+        texts = {name: text for name, _, text, _ in code.sources}
         if file in texts:
             return {"content": texts[file].decode("utf-8", "replace")}
     raise RequestError("there is no such source among the files of the programs")

@@ -26,6 +26,9 @@ class Held:
     call: int | None = None
     indexed: bool = False
 
+    def named(self, name: str) -> Value | None:
+        return next((each for each in self.values if each.name == name), None)
+
 
 def threads(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     name = "program"
@@ -106,7 +109,7 @@ def _reference(adapter: Adapter, held: Held) -> int:
 
 def variables(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     """Answer with the values of a scope or an array, or with some of them."""
-    held = _held(adapter, arguments)
+    held = held_by(adapter, arguments.number("variablesReference"))
     wanted = arguments.text("filter", "")
     if wanted and wanted != ("indexed" if held.indexed else "named"):
         return {"variables": []}
@@ -116,8 +119,8 @@ def variables(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     return {"variables": [_variable(adapter, each, held) for each in shown]}
 
 
-def _held(adapter: Adapter, arguments: Arguments) -> Held:
-    reference = arguments.number("variablesReference")
+def held_by(adapter: Adapter, reference: int) -> Held:
+    """Return what a `variablesReference` of this pause leads to."""
     if not 0 < reference <= len(adapter.variables):
         raise RequestError(f"there is no variablesReference {reference} at this pause")
     held: Held = adapter.variables[reference - 1]
@@ -135,9 +138,8 @@ def _variable(adapter: Adapter, value: Value, held: Held) -> dict[str, Any]:
         parts = Held(value.parts, held.frame, held.call, indexed=True)
         body["variablesReference"] = _reference(adapter, parts)
         body["indexedVariables"] = len(value.parts)
-    attributes = [*([] if value.can_set else ["readOnly"])]
-    if attributes:
-        body["presentationHint"] = {"attributes": attributes}
+    if not value.can_set:
+        body["presentationHint"] = {"attributes": ["readOnly"]}
     return body
 
 
@@ -145,8 +147,9 @@ def _variable(adapter: Adapter, value: Value, held: Held) -> dict[str, Any]:
 
 
 def set_variable(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
-    held, name = _held(adapter, arguments), arguments.text("name")
-    value = next((each for each in held.values if each.name == name), None)
+    held = held_by(adapter, arguments.number("variablesReference"))
+    name = arguments.text("name")
+    value = held.named(name)
     if value is None:
         raise RequestError(f"there is no {name!r} among these")
     text = adapter.running().set(value.expression, arguments.text("value"), held.frame)
@@ -206,10 +209,10 @@ def _command(adapter: Adapter, text: str, frame: int) -> str:
         return told
     try:
         return session.evaluate(text, frame)
-    except (KeyError, ValueError) as error:
+    except (KeyError, ValueError):
         if told := session.hover(text, frame):
             return told
-        raise error
+        raise
 
 
 def completions(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:

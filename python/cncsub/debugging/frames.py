@@ -60,6 +60,13 @@ def frames_of(machine: Machine) -> list[StackFrame]:
     return [*frames, StackFrame(len(frames), name, block)]
 
 
+def frame_at(frames: Sequence[StackFrame], index: int) -> StackFrame:
+    """Return the frame of an index. Raises `ValueError` where there is none."""
+    if not 0 <= index < len(frames):
+        raise ValueError(f"there is no frame {index}; there are 0 to {len(frames) - 1}")
+    return frames[index]
+
+
 def level_opener(frame: StackFrame, frames: Sequence[StackFrame]) -> int:
     """Return the call that opened the level of a program's locals, -1 for the main program's."""
     same = [each.call for each in frames if each.level == frame.level and each.call >= 0]

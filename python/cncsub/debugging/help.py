@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from cncsub import _core
+from cncsub.breakpoints import Breakpoint, Compiled
 from cncsub.debugging.frames import StackFrame
 from cncsub.debugging.scopes import MODAL_SCOPES, StateFacts, value_text
 from cncsub.debugging.values import evaluate, number_of
@@ -84,13 +85,11 @@ def search(machine: Machine, what: str, most: int = 20) -> Iterator[Written]:
     """
     past = machine.copy()
     for _ in range(most):
-        try:
-            past.back(f"changes {what}")
-        except ValueError as error:
-            if "was not met" in str(error):
-                return
-            raise
-        block, step = past.next, past.blocks
+        step = Compiled(past.core, [Breakpoint(f"changes {what}")]).last_met()
+        if step < 0:
+            return
+        past.back(step)
+        block = past.next
         if block is None:
             return
         after = past.copy()

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from cncsub import _core
-from cncsub.breakpoints import At, Breakpoint, Compiled
+from cncsub.breakpoints import At, Breakpoint, Compiled, blocks_of
 from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.program import Block, Program, block_at
 
@@ -119,10 +119,8 @@ class PausePoints:
                 at = f"{block.program.file}:{block.line}"
             placed = replace(placed, block=block)
         breakpoint = Breakpoint(at, when=placed.point.when)
-        if placed.block is None:
-            blocks = Compiled(self._core, [breakpoint]).rows[0].get("blocks")
-            if blocks:
-                placed = replace(placed, block=block_at(self._core.code, blocks[0]))
+        if placed.block is None and (blocks := blocks_of(self._core, breakpoint)):
+            placed = replace(placed, block=block_at(self._core.code, blocks[0]))
         return breakpoint, placed
 
     @property

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from cncsub.breakpoints import Compiled
+from cncsub.breakpoints import Compiled, blocks_of
 from cncsub.debugging.frames import StackFrame
 from cncsub.debugging.points import ArmedPoint, PausePoints, PlacedPoint
 from cncsub.machine import Machine
@@ -31,10 +31,8 @@ def run_to(
     """
     armed, levels = points.armed_in(frames)
     breakpoints = [each.breakpoint for each in armed]
-    compiled = Compiled(machine.core, breakpoints)
     depths = [*levels, *([] if depth is None else [depth])]
-    rows = [*compiled.rows, *({"kind": "depth", "number": number} for number in depths)]
-    reached, faulty, paused = machine.core.run_to(rows, compiled.expressions)
+    reached, faulty, paused = Compiled(machine.core, breakpoints).run(depths)
     fault = ""
     if faulty is not None:
         place, detail = faulty
@@ -47,7 +45,7 @@ def standing_at(machine: Machine, points: PausePoints) -> list[ArmedPoint]:
     """Return the points at the block that runs next, whose conditions hold."""
     core, found = machine.core, []
     for armed in points.armed():
-        blocks = Compiled(core, [armed.breakpoint]).rows[0].get("blocks", ())
+        blocks = blocks_of(core, armed.breakpoint)
         when = armed.placed.point.when
         if core.next_block in blocks and (when is None or machine.evaluate(when)):
             found.append(armed)

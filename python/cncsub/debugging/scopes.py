@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
@@ -83,12 +83,14 @@ class StateFacts:
         """Return what a program that runs sees, in groups; groups without values are left out."""
         groups: dict[str, list[Value]] = {}
         before = self._before
+        defined = self._machine.core.named_variables()
         for key, value in self._facts([frame]):
             group, call, name = key
             changed = before is not None and self._was_open(call, frames) and (
                 key not in before or before[key] != value
             )  # fmt: skip
-            groups.setdefault(group, []).append(self._shown(group, name, value, changed))
+            shown = self._shown(group, name, value, changed, defined)
+            groups.setdefault(group, []).append(shown)
         return [Scope(name, tuple(values)) for name, values in groups.items()]
 
     def _was_open(self, call: int, frames: list[StackFrame]) -> bool:
@@ -176,7 +178,10 @@ class StateFacts:
 
     # ---- how they are shown ----
 
-    def _shown(self, group: str, name: str, value: Any, changed: bool) -> Value:
+    def _shown(
+        self, group: str, name: str, value: Any, changed: bool, defined: Collection[str]
+    ) -> Value:
+        """Return a value as it is shown; `defined` are the variables that the program defines."""
         core = self._machine.core
         if group == "position":
             return Value(name, name.partition(" ")[0], length_text(value), changed)
@@ -184,7 +189,7 @@ class StateFacts:
             title = f"{name} ({_WORDS[name]})" if name in _WORDS else name
             return Value(title, name, str(value), changed, can_set=True)
         if group == "named variables":
-            return _with_parts(name, value, changed, name in core.named_variables())
+            return _with_parts(name, value, changed, name in defined)
         number = int(name.removeprefix(core.code.variable_sign))
         letter = argument_letters(core.code.control).get(number) if "locals" in group else None
         facts = core.code.variable_facts(number)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import Unpack
+from typing import NoReturn, Unpack
 
 from cncsub.breakpoints import At
 from cncsub.debugging import help as helping
 from cncsub.debugging import values
-from cncsub.debugging.frames import StackFrame, frames_of, level_opener
+from cncsub.debugging.frames import StackFrame, frame_at, frames_of, level_opener
 from cncsub.debugging.pauses import Output, Pause, Reason
 from cncsub.debugging.points import (
     ArmedPoint,
@@ -91,21 +91,19 @@ class Session:
 
     def frame(self, index: int = 0) -> StackFrame:
         """Return one of them. Raises `ValueError` where there is none of this index."""
-        frames = self.frames()
-        if not 0 <= index < len(frames):
-            raise ValueError(f"there is no frame {index}; there are 0 to {len(frames) - 1}")
-        return frames[index]
+        return frame_at(self.frames(), index)
 
     def level_opener(self, frame: int = 0) -> int:
         """Return the call that opened the level of a program's locals, -1 for the main program's:
         `PausePoint.call` means it.
         """
-        return level_opener(self.frame(frame), self.frames())
+        frames = self.frames()
+        return level_opener(frame_at(frames, frame), frames)
 
     def scopes(self, frame: int = 0) -> list[Scope]:
         """Return what the machine holds, as a program that runs sees it, in groups."""
         frames = self.frames()
-        return self._facts.scopes(frames, self.frame(frame))
+        return self._facts.scopes(frames, frame_at(frames, frame))
 
     # ---- breakpoints ----
 
@@ -256,8 +254,8 @@ class Session:
     def completions(self, text: str, column: int, frame: int = 0) -> list[helping.Completion]:
         """Return what the text before a column, from 1, may become."""
         frames = self.frames()
-        typed = text[: max(0, column - 1)]
-        return helping.completions(self.machine, self._facts, frames, self.frame(frame), typed)
+        typed, its = text[: max(0, column - 1)], frame_at(frames, frame)
+        return helping.completions(self.machine, self._facts, frames, its, typed)
 
     def search(self, what: str, most: int = 20) -> list[helping.Written]:
         """Return the blocks that gave a variable or an expression another value, the last one
@@ -275,7 +273,7 @@ class Session:
 
     # ---- what the engine cannot do ----
 
-    def mdi(self, text: str) -> Pause:
+    def mdi(self, text: str) -> NoReturn:
         """Run a typed block in the present state. Raises `NotImplementedError`: the engine
         cannot.
         """

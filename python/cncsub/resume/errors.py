@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from cncsub.analysis.block_errors import BlockError
 from cncsub.program import Block
+from cncsub.tables.rows import Step
 
 
 class ResumeError(BlockError):
@@ -16,3 +17,9 @@ def refused(reason: str, block: Block | None = None) -> ResumeError:
     if block is None:
         return ResumeError(reason)
     return ResumeError(reason, block.program.name, block.n, block.line)
+
+
+def place_text(of: Block | Step) -> str:
+    """Return where a block stands: its program with its N, or with its line where it has none."""
+    program = of.program if isinstance(of, Step) else of.program.name
+    return f"{program} line {of.line}" if of.n is None else f"{program} N{of.n}"

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.errors import ResumeError, refused
+from cncsub.resume.errors import ResumeError, place_text, refused
 from cncsub.resume.history import Before
 from cncsub.resume.state import RestartState, roles_of
 
@@ -61,23 +61,31 @@ class Head:
         tried = self._run([*self.lines, *lines])
         if tried.alarm is not None or tried.blocks != len(self.lines) + len(lines):
             return False
-        self.lines += lines
+        self.lines = [*self.lines, *lines]
         self.now = tried
         return True
+
+    def _add_where(self, right: Callable[[Machine], bool], *lines: str) -> bool:
+        """Add blocks, unless the control refuses them or what comes of them is not right; `right`
+        is asked with the machine that stood before them.
+        """
+        before = self.lines, self.now
+        if self.add(*lines) and right(before[1]):
+            return True
+        self.lines, self.now = before
+        return False
 
     def _add_for(self, name: str, texts: Iterable[str]) -> bool:
         """Add the first of the texts that puts a mode in force as the state has it, and leaves the
         position as it is.
         """
         wanted = self._state.modal[name]
-        for text in texts:
-            before = self.lines.copy(), self.now
-            if not self.add(text):
-                continue
-            if self.now.modal.get(name) == wanted and (name in _BENDING or self._stays(before[1])):
-                return True
-            self.lines, self.now = before
-        return False
+
+        def right(before: Machine) -> bool:
+            in_force = self.now.modal.get(name) == wanted
+            return in_force and (name in _BENDING or self._stays(before))
+
+        return any(self._add_where(right, text) for text in texts)
 
     def _stays(self, before: Machine) -> bool:
         """Return whether the tool stands where it stood, and went nowhere on the way."""
@@ -111,13 +119,15 @@ class Head:
         """Add a code, unless it changes a mode that is right without it: a control may count the
         feed and the surface speed as one group.
         """
-        wanted, before = self._state.modal, dict(self.now.modal)
-        left = self.lines.copy(), self.now
-        taken = self.add(code)
-        right = [name for name, mode in before.items() if mode == wanted.get(name)]
-        keep = [name for name in right if name != "distance" and name not in _CANCELLED]
-        if taken and any(self.now.modal.get(name) != wanted[name] for name in keep):
-            self.lines, self.now = left
+        wanted = self._state.modal
+        keep = [
+            name
+            for name, mode in self.now.modal.items()
+            if mode == wanted.get(name) and name != "distance" and name not in _CANCELLED
+        ]
+        self._add_where(
+            lambda before: all(self.now.modal.get(name) == wanted[name] for name in keep), code
+        )
 
     def _used(self, mode: str) -> bool:
         return self._state.modal.get(mode) != self._power_on.get(mode)
@@ -153,14 +163,14 @@ class Head:
         known = sorted(self._machine.variables.level(0))
         yield from known
         core = self._machine.core
-        if not any(_sets_data(core, block) for block in self._executed()):
+        if not any(_sets_data(core, block) for block in self._blocks()):
             return
         seen = set(known)
         for number in range(1000, 20000):
             if number not in seen and _reads(self._machine, number) != _reads(self.now, number):
                 yield number
 
-    def _executed(self) -> Iterator[Any]:
+    def _blocks(self) -> Iterator[Any]:
         for program in self._library.values():
             yield from program.blocks
 
@@ -195,7 +205,7 @@ class Head:
         """Move to where the run stands: to the safe height, then axis by axis of the order."""
         if not len(self._machine.moves):
             return
-        aim = self._machine.moves[len(self._machine.moves) - 1]
+        aim = self._machine.moves[-1]
         axes = [axis for axis in self._machine.position if _at(aim, axis) is not None]
         mill = "Y" in axes
         if mill and "Z" in axes:
@@ -239,7 +249,7 @@ class Head:
             tried = self._run([*self.lines, line])
             if tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
                 break
-            here = tried.moves[len(tried.moves) - 1]
+            here = tried.moves[-1]
             words = {axis: words[axis] + aim[axis] - (_at(here, axis) or 0.0) for axis in aim}
         self.add(line)
 
@@ -263,27 +273,24 @@ class Head:
     def _writes(self, code: int) -> bool:
         return any(
             word.address == "G" and word.value == code
-            for block in self._executed()
+            for block in self._blocks()
             for word in block.words
         )
 
     def repeat(self, lines: Iterable[str]) -> bool:
         """Add blocks of the run that the next one may depend on, where they make no move."""
-        left = self.lines.copy(), self.now
         lines = list(lines)
-        if lines and self.add(*lines) and self._stays(left[1]):
-            return True
-        self.lines, self.now = left
-        return False
+        return bool(lines) and self._add_where(self._stays, *lines)
 
     def _shifts(self, line: str) -> bool:
-        left = self.lines.copy(), self.now
-        if self.add(line) and len(self.now.moves) == len(left[1].moves):
-            wanted = self._state.position
-            if all(abs(self.now.position[axis] - wanted[axis]) < _NEAR for axis in wanted):
-                return True
-        self.lines, self.now = left
-        return False
+        wanted = self._state.position
+
+        def right(before: Machine) -> bool:
+            here = self.now.position
+            unmoved = len(self.now.moves) == len(before.moves)
+            return unmoved and all(abs(here[axis] - wanted[axis]) < _NEAR for axis in wanted)
+
+        return self._add_where(right, line)
 
     def clamp(self, before: Before) -> None:
         """Write the highest speed of the spindle that the program has set last."""
@@ -297,7 +304,7 @@ class Head:
         """Put in force what the run has in force; raise `ResumeError` where that cannot be."""
         modal = self._state.modal
         late = [name for name in modal if len(name) > 1 and name not in ("motion", "distance")]
-        for name in (*late, "F", "S", "T", "H", "D", "distance", "motion"):
+        for name in (*late, *_WORDS, "distance", "motion"):
             if name not in modal or self.now.modal.get(name) == modal[name]:
                 continue
             if not self._add_for(name, self._texts_for(name, before)):
@@ -343,13 +350,12 @@ class Head:
         code = self._state.modal[name]
         found = before.block_that_changed(name)
         shown = f"{name}{code}" if name in _WORDS else f"{code} ({name})"
-        since = "" if found is None else f"; it is in force since {_named(found[0])}: start there"
+        since = (
+            f"; it is in force since {place_text(found[0])}: start there"
+            if found is not None
+            else ""
+        )
         return refused(f"{shown} cannot be put in force without a move{since}", self._state.block)
-
-
-def _named(block: Any) -> str:
-    n = f"line {block.line}" if block.n is None else f"N{block.n}"
-    return f"{block.program.name} {n}"
 
 
 def _at(move: Any, axis: str) -> float | None:
@@ -363,7 +369,7 @@ def _near(machine: Machine, aim: dict[str, float]) -> bool:
     """Return whether the tool stands at machine coordinates."""
     if not len(machine.moves):
         return False
-    here = machine.moves[len(machine.moves) - 1]
+    here = machine.moves[-1]
     return all(abs((_at(here, axis) or 0.0) - value) < _NEAR for axis, value in aim.items())
 
 

@@ -37,19 +37,22 @@ class Before:
 
     def last_executed(self, asked: Callable[[Block], bool]) -> int | None:
         """Return the step of the last block of this kind, `None` where none was executed."""
-        places = {
-            (program.name, block.line)
-            for program in self._library.values()
-            for block in program.blocks
-            if asked(block)
-        }
+        import numpy as np
+
         steps = self._machine.steps
-        if not places:
+        lines = {
+            program.name: [block.line for block in program.blocks if asked(block)]
+            for program in self._library.values()
+        }
+        wanted = [
+            code << 32 | line
+            for code, name in enumerate(steps.programs)
+            for line in lines.get(name, ())
+        ]
+        if not wanted:
             return None
-        return next(
-            (i for i in reversed(range(len(steps))) if (steps[i].program, steps[i].line) in places),
-            None,
-        )
+        found = np.flatnonzero(np.isin(steps.program.astype(np.int64) << 32 | steps.line, wanted))
+        return int(found[-1]) if len(found) else None
 
     def flat_text(self, step: int, end: int | None = None) -> list[str]:
         """Return what a flat program has of a block that was executed, or of those before the step
@@ -59,7 +62,7 @@ class Before:
         machine = self._library.machine(self._main, **options)
         machine.run()
         machine.back(step)
-        return flat_lines(machine.core.copy()).lines
+        return FlatLines(machine.core.copy()).lines
 
 
 class FlatLines:
@@ -67,17 +70,14 @@ class FlatLines:
 
     def __init__(self, core: _core.Machine) -> None:
         flattening = _core.flattening(core, False, None)
-        text, count = "", 0
+        text = ""
         while (piece := flattening.next()) is not None:
             text += piece[0].decode(errors="surrogateescape")
-            count += len(piece[1]["n"])
         lines = text.split("\n")[:-1]
-        taped = lines[:1] == ["%"]
-        if taped:
+        if lines[:1] == ["%"]:
             lines = lines[1 : len(lines) - (lines[-1] == "%")]
         self.refusal = flattening.refusal
         self.ends = flattening.ends
-        # The last block may be an end that no block of the program wrote.
         self.lines = lines[1:] if _is_head(core, lines) else lines
 
 
@@ -87,7 +87,3 @@ def _is_head(core: _core.Machine, lines: list[str]) -> bool:
         return False
     alone = _core.compile(core.code.control, [("<text>", "", [lines[0] + "\n"], False)], False)
     return alone.program(0).blocks == 0 if len(alone) else False
-
-
-def flat_lines(core: _core.Machine) -> FlatLines:
-    return FlatLines(core)

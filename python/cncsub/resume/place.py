@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from cncsub.breakpoints import At, Breakpoint, Compiled
+from cncsub.breakpoints import At, Breakpoint, blocks_of
 from cncsub.inputs import is_whole
 from cncsub.resume.errors import refused
 from cncsub.tables.rows import Step
@@ -30,7 +30,7 @@ def as_place(at: object, times: int) -> _Found:
     Raises `TypeError` and `ValueError` for what names none.
     """
     if isinstance(at, Mapping):
-        return {_axis(axis): _length(value) for axis, value in at.items()}
+        return {_axis(axis): length("at: a coordinate", value) for axis, value in at.items()}
     if is_whole(at):
         return int(at)  # type: ignore[call-overload,no-any-return]
     if isinstance(at, str) and (pieces := at.replace(",", " ").split()):
@@ -48,9 +48,10 @@ def _axis(name: object) -> str:
     raise ValueError(f"at: a place names axes such as X, not {name!r}")
 
 
-def _length(value: Any) -> float:
+def length(what: str, value: Any) -> float:
+    """Return a length that was given; `ValueError` for what is none."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < 1e15:
-        raise ValueError(f"at: a coordinate must be a number of mm, not {value!r}")
+        raise ValueError(f"{what} must be a number of mm, not {value!r}")
     return float(value)
 
 
@@ -87,8 +88,7 @@ def _run_to(machine: Machine, place: Breakpoint) -> None:
 
 def _is_first(machine: Machine, place: Breakpoint) -> bool:
     """Return whether the run begins at the place."""
-    blocks = Compiled(machine.core, [place]).rows[0].get("blocks", ())
-    return place.when is None and machine.core.next_block in blocks
+    return machine.core.next_block in blocks_of(machine.core, place) and place.when is None
 
 
 def _nearest(run: Run, place: Mapping[str, float]) -> int:
@@ -110,4 +110,4 @@ def _nearest(run: Run, place: Mapping[str, float]) -> int:
     return int((((nearest - aim) ** 2).sum(axis=1)).argmin())
 
 
-__all__ = ["Place", "as_place", "stand_at"]
+__all__ = ["Place", "as_place", "length", "stand_at"]

@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import cncsub.analysis.first_difference as tables
+from cncsub.resume.errors import place_text
 
 if TYPE_CHECKING:
     from cncsub.analysis.first_difference import Column
@@ -36,8 +37,7 @@ class Part(NamedTuple):
             return "makes no further move"
         move = self.run.moves[index]
         step = self.run.steps[int(self.run.moves.step[index])]
-        n = f"line {step.line}" if step.n is None else f"N{step.n}"
-        return f"{step.program} {n}: {move.kind} to {_end(move)}"
+        return f"{place_text(step)}: {move.kind} to {_end(move)}"
 
 
 def _end(move: Any) -> str:

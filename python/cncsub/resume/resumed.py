@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any, Unpack
 
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
-from cncsub.resume.errors import refused
+from cncsub.resume.errors import place_text, refused
 from cncsub.resume.head import Head
-from cncsub.resume.history import Before, flat_lines
-from cncsub.resume.place import Place, as_place, stand_at
+from cncsub.resume.history import Before, FlatLines
+from cncsub.resume.place import Place, as_place, length, stand_at
 from cncsub.resume.proof import Part, parting
 from cncsub.resume.state import RestartState, state_of
 from cncsub.resume.tails import NoTailsError, Tails
@@ -89,14 +89,10 @@ class Resume(NotPicklable):
             raise AssertionError(differs)
 
     def __repr__(self) -> str:
-        n = (
-            f"line {self.state.block.line}"
-            if self.state.block.n is None
-            else f"N{self.state.block.n}"
-        )
+        place = place_text(self.state.block)
         count = len(self.files)
         programs = f"{count} program{'s' if count != 1 else ''}"
-        return f"<Resume at {self.state.block.program.name} {n}: {programs}, {self.form}>"
+        return f"<Resume at {place}: {programs}, {self.form}>"
 
 
 class _Work:
@@ -121,14 +117,15 @@ class _Work:
     def _refuse_compensation(self) -> None:
         """Refuse a start inside radius compensation: its path depends on the blocks before."""
         code = self.state.modal.get("radius")
-        began = self.before.block_that_changed("radius")
-        if code in (None, "G40") or began is None:
+        if code in (None, "G40"):
             return
-        block = began[0]
-        place = f"line {block.line}" if block.n is None else f"N{block.n}"
+        began = self.before.block_that_changed("radius")
+        if began is None:
+            return
+        place = place_text(began[0])
         raise refused(
-            f"radius compensation {code} is in force: start at {block.program.name} {place},"
-            " which begins it, or after it is cancelled",
+            f"radius compensation {code} is in force: start at {place}, which begins it, or after"
+            " it is cancelled",
             self.state.block,
         )
 
@@ -196,7 +193,7 @@ def _prove(head: Head, told: str | None) -> None:
 
 def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
     head = work.head(approach, data=True, repeats=repeats)
-    rest = flat_lines(work.machine.core.copy())
+    rest = FlatLines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
     lines = [*head.lines, *rest.lines]
@@ -235,14 +232,6 @@ def _named(work: _Work, programs: Mapping[str, str]) -> dict[str, str]:
     return {f"{name}{suffix or '.nc'}": text for name, text in programs.items()}
 
 
-def _height(height: Any) -> float | None:
-    if height is None:
-        return None
-    if isinstance(height, bool) or not isinstance(height, int | float) or not abs(height) < 1e15:
-        raise ValueError(f"safe_height must be a number of mm, not {height!r}")
-    return float(height)
-
-
 def _order(order: Iterable[str] | None) -> tuple[str, ...] | None:
     """Return the groups of axes; raise `ValueError` for what are none."""
     if order is None:
@@ -271,7 +260,8 @@ def resume(
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
     work = _Work(library, main, place, dict(options))
-    approach = _height(safe_height), _order(order)
+    height = None if safe_height is None else length("safe_height", safe_height)
+    approach = height, _order(order)
     reasons = []
     for form, repeats in ((_of_calls, False), (_flat, False), (_of_calls, True), (_flat, True)):
         try:

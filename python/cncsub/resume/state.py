@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Frame
+from cncsub.controls import rule_value
 from cncsub.program import Block
 
 if TYPE_CHECKING:
@@ -133,8 +134,7 @@ def _changes_later(machine: Machine, changes: set[int]) -> bool:
 
 def roles_of(machine: Machine) -> dict[str, tuple[int, ...]]:
     """Return the M codes of the control by what they do."""
-    rules = machine.core.code.control.rules
-    text = next((str(rule.value) for rule in rules if rule.name == "roles"), "")
+    text = str(rule_value(machine.core.code.control, "roles") or "")
     found: dict[str, tuple[int, ...]] = {}
     for entry in text.split():
         code, _, role = entry.partition("=")

@@ -7,6 +7,7 @@ import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from cncsub.controls import first_made_number
 from cncsub.program import Block, Program
 
 if TYPE_CHECKING:
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     from cncsub.machine import Machine
 
 _NUMBERED = re.compile(r"O(\d+)")
-_FIRST = 9001  # the number of the first program that is made
 _ENDS = (2, 30, 99)
 
 
@@ -35,7 +35,8 @@ class Tails:
         self._frames = machine.core.open_frames
         self._refuse()
         taken = {number for name in library if (number := _number(name)) is not None}
-        free = (n for n in itertools.count(_free_from(library)) if n not in taken)
+        first = first_made_number(library.control)
+        free = (n for n in itertools.count(first) if n not in taken)
         self._numbers = [next(free) for _ in self._frames]
         self.number = self._numbers[0] if _number(self._program_of(self._frames[0]).name) else None
         self.main = self._rest(0)
@@ -172,13 +173,6 @@ def _with_count(block: Block, repeats: int, left: int) -> list[str]:
 def _number(name: str) -> int | None:
     found = _NUMBERED.fullmatch(name)
     return int(found[1]) if found else None
-
-
-def _free_from(library: Library) -> int:
-    most = next(
-        (rule.value for rule in library.control.rules if rule.name == "max_program_number"), None
-    )
-    return min(_FIRST, int(str(most)) - 98) if most is not None else _FIRST
 
 
 def _ends(block: Block, *codes: int) -> bool:

@@ -152,6 +152,14 @@ def ask_evaluate(app: DebugApp) -> Ask:
     return Ask("Evaluate", [field], put, partial(completion, app))
 
 
+def change_state(app: DebugApp, change: Callable[[], str]) -> Answer:
+    """Change something, and show the state after it."""
+    answer = answered(lambda: while_awake(app.session, change))
+    if not answer.wrong:
+        app.look_again()
+    return answer
+
+
 def while_awake(session: Session, change: Callable[[], str]) -> str:
     """Change something. A program that waits goes one block back then, so that it looks for its
     input again; what goes back forgets the change, so it is made twice.
@@ -165,21 +173,15 @@ def while_awake(session: Session, change: Callable[[], str]) -> str:
 
 def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
     name = chosen_expression(app) if value is None else value.expression
-    held = ""
-    if value is not None and value.can_set:
-        held = value.text
+    held = value.text if value is not None and value.can_set else ""
 
     def put(given: list[str]) -> Answer:
         name, text = (each.strip() for each in given)
 
         def change() -> str:
-            return f"{name} = {app.session.set(name, text, app.frame)}"
+            return f"set {name} = {app.session.set(name, text, app.frame)}"
 
-        answer = answered(lambda: while_awake(app.session, change))
-        if not answer.wrong:
-            app.look_again()
-            return Answer(f"set {answer.text}")
-        return answer
+        return change_state(app, change)
 
     fields = [Field("variable or mode", name, "#100"),
               Field("value", held, "an expression, vacant, or a code such as G91")]  # fmt: skip
@@ -188,10 +190,7 @@ def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
 
 def ask_mdi(app: DebugApp) -> Ask:
     def put(given: list[str]) -> Answer:
-        answer = answered(lambda: app.session.mdi(given[0]).text)
-        if not answer.wrong:
-            app.look_again()
-        return answer
+        return answered(lambda: app.session.mdi(given[0]))
 
     return Ask("MDI", [Field("block", "", "G0 X10.")], put, partial(completion, app))
 
@@ -223,10 +222,7 @@ def ask_switches(app: DebugApp) -> Ask:
         return "switches set"
 
     def put(given: list[str]) -> Answer:
-        answer = answered(lambda: while_awake(app.session, lambda: change(given)))
-        if not answer.wrong:
-            app.look_again()
-        return answer
+        return change_state(app, lambda: change(given))
 
     return Ask("Switches and signals", fields, put)
 

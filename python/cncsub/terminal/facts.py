@@ -5,12 +5,12 @@ from __future__ import annotations
 import io
 from dataclasses import dataclass
 
-from cncsub.analysis.notes import Note
 from cncsub.debugging import Pause, Reason, Scope, Session, StackFrame
 from cncsub.drawing.path import Path, path_of
 from cncsub.escapes import shown
 from cncsub.number_text import length_text
 from cncsub.reports.printing import Console, Text, print_stop
+from cncsub.setup import AXES
 from cncsub.tables.rows import Move
 
 MOST_DRAWN = 20_000  # of the last moves
@@ -98,8 +98,7 @@ def _alarm_place(session: Session) -> AlarmPlace | None:
 
 def move_text(move: Move) -> str:
     """Return a move on one line: its kind, where it ends, and the feed of a cut."""
-    ends = (("X", move.x), ("Y", move.y), ("Z", move.z), ("A", move.a), ("B", move.b),
-            ("C", move.c), ("U", move.u), ("V", move.v), ("W", move.w))  # fmt: skip
+    ends = ((axis, getattr(move, axis.lower())) for axis in AXES)
     words = [f"{axis}{length_text(value)}" for axis, value in ends if value is not None]
     if move.feed is not None and move.kind != "rapid":
         words.append(f"F{length_text(move.feed)}")
@@ -123,7 +122,3 @@ def place_of(frame: StackFrame) -> str:
     if block is None:
         return frame.program
     return f"{frame.program} {f'line {block.line}' if block.n is None else f'N{block.n}'}"
-
-
-def note_lines(notes: list[Note]) -> list[str]:
-    return [shown(f"note: {note}") for note in notes]

@@ -19,6 +19,7 @@ from textual.scroll_view import ScrollView
 from textual.strip import Strip
 
 from cncsub import _core
+from cncsub.debugging.points import blocks_between, programs_of
 from cncsub.escapes import shown
 from cncsub.lines import lines_of, without_end
 from cncsub.program import Block, Program
@@ -39,19 +40,15 @@ class SourceText:
         """Yield the blocks that begin on a line, which is counted from 1."""
         at = bisect.bisect_right(self.programs, line, key=lambda program: program.line)
         for program in reversed(self.programs[max(0, at - _NESTED) : at]):
-            blocks = program.blocks
-            first = bisect.bisect_left(blocks, line, key=lambda block: block.line)
-            last = bisect.bisect_right(blocks, line, key=lambda block: block.line)
-            if first < last:
-                yield from blocks[first:last]
+            if blocks := blocks_between(program, line, line):
+                yield from blocks
                 return
 
 
 def source_of(code: _core.Code, program: Program) -> SourceText:
     """Return the file in which a program stands. A program of the control itself stands alone."""
-    every = [Program(code.program(i), i) for i in range(len(code))]
     alone = program.data.system
-    same = [p for p in every if p.file == program.file and not p.data.system]
+    same = [p for p in programs_of(code, program.file) if not p.data.system]
     programs = [program] if alone else sorted(same, key=lambda each: each.line)
     lines: list[str] = []
     for each in programs:
