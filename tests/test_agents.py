@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-import subprocess
 import sys
 from collections.abc import Awaitable, Callable
 from pathlib import Path
@@ -164,17 +163,3 @@ def test_time_blocks_and_answers_have_limits() -> None:
         assert len(flat["text"]) <= LARGEST_ANSWER
 
     talk(ask)
-
-
-def test_the_missing_extra_is_told(tmp_path: Path) -> None:
-    (tmp_path / "mcp.py").write_text(
-        "raise ModuleNotFoundError(\"No module named 'mcp'\", name='mcp')\n"
-    )
-    code = (
-        f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import cncsub.cli; cncsub.cli.main()"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code, "mcp"], capture_output=True, text=True, timeout=60
-    )
-    assert done.returncode == 2
-    assert "pip install 'cncsub[mcp]'" in done.stderr

@@ -7,17 +7,15 @@ import functools
 import os
 import re
 import shutil
-import subprocess
 import sys
 import textwrap
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from commands import call, done
 
 import cncsub
-
-sys.path.insert(0, str(Path(__file__).parent / "conformance"))
 import conformance
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -25,19 +23,6 @@ INCLUDE = ROOT / "cpp" / "library" / "include" / "cncsub"
 PAGE = ROOT / "docs" / "engine-in-your-program.md"
 ALARMING = "O1\nN10 #100=1\nN20 G65 P2 A3\nN30 G1 X#100 F100\nN40 M30\nO2\nN50 #100=#1*2\nN60 #3000=1(BAD)\nM99\n"
 MOVING = "O1\nN10 G90 G54 G0 X0 Y0 Z5.\nN20 G1 X10. Y5.5 F200.\nN30 G2 X20. Y5.5 I5. J0\nN40 M30\n"
-
-
-def call(*command: object, **options: object) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [str(word) for word in command], capture_output=True, text=True, check=False, **options
-    )
-
-
-def done(*command: object, **options: object) -> str:
-    """Return what a command prints, which has to end well."""
-    result = call(*command, **options)
-    assert result.returncode == 0, result.stdout[-3000:] + result.stderr[-3000:]
-    return result.stdout
 
 
 def builds() -> Iterator[Path]:

@@ -20,6 +20,8 @@ from cncsub.debugging import PausePoint, Session
 
 pytest.importorskip("textual", reason="textual is not installed")
 
+from textual import events
+from textual.keys import key_to_character
 from textual.pilot import Pilot
 from textual.widgets import Input, OptionList
 from typer.testing import CliRunner
@@ -59,7 +61,8 @@ class Screen:
     async def press(self, *keys: str) -> None:
         """Press keys, each after what the one before it began has come to rest."""
         for key in keys:
-            await self.pilot.press(key)
+            typed = {"minus": "-", "slash": "/"}.get(key) or key_to_character(key)
+            self.app.post_message(events.Key(key, typed))
             await self.rest()
 
     async def tap(self, *keys: str) -> None:
@@ -76,11 +79,19 @@ class Screen:
         assert text in self.text
 
     async def rest(self) -> None:
+        """Wait until no program runs and no part of the screen has a message left.
+
+        Twice in a row, for what is taken out of one queue goes into another. The pilot would wait for
+        a process that is idle instead, a tenth of a second for each key.
+        """
         end = time.monotonic() + 60
-        await asyncio.sleep(0)
-        while self.app.moving and time.monotonic() < end:
-            await asyncio.sleep(0.005)
-        await self.pilot.pause()
+        times = 0
+        while times < 2 and time.monotonic() < end:
+            await self.pilot.pause(0.005 if self.app.moving else 0)
+            await self.app.animator.wait_until_complete()
+            parts = [self.app, *self.app.screen.walk_children(with_self=True)]
+            busy = self.app.moving or any(part.message_queue_size for part in parts)
+            times = 0 if busy else times + 1
 
     async def letters(self, text: str) -> None:
         """Type a text, letter by letter."""
@@ -302,8 +313,9 @@ def test_what_changed_since_the_last_pause_is_marked() -> None:
 def test_position_is_shown_in_work_and_machine_coordinates() -> None:
     async def steps(screen: Screen) -> None:
         await screen.press("s")
-        lines = [line.split() for line in screen.text.splitlines() if re.search(r"\*[XZ]", line)]
-        assert [words[-4:-1] for words in lines] == [["*X", "5", "15"], ["*Z", "2", "2"]] or lines
+        bare = screen.text.replace("│", " ")  # without borders
+        lines = [line.split() for line in bare.splitlines() if re.search(r"\*[XZ]", line)]
+        assert [words[-3:] for words in lines] == [["*X", "5", "15"], ["*Z", "2", "2"]]
 
     drive("O1\nN10 G54 G0 X5. Z2.\nN20 M30\n", steps, setup={"work_offsets": {"G54": {"X": 10}}})
 
@@ -370,7 +382,7 @@ def test_mdi_is_refused_by_name() -> None:
     async def steps(screen: Screen) -> None:
         await screen.press("m")
         await screen.answer("G0 X5.")
-        assert "mdi: " in screen.text or screen.at is not None
+        assert "mdi: " in screen.text
         await screen.press("escape")
 
     drive(ROW, steps)
@@ -419,7 +431,7 @@ def test_a_search_finds_who_wrote_last_and_goes_there() -> None:
     async def steps(screen: Screen) -> None:
         await screen.press("c", "slash")
         await screen.answer("#30")
-        assert "no block so far" in screen.foot or screen.at is None
+        assert "no block so far" in screen.foot
         await screen.press("u", "l", "escape")
         await screen.press("R", *["down"] * 11, "g", "slash")
         await screen.answer("#30")
@@ -702,7 +714,7 @@ _ALL_KEYS = sorted(
     {key for group in KEYS.values() for each in group for key in each.keys.split(",")}
 )
 _MORE_KEYS = ["enter", "tab", "shift+tab", "up", "down", "left", "right", "space", "pageup", "end",
-              "#", "3", "0", "backspace", "ctrl+u", "x", "G", "1", "[", "home"]  # fmt: skip
+              "number_sign", "3", "0", "backspace", "ctrl+u", "x", "G", "1", "left_square_bracket", "home"]  # fmt: skip
 
 
 def test_no_keys_end_it() -> None:

@@ -2,15 +2,10 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
 
 import cncsub
 from cncsub.editing import EditError, Edits, format, mention_at, mentions, rename, renumber
-
-sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 
 MILL = "fanuc-0i-f"
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from collections.abc import Callable, Iterator
 from itertools import islice
@@ -11,13 +10,12 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from makers import CONTROLS
 
 import cncsub
 from cncsub import testing
 from cncsub.editing import EditError, Edits, Mention, format, mentions, rename, renumber
 from cncsub.editing.mentions import thing
-
-sys.path.insert(0, str(Path(__file__).with_name("conformance")))
 from conformance import rows
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -36,7 +34,7 @@ EDITS: dict[str, Callable[[cncsub.Library, str], Edits]] = {
 
 
 def libraries() -> Iterator[tuple[str, cncsub.Library, dict[str, object]]]:
-    for row in [row for place, row in enumerate(rows()) if place % EVERY == 3]:
+    for row in rows()[3::EVERY]:
         library = testing.outcome.load(row.case, cncsub.controls[row.control])
         setup = row.case.setup
         yield str(row), library, {"max_blocks": 20_000, **({"setup": setup} if setup else {})}
@@ -117,18 +115,6 @@ def _words(library: cncsub.Library) -> list[object]:
         for program in library.values()
         for block in program.blocks
     ]
-
-
-CONTROLS = {
-    "fanuc": "fanuc-0i-f",
-    "gsk": "gsk-988ta",
-    "haas": "haas-ngc",
-    "hnc": "hnc-21m",
-    "linuxcnc": "linuxcnc",
-    "mitsubishi": "mitsubishi-m800",
-    "siemens": "siemens-one",
-    "syntec": "syntec-22ma",
-}
 
 
 @pytest.mark.parametrize("maker", CONTROLS)

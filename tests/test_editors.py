@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from commands import call, path_with_cncsub
 
 from cncsub.system import is_ours
 from conformance import rows
@@ -160,13 +161,10 @@ def _shown(title: str) -> str:
     return after.split("\n```", 1)[0]
 
 
-def _path_with_command(folder: Path) -> str:
-    """Make `cncsub` a command, and return the path of commands."""
-    folder.mkdir()
-    command = folder / "cncsub"
-    command.write_text(f'#!/bin/sh\nexec {sys.executable} -m cncsub "$@"\n')
-    command.chmod(0o755)
-    return f"{folder}{os.pathsep}{os.environ['PATH']}"
+def _at_home(words: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    """Run an editor in a folder that is its home, where `cncsub` is a command."""
+    home = {"HOME": str(folder), "PATH": path_with_cncsub(folder / "bin")}
+    return call(*words, cwd=folder, env={**os.environ, **home}, timeout=120)
 
 
 def test_the_settings_of_the_guide_start_the_server_in_neovim(tmp_path: Path) -> None:
@@ -193,14 +191,7 @@ def test_the_settings_of_the_guide_start_the_server_in_neovim(tmp_path: Path) ->
         "-c",
         "qa!",
     ]
-    environment = {
-        **os.environ,
-        "HOME": str(tmp_path),
-        "PATH": _path_with_command(tmp_path / "bin"),
-    }
-    done = subprocess.run(
-        words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120
-    )
+    done = _at_home(words, tmp_path)
     assert "CS201" in done.stdout + done.stderr
 
 
@@ -224,13 +215,6 @@ def test_the_settings_of_the_guide_start_the_server_in_emacs(tmp_path: Path) -> 
 """
     )
     start = "(progn (require 'package) (package-initialize))"
-    environment = {
-        **os.environ,
-        "HOME": str(tmp_path),
-        "PATH": _path_with_command(tmp_path / "bin"),
-    }
-    done = subprocess.run(
-        [emacs, "--batch", "--eval", start, "-l", "init.el", "-l", str(look)],
-        cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120,
-    )  # fmt: skip
+    words = [emacs, "--batch", "--eval", start, "-l", "init.el", "-l", str(look)]
+    done = _at_home(words, tmp_path)
     assert done.stdout.strip().endswith("CS201"), done.stdout + done.stderr

@@ -13,6 +13,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from commands import path_with_cncsub
 from typer.testing import CliRunner, Result
 
 import cncsub
@@ -206,10 +207,6 @@ def test_the_inputs_of_the_action_are_those_of_its_page() -> None:
 def test_the_action_marks_lines_and_fails(output: Path, strict: str, status: int) -> None:
     script, names = script_of_the_action()
     assert set(names.values()) == {"paths", "control", "allow", "setup", "strict"}
-    command = output.parent / "bin" / "cncsub"
-    command.parent.mkdir()
-    command.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m cncsub "$@"\n')
-    command.chmod(0o755)
     (output / "with blank.nc").write_text(GOOD)
     (output.parent / "allow.txt").write_text("head-missing\n")
     summary = output.parent / "summary"
@@ -220,7 +217,7 @@ def test_the_action_marks_lines_and_fails(output: Path, strict: str, status: int
         "SETUP": "",
         "STRICT": strict,
         "GITHUB_STEP_SUMMARY": str(summary),
-        "PATH": f"{command.parent}{os.pathsep}{os.environ['PATH']}",
+        "PATH": path_with_cncsub(output.parent / "bin"),
     }
     done = subprocess.run(
         ["bash", "-e", "-c", script],

@@ -14,7 +14,7 @@ import pytest
 
 import cncsub
 
-SOON = 5.0  # seconds; on an idle machine it is a twentieth of one
+SOON = 2.0  # seconds; on an idle machine it is a twentieth of one
 ENDLESS = "O1\\nN10 #100=#100+1\\nN20 GOTO10\\n"
 HEAVY = "O1\\nZ5.\\nN10 G91 G81 X1. Z-1. R1. F100 K20000\\nN20 GOTO10\\n"
 START = f"""

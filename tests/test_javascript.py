@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from commands import done
 
 import cncsub
 
@@ -35,14 +35,6 @@ def rows(package: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     file = tmp_path_factory.mktemp("rows") / "selftest.rows"
     done(sys.executable, ROOT / "tools" / "selftest_rows.py", file)
     return file
-
-
-def done(*command: object, **options: object) -> str:
-    result = subprocess.run(
-        [str(word) for word in command], capture_output=True, text=True, check=False, **options
-    )
-    assert result.returncode == 0, result.stdout[-3000:] + result.stderr[-3000:]
-    return result.stdout
 
 
 def node(package: Path, source: str, folder: Path) -> object:

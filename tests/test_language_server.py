@@ -314,17 +314,3 @@ def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
     finally:
         server.terminate()
         server.wait(20)
-
-
-def test_the_missing_extra_is_told(tmp_path: Path) -> None:
-    (tmp_path / "pygls.py").write_text(
-        "raise ModuleNotFoundError(\"No module named 'pygls'\", name='pygls')\n"
-    )
-    code = (
-        f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import cncsub.cli; cncsub.cli.main()"
-    )
-    done = subprocess.run(
-        [sys.executable, "-c", code, "lsp"], capture_output=True, text=True, timeout=60
-    )
-    assert done.returncode == 2
-    assert "pip install 'cncsub[lsp]'" in done.stderr

@@ -106,13 +106,15 @@ def test_the_import_needs_no_optional_package() -> None:
 
 # ---- without the extra of the command ----
 
-WITHOUT = "import sys; sys.modules.update(dict.fromkeys(['rich', 'typer']));"  # as not installed
 CALLS = "import sys; sys.argv = ['cncsub', *sys.argv[1:]]; from cncsub.cli import main; main()"
 
 
-def ended_without(code: str, *words: str) -> subprocess.CompletedProcess[str]:
-    """Run `code` where neither rich nor typer can be imported."""
-    command = [sys.executable, "-c", WITHOUT + code, *words]
+def ended_without(
+    code: str, *words: str, missing: tuple[str, ...] = ("rich", "typer")
+) -> subprocess.CompletedProcess[str]:
+    """Run `code` where some packages cannot be imported, as if they were not installed."""
+    without = f"import sys; sys.modules.update(dict.fromkeys({missing}));"
+    command = [sys.executable, "-c", without + code, *words]
     return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
 
 
@@ -123,6 +125,13 @@ def test_the_command_says_what_to_install(words: tuple[str, ...]) -> None:
     assert done.stderr.count("\n") == 1
     assert "pip install 'cncsub[cli]'" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+@pytest.mark.parametrize(("command", "package"), [("mcp", "mcp"), ("lsp", "pygls")])
+def test_a_server_says_what_to_install(command: str, package: str) -> None:
+    done = ended_without(CALLS, command, missing=(package,))
+    assert done.returncode == 2
+    assert f"pip install 'cncsub[{command}]'" in done.stderr
 
 
 def test_another_module_that_is_missing_is_not_taken_for_the_extra() -> None:

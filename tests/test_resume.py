@@ -13,6 +13,7 @@ from typer.testing import CliRunner
 import cncsub
 import restart_programs
 from cncsub.cli import app
+from cncsub.resume.head import _can_be_read
 from cncsub.resume.proof import Part, parting
 from conformance import rows
 
@@ -302,6 +303,19 @@ def test_a_main_program_with_a_name_goes_on_with_its_calls_and_loops() -> None:
 
 
 # ---- laws ----
+
+
+def test_what_a_control_says_it_can_read_is_what_it_reads() -> None:
+    """A head asks instead of reading each number in vain."""
+    for name in cncsub.controls:
+        machine = cncsub.loads("O1\nM30\n", control=name).machine()
+        for number in range(1000, 20000, 37):
+            try:
+                machine.core.get_variable(number)
+                read = True
+            except (KeyError, ValueError):
+                read = False
+            assert _can_be_read(machine.core.code, number) == read, (name, number)
 
 
 def test_rows_are_started_again_at_any_step() -> None:

@@ -14,18 +14,15 @@ from xml.etree import ElementTree
 
 import pytest
 import vsix
+from makers import CONTROLS
 
 import cncsub
+from cncsub.dap.launching import KEYS
 
 ROOT = Path(__file__).parent.parent
 FOLDER = ROOT / "editors" / "vscode"
 PACKAGE: dict[str, Any] = json.loads((FOLDER / "package.json").read_text("utf-8"))
 GRAMMAR = json.loads((FOLDER / "syntaxes" / "nc.tmLanguage.json").read_text("utf-8"))
-EXAMPLES = {
-    "fanuc": "fanuc-0i-f", "gsk": "gsk-988ta", "haas": "haas-ngc", "hnc": "hnc-21m",
-    "linuxcnc": "linuxcnc", "mitsubishi": "mitsubishi-m800", "siemens": "siemens-one",
-    "syntec": "syntec-22ma",
-}  # fmt: skip
 
 
 # ---- colours ----
@@ -69,7 +66,7 @@ def test_each_kind_of_word_has_its_colour(coloured: Any, word: str, scope: str) 
 
 
 def _blocks() -> Iterator[Any]:
-    for folder, control in EXAMPLES.items():
+    for folder, control in CONTROLS.items():
         for file in sorted((ROOT / "examples" / folder).rglob("*")):
             if file.suffix.lower() in (".nc", ".ngc", ".mpf", ".spf"):
                 library = cncsub.load(file, control=control)
@@ -135,13 +132,9 @@ def test_what_the_package_names_is_there() -> None:
 
 
 def test_the_debug_configuration_is_one_that_the_adapter_takes() -> None:
-    launching = pytest.importorskip("cncsub.dap.launching", reason="there is no cncsub dap yet")
-    arguments = pytest.importorskip("cncsub.dap.arguments")
     (debugger,) = PACKAGE["contributes"]["debuggers"]
     given = dict.fromkeys(debugger["configurationAttributes"]["launch"]["properties"])
-    known = [*launching._TEXTS, *launching._NUMBERS, *launching._FLAGS, *launching._OWN]
-    assert arguments
-    assert not [name for name in given if name not in known]
+    assert not [name for name in given if name not in KEYS]
 
 
 STUB = """

@@ -22,7 +22,7 @@ const made = (tag, text, name) => {
   if (name) element.className = name;
   return element;
 };
-/** Show what would be invisible, or would turn the direction of what stands beside it. */
+/** Show what would be invisible, or would turn the direction of what stands beside it; lines and tabs stay. */
 const visible = (text) => text.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]/g,
   (one) => `\\u${one.charCodeAt(0).toString(16).padStart(4, "0")}`);
 const say = (text) => { $("status").textContent = text; };
@@ -182,7 +182,7 @@ function showRun() {
   const alarm = summary.alarm;
   $("alarm").hidden = alarm === null;
   if (alarm) {
-    $("alarm").textContent = alarm.shown.split("\n").map(visible).join("\n") + (alarm.cure ? `\ncure: ${alarm.cure}` : "");
+    $("alarm").textContent = visible(alarm.shown) + (alarm.cure ? `\ncure: ${alarm.cure}` : "");
     mark(alarm.at, alarm.column, alarm.word);
   }
   $("at").max = String(summary.steps);
@@ -277,8 +277,7 @@ function showComparison() {
     box.replaceChildren(made("strong", `${asked.control} and ${asked.second} do the same.`));
     return;
   }
-  const lines = [made("strong", "The two part:"), made("pre")];
-  lines[1].textContent = compared.what.split("\n").map(visible).join("\n");
+  const lines = [made("strong", "The two part:"), made("pre", compared.what)];
   for (const rule of compared.rules) {
     lines.push(made("div", `because of ${rule.name}, ${rule.meaning}`));
     const table = made("table");

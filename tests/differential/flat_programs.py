@@ -22,12 +22,12 @@ from cncsub.testing.outcome import MAX_BLOCKS, load
 from comparison import Comparison
 from machines import OTHER_LANGUAGES
 from macros import program
-from programs import MILLING, generate, moves_of
+from programs import MILLING, Program, generate, moves_of
 from spelling import SiemensSpeller, Speller, Style
 
 EXAMPLES = Path(__file__).resolve().parent.parent.parent / "examples"
 SEED = 5
-_BLOCKS = 20_000
+MOST_BLOCKS = 20_000
 
 # The reasons for which rows that end are refused.
 REASONS = {
@@ -65,23 +65,29 @@ def proved(library: cncsub.Library, main: str | None = None, **options: Any) -> 
     return True
 
 
-def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
-    """Return the reasons for which rows that end are refused, and how many are not."""
-    refused: Counter[str] = Counter()
-    done = 0
+def runnable(rows: Iterable[Row]) -> Iterator[tuple[cncsub.Library, dict[str, Any]]]:
+    """Yield the library of each row that automatic mode runs at all, with the options of its run."""
     for case, control in rows:
         options: dict[str, Any] = {"max_blocks": MAX_BLOCKS, **case.options}
         if case.mdi is not None or options.pop("mode", "auto") == "mdi":
             continue
         if case.setup is not None:
             options["setup"] = cncsub.Setup(**case.setup)
-        options.pop("trace", None)
-        options.pop("watch", None)
+        for name in ("trace", "watch", "conditions"):  # what a run records
+            options.pop(name, None)
         try:
             library = load(case, cncsub.controls[control])
             library.run(**options)
         except (ValueError, KeyError):
             continue
+        yield library, options
+
+
+def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
+    """Return the reasons for which rows that end are refused, and how many are not."""
+    refused: Counter[str] = Counter()
+    done = 0
+    for library, options in runnable(rows):
         try:
             done += proved(library, **options)
         except cncsub.FlattenError as error:
@@ -92,30 +98,44 @@ def of_rows(rows: Iterable[Row]) -> tuple[Counter[str], int]:
 def of_examples() -> int:
     """Return how many programs of the examples are flattened, on every control of their makers."""
     done = 0
-    for path, control in _examples():
+    for path, control in examples():
         library = cncsub.load(path, control=control)
-        done += sum(proved(library, name, max_blocks=_BLOCKS) for name in library)
+        done += sum(proved(library, name, max_blocks=MOST_BLOCKS) for name in library)
     return done
 
 
-def _examples() -> Iterator[tuple[Path, str]]:
+def examples() -> Iterator[tuple[Path, str]]:
     for control in cncsub.controls:
         for path in sorted((EXAMPLES / control.split("-")[0]).iterdir()):
             if path.is_dir() or path.suffix.lower() in {".nc", ".ngc", ".mpf"}:
                 yield path, control
 
 
-def of_calls(places: Iterable[int]) -> int:
-    """Return how many generated calls were flattened, on every control and kind of machine."""
+def written_calls(places: Iterable[int]) -> Iterator[tuple[cncsub.Library, cncsub.Setup]]:
+    """Yield generated calls, on every control and kind of machine."""
     comparison = Comparison(SEED)
-    done = 0
     for place in places:
         meant = comparison.program(place)
         for station in comparison.on(place):
             text = comparison.text(place, meant, station)
-            library = cncsub.loads(text, control=station.control)
-            done += proved(library, setup=station.setup)
-    return done
+            yield cncsub.loads(text, control=station.control), station.setup
+
+
+def of_calls(places: Iterable[int]) -> int:
+    """Return how many generated calls were flattened, on every control and kind of machine."""
+    return sum(proved(library, setup=setup) for library, setup in written_calls(places))
+
+
+def in_other_languages(comparison: Comparison, place: int) -> tuple[Program, dict[str, str]]:
+    """Return a generated program with its calls, and its texts in other languages by control."""
+    random = comparison.random(place, "another language")
+    meant = generate(random, MILLING)
+    speller = Speller(Style(), random)
+    behind = [line for below in meant.called() for line in speller.below(below)]
+    return meant, {  # LinuxCNC looks for a program after the one that calls it
+        "linuxcnc": "\n".join([*speller.body(meant), "M30", *behind]) + "\n",
+        "siemens-one": SiemensSpeller(Style(), random).write(meant),
+    }
 
 
 def of_other_languages(places: Iterable[int]) -> int:
@@ -125,15 +145,8 @@ def of_other_languages(places: Iterable[int]) -> int:
     comparison = Comparison(SEED)
     done = 0
     for place in places:
-        random = comparison.random(place, "another language")
-        meant = generate(random, MILLING)
-        speller = Speller(Style(), random)
-        behind = [line for below in meant.called() for line in speller.below(below)]
-        calls = {  # LinuxCNC looks for a program after the one that calls it
-            "linuxcnc": "\n".join([*speller.body(meant), "M30", *behind]) + "\n",
-            "siemens-one": SiemensSpeller(Style(), random).write(meant),
-        }
-        for control, text in calls.items():
+        meant, texts = in_other_languages(comparison, place)
+        for control, text in texts.items():
             library = cncsub.loads(text, control=control)
             run = library.run()
             made = [move for move in moves_of(meant) if move.kind in ("cw", "ccw")]
@@ -142,7 +155,7 @@ def of_other_languages(places: Iterable[int]) -> int:
             done += proved(library)
         library = cncsub.loads(o_words.generate(SEED, place), control="linuxcnc")
         try:
-            done += proved(library, max_blocks=_BLOCKS)
+            done += proved(library, max_blocks=MOST_BLOCKS)
         except cncsub.FlattenError as error:
             if error.reason not in REASONS:  # the program itself has (abort, ...)
                 raise
@@ -177,17 +190,20 @@ def of_others(places: Iterable[int]) -> tuple[Counter[str], int]:
     return refused, done
 
 
+def written_macros(places: Iterable[int]) -> Iterator[cncsub.Library]:
+    """Yield generated macros, on every control of the ISO language."""
+    controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
+    for place in places:
+        text = program(Random(f"{SEED} {place}"))
+        for control in controls:
+            yield cncsub.loads(text, control=control)
+
+
 def of_macros(places: Iterable[int]) -> int:
     """Return how many generated macros end and were flattened, on every control of the ISO
     language.
     """
-    controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
-    done = 0
-    for place in places:
-        text = program(Random(f"{SEED} {place}"))
-        for control in controls:
-            done += proved(cncsub.loads(text, control=control), max_blocks=_BLOCKS)
-    return done
+    return sum(proved(library, max_blocks=MOST_BLOCKS) for library in written_macros(places))
 
 
 def main() -> int:

@@ -19,15 +19,18 @@ import cncsub
 import o_words
 from cncsub.resume import ResumeError
 from cncsub.testing.cases import Row
-from cncsub.testing.outcome import MAX_BLOCKS, load
 from comparison import Comparison
-from flat_programs import EXAMPLES, SEED, _examples
-from machines import OTHER_LANGUAGES
-from macros import program
-from programs import MILLING, generate
-from spelling import SiemensSpeller, Speller, Style
+from flat_programs import (
+    EXAMPLES,
+    MOST_BLOCKS,
+    SEED,
+    examples,
+    in_other_languages,
+    runnable,
+    written_calls,
+    written_macros,
+)
 
-_BLOCKS = 20_000
 PLACES = 3  # of each program
 
 
@@ -100,59 +103,35 @@ def shape(reason: str) -> str:
 
 
 def of_rows(restarts: Restarts, rows: Iterable[Row]) -> None:
-    for case, control in rows:
-        options: dict[str, Any] = {"max_blocks": MAX_BLOCKS, **case.options}
-        if case.mdi is not None or options.pop("mode", "auto") == "mdi":
-            continue
-        if case.setup is not None:
-            options["setup"] = cncsub.Setup(**case.setup)
-        for name in ("trace", "watch", "conditions"):
-            options.pop(name, None)
-        try:
-            library = load(case, cncsub.controls[control])
-            library.run(**options)
-        except (ValueError, KeyError):
-            continue
+    for library, options in runnable(rows):
         restarts.of(library, **options)
 
 
 def of_examples(restarts: Restarts, every: int = 1) -> None:
-    for path, control in list(_examples())[::every]:
+    for path, control in list(examples())[::every]:
         library = cncsub.load(path, control=control)
         for name in library:
-            restarts.of(library, name, max_blocks=_BLOCKS)
+            restarts.of(library, name, max_blocks=MOST_BLOCKS)
 
 
 def of_calls(restarts: Restarts, places: Iterable[int]) -> None:
-    comparison = Comparison(SEED)
-    for place in places:
-        meant = comparison.program(place)
-        for station in comparison.on(place):
-            text = comparison.text(place, meant, station)
-            restarts.of(cncsub.loads(text, control=station.control), setup=station.setup)
+    for library, setup in written_calls(places):
+        restarts.of(library, setup=setup)
 
 
 def of_other_languages(restarts: Restarts, places: Iterable[int]) -> None:
     comparison = Comparison(SEED)
     for place in places:
-        random = comparison.random(place, "another language")
-        meant = generate(random, MILLING)
-        speller = Speller(Style(), random)
-        behind = [line for below in meant.called() for line in speller.below(below)]
-        linuxcnc = "\n".join([*speller.body(meant), "M30", *behind]) + "\n"
-        siemens = SiemensSpeller(Style(), random).write(meant)
-        restarts.of(cncsub.loads(linuxcnc, control="linuxcnc"))
-        restarts.of(cncsub.loads(siemens, control="siemens-one"))
+        _, texts = in_other_languages(comparison, place)
+        for control, text in texts.items():
+            restarts.of(cncsub.loads(text, control=control))
         o_word = cncsub.loads(o_words.generate(SEED, place), control="linuxcnc")
-        restarts.of(o_word, max_blocks=_BLOCKS)
+        restarts.of(o_word, max_blocks=MOST_BLOCKS)
 
 
 def of_macros(restarts: Restarts, places: Iterable[int]) -> None:
-    controls = [name for name in cncsub.controls if name not in OTHER_LANGUAGES]
-    for place in places:
-        text = program(Random(f"{SEED} {place}"))
-        for control in controls:
-            restarts.of(cncsub.loads(text, control=control), max_blocks=_BLOCKS)
+    for library in written_macros(places):
+        restarts.of(library, max_blocks=MOST_BLOCKS)
 
 
 def main() -> int:

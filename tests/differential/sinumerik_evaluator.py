@@ -26,7 +26,6 @@ from sinumerik_frames import FrameValue, chained, made, part, with_part
 from sinumerik_paths import LARGEST, Paths
 
 MAX_BLOCKS = 3000
-SYSTEMS = {"$P_UIFR[1]": "G54", "$P_UIFR[2]": "G55", "$P_UIFR[5]": "G505"}
 SMALLEST = 1e-9  # a result below it is a rounding error, or nothing
 
 
@@ -276,7 +275,7 @@ class Evaluator(Paths):
             case l.FrameName("$P_PFRAME"):
                 return self.state.frame
             case l.FrameName(text) if text.startswith("$P_UIFR"):
-                code = SYSTEMS[text]
+                code = l.SYSTEMS[text]
                 return self.stored.get(code, FrameValue(shift=self.zeros[code]))
             case l.FrameName(text):
                 frame = scope.frames[text]
@@ -296,7 +295,7 @@ class Evaluator(Paths):
             self.state = replace(self.state, frame=frame)
         elif to.text.startswith("$P_UIFR"):
             # It takes effect with the next code of its work system.
-            code, held = SYSTEMS[to.text], self.state.held
+            code, held = l.SYSTEMS[to.text], self.state.held
             if held is None:
                 self.state = replace(self.state, held=self.zeros[self.state.zero])
             self.stored[code] = frame

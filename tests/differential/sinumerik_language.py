@@ -24,6 +24,9 @@ PRIORITY = {
     **dict.fromkeys(("==", "<>", "<", ">", "<=", ">="), 11),
 }
 
+# The frames of work systems, and the codes with which they take effect.
+SYSTEMS = {"$P_UIFR[1]": "G54", "$P_UIFR[2]": "G55", "$P_UIFR[5]": "G505"}
+
 LENGTH = 200  # of a STRING; no text of a program becomes longer
 
 

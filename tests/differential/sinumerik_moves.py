@@ -116,9 +116,7 @@ class MoveWriter(ValueWriter):
     def stored_frame(self) -> None:
         """Write the frame of a work system, and its code, with which it takes effect."""
         r = self.random
-        text, code = r.choice(
-            (("$P_UIFR[1]", "G54"), ("$P_UIFR[2]", "G55"), ("$P_UIFR[5]", "G505"))
-        )
+        text, code = r.choice(tuple(l.SYSTEMS.items()))
         name = l.FrameName(text)
         if self.chance(0.5):
             words = tuple((axis, self.length()) for axis in "XYZ" if self.chance(0.7))

@@ -167,7 +167,9 @@ class Head:
             return
         seen = set(known)
         for number in range(1000, 20000):
-            if number not in seen and _reads(self._machine, number) != _reads(self.now, number):
+            if number in seen or not _can_be_read(core.code, number):
+                continue
+            if _reads(self._machine, number) != _reads(self.now, number):
                 yield number
 
     def _blocks(self) -> Iterator[Any]:
@@ -378,6 +380,14 @@ def _reads(machine: Machine, number: int) -> float | None:
         return machine.core.get_variable(number)
     except (KeyError, ValueError):
         return None
+
+
+def _can_be_read(code: Any, number: int) -> bool:
+    """Return whether the control has a variable that can be read: asking is ten times as fast as
+    reading in vain, and most numbers are none.
+    """
+    facts = code.variable_facts(number)
+    return facts is not None and facts[1]
 
 
 def _settable(machine: Machine, number: int, value: float | None) -> bool:
