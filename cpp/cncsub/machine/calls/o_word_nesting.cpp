@@ -82,10 +82,10 @@ void leave_o_words(Run& run, Address to) {
   if (labels.met.empty()) return;
   const std::vector<Around> holds = around(*run.code, to);
   for (auto& [key, met] : labels.met) {
+    const Address head = met.address;
     const bool own = key >> 32 == run.frame().label && met.kind == OWordKind::Repeat;
-    const bool held = met.address == to || std::any_of(holds.begin(), holds.end(), [&](auto& of) {
-                        return of.head == met.address;
-                      });
+    const bool held = head == to || std::any_of(holds.begin(), holds.end(),
+                                                [head](auto& of) { return of.head == head; });
     if (own && !held) met.repeats = -1;
   }
   labels.skipping = labels.breaks = labels.continues = false;
