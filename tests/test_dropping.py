@@ -101,3 +101,12 @@ def test_an_axis_word_that_a_dwell_does_not_take_is_told(
 ) -> None:
     run = cncsub.loads(text, control=control).run()
     assert [word.text for word in run.dropped] == dropped
+
+
+def test_a_tool_called_by_a_name_that_the_setup_does_not_give_warns() -> None:
+    job = cncsub.loads('T="MILL_10"\nT="M"<<"ILL"\nG0 Z1\nM30\n', control="siemens-one")
+    run = job.run()
+    assert [word.text for word in run.dropped] == ['T="MILL_10"', 'T="M"<<"ILL"']
+    assert all("no tool of the setup has this name" in str(word.warning) for word in run.dropped)
+    known = job.run(setup={"tools": {5: {"name": "MILL_10"}, 6: {"name": "MILL"}}})
+    assert known.dropped == ()

@@ -90,6 +90,13 @@ def test_a_code_of_other_controls_tells_which_have_it(tmp_path: Path) -> None:
     assert hints(run(tmp_path, "O1\nG999\nM30\n")[1]) == []
 
 
+def test_the_tools_of_a_mill_whose_d_names_their_edges_are_of_use(tmp_path: Path) -> None:
+    (tmp_path / "tools.toml").write_text("[tools.1]\nZ = 100\n[length_offsets]\n2 = 5\n")
+    text = "T1 M6\nG0 Z50\nM30\n"
+    options = ["--setup", str(tmp_path / "tools.toml"), "-c", "siemens-one"]
+    assert "no effect" not in run(tmp_path, text, *options)[1]
+
+
 def test_no_alarm_has_no_hints(tmp_path: Path) -> None:
     assert run(tmp_path, "O1\nM30\n")[1] == ""
 

@@ -105,7 +105,7 @@ class Recorded(NotPicklable):
         """Words that the control read and ignored, in order (with any `trace` but `"none"`): M
         codes beyond those that it executes in a block, all but the last of an address or of a group
         of G codes, I and K beside R, U beside X. An M code that would start the spindle or the
-        coolant has a `warning`.
+        coolant has a `warning`, and so has a tool called by a name that the setup does not give.
 
         >>> import cncsub
         >>> run = cncsub.loads("O1\\nN10 M8 M3 S500\\nM30\\n", control="fanuc-0i-f").run()

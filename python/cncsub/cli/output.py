@@ -90,7 +90,7 @@ def tell_dropped(dropped: int, warnings: Iterable[str | None] = ()) -> None:
         words = f"{dropped:,} word{'' if dropped == 1 else 's'}"
         typer.echo(f"note: the control dropped {words}; cncsub run and check show which", err=True)
     for warning in sorted({each for each in warnings if each is not None}):
-        typer.echo(f"warning: an M code was dropped: {warning}", err=True)
+        typer.echo(f"warning: a word was dropped: {warning}", err=True)
 
 
 def tell_hints(hints: Iterable[str]) -> None:

@@ -571,11 +571,13 @@ def _any_word(programs: Iterable[Program], address: str, *codes: int) -> bool:
 
 def _of_another_machine(control: Control, setup: Setup) -> Iterator[Note]:
     """Yield notes on offsets of another machine: a lathe has its offsets in `tools`, a mill in
-    `length_offsets` and `radius_offsets`.
+    `length_offsets` and `radius_offsets`. Where D names an edge of a tool, a mill reads all three.
     """
-    (own,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
-    machine = setup.machine or own
+    values = {rule.name: rule.value for rule in control.rules}
+    machine = setup.machine or str(values["machine"])
     lathe = machine.startswith("lathe")
+    if values.get("tool_edges") and not lathe:
+        return
     for field in ("length_offsets", "radius_offsets") if lathe else ("tools",):
         if getattr(setup, field):
             other, kind = ("a mill", "a lathe") if lathe else ("a lathe", "a mill")

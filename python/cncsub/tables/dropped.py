@@ -16,7 +16,9 @@ _COOLANT = (7, 8)  # as ISO 6983 numbers them: to a control they are codes as an
 
 
 def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
-    """Yield the rows of the engine; an M code that would start the spindle or the coolant warns."""
+    """Yield the rows of the engine. An M code that would start the spindle or the coolant warns,
+    and a tool called by a name that nothing gives.
+    """
     starts: dict[float | None, str] | None = None
     for row in rows:
         words = words_of(control, row[-1])
@@ -24,6 +26,8 @@ def dropped_words(rows: Iterable[Row], control: Control) -> Iterator[Dropped]:
         if words and words[0].address == "M":
             starts = _starts(control) if starts is None else starts
             warning = starts.get(words[0].value)
+        elif words and words[0].value is None and words[0].address.rstrip("0123456789") == "T":
+            warning = "no tool of the setup has this name: give it as `name` under its `tools`"
         yield Dropped(*row, warning=warning)
 
 

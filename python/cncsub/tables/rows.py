@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 @dataclass(frozen=True, slots=True)
 class Dropped:
     """A word that the control read and ignored, as it is written; a G code by its name.
-    `warning`: what does not start because of that, and what to do; `None` if nothing depends on
+    `warning`: what does not happen because of that, and what to do; `None` if nothing depends on
     the word.
     """
 
