@@ -138,46 +138,48 @@ inline constexpr int kSkipAxes = 5;
 /// The kinds of variables. The engine knows the kinds; the control says at which numbers they
 /// stand.
 enum class VariableKind : std::uint8_t {
-  Vacant,           // #0
-  Local,            // of the present level
-  LevelImage,       // the locals of level (index / count of locals)
-  Common,           // shared by all programs, cleared at power-off
-  Kept,             // shared by all programs, kept at power-off
-  Input,            // signals from the machine, one bit each
-  InputWord,        // 16 or 32 of them as one number
-  Output,           // signals to the machine
-  OutputWord,       //
-  UserAlarm,        // #3000
-  Milliseconds,     // #3001
-  Hours,            // #3002
-  Control1,         // #3003, #3004: switches of the automatic operation
-  Settings,         // #3005
-  Message,          // #3006
-  Mirror,           // #3007
-  Restart,          // #3008
-  Date,             // #3011, YYYYMMDD
-  Time,             // #3012, HHMMSS
-  PartsCount,       // #3901, #3902
-  ModalCode,        // #4001...: the code of group number % 100, of the block before
-  ModalWord,        // the modal word of an address, of the block before
-  ActiveCode,       // #4201...: the same of the running block
-  ActiveWord,       //
-  BlockEnd,         // #5001...: end of the block before, work coordinates
-  MachinePosition,  // #5021...
-  WorkPosition,     // #5041...
-  SkipPosition,     // #5061...
-  SkipTouched,      // whether the signal of the last skip came
-  ActiveLength,     // #5081...: length offset in force
-  ToolLength,       // that of the tool in the spindle, whether it is in force or not
-  ServoError,       // #5101...
-  WorkOffset,       // #5201...: 20 numbers a system, the first of them external
-  AxisWorkOffset,   // #2500...: 100 numbers an axis, the first of them external
-  Shift,            // #5210...: whether the shift of G92 counts, and the shift
-  ReferencePoint,   // #5161...: 20 numbers a reference point
-  MessageSwitch,    // #5599: 1 until it is written
-  WorkSystem,       // #5220: which work system is in force
-  ExtraWorkOffset,  // #7001...: G54.1 P1...
-  LengthWear,       // tool offsets
+  Vacant,            // #0
+  Local,             // of the present level
+  LevelImage,        // the locals of level (index / count of locals)
+  Common,            // shared by all programs, cleared at power-off
+  Kept,              // shared by all programs, kept at power-off
+  Input,             // signals from the machine, one bit each
+  InputWord,         // 16 or 32 of them as one number
+  Output,            // signals to the machine
+  OutputWord,        //
+  UserAlarm,         // #3000
+  Milliseconds,      // #3001
+  Hours,             // #3002
+  Control1,          // #3003, #3004: switches of the automatic operation
+  Settings,          // #3005
+  Message,           // #3006
+  Mirror,            // #3007
+  Restart,           // #3008
+  Date,              // #3011, YYYYMMDD
+  Time,              // #3012, HHMMSS
+  PartsCount,        // #3901, #3902
+  ModalCode,         // #4001...: the code of group number % 100, of the block before
+  ModalWord,         // the modal word of an address, of the block before
+  ActiveCode,        // #4201...: the same of the running block
+  ActiveWord,        //
+  BlockEnd,          // #5001...: end of the block before, work coordinates
+  MachinePosition,   // #5021...
+  WorkPosition,      // #5041...
+  SkipPosition,      // #5061...
+  SkipTouched,       // whether the signal of the last skip came
+  MeasuredPosition,  // of the last skip, in the frame of its block, without the tool
+  MeasuredMachine,   // the same in machine coordinates
+  ActiveLength,      // #5081...: length offset in force
+  ToolLength,        // that of the tool in the spindle, whether it is in force or not
+  ServoError,        // #5101...
+  WorkOffset,        // #5201...: 20 numbers a system, the first of them external
+  AxisWorkOffset,    // #2500...: 100 numbers an axis, the first of them external
+  Shift,             // #5210...: whether the shift of G92 counts, and the shift
+  ReferencePoint,    // #5161...: 20 numbers a reference point
+  MessageSwitch,     // #5599: 1 until it is written
+  WorkSystem,        // #5220: which work system is in force
+  ExtraWorkOffset,   // #7001...: G54.1 P1...
+  LengthWear,        // tool offsets
   LengthGeometry,
   RadiusWear,
   RadiusGeometry,

@@ -61,6 +61,9 @@ struct GCode {
   bool operator==(const GCode&) const = default;
 };
 
+/// The variant of a skip that is a word beside the line that G01 makes.
+inline constexpr std::int16_t kSkipOnLine = 4;
+
 /// A meaning that a control may give to another code: the words of the rule g_meanings.
 struct MeaningWord {
   std::string_view word;
@@ -98,6 +101,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"rotation-off", Group::Rotation, Meaning::RotationOff},
     {"dwell", Group::OneShot, Meaning::Dwell},
     {"skip", Group::OneShot, Meaning::Skip},
+    {"skip-on-line", Group::OneShot, Meaning::Skip, kSkipOnLine},
     {"probe", Group::Motion, Meaning::Skip},
     {"spline", Group::Motion, Meaning::Spline},
     {"spline-by-one-point", Group::Motion, Meaning::Spline, 1},

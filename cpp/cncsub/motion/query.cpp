@@ -108,6 +108,10 @@ double work_position(MotionView m, int axis) {
 
 double skip_position(MotionView m, int axis) { return shown(m, axis, m.state.skip); }
 
+double measured_position(MotionView m, int axis) { return shown(m, axis, m.state.measured); }
+
+double measured_machine(MotionView m, int axis) { return shown(m, axis, m.state.measured_machine); }
+
 double active_length(MotionView m, int axis) {
   return shown(m, axis, in_machine(m.state, m.state.length + m.state.tool_shift));
 }

@@ -19,6 +19,9 @@ double block_end(MotionView m, int axis);
 double machine_position(MotionView m, int axis);
 double work_position(MotionView m, int axis);
 double skip_position(MotionView m, int axis);
+/// Return where the last skip ended in the frame of its block, or in machine coordinates.
+double measured_position(MotionView m, int axis);
+double measured_machine(MotionView m, int axis);
 /// Return the length of the tool in the spindle.
 double tool_length(MotionView m, int axis);
 double active_length(MotionView m, int axis);

@@ -19,7 +19,7 @@ void reading(Control& c) {
       "540 541 542 543 544 545 546 547 548 549 550 551 552 553 554 555 556 557 558 559 560 561 562 "
       "563 564 565 566 567 568 569 570 571 572 573 574 575 576 577 578 579 580 581 582 583 584 585 "
       "586 587 588 589 590 591 592 593 594 595 596 597 598 599 601 602 603 621 641 642 643 644 645 "
-      "TRANS ATRANS ROT AROT SCALE ASCALE MIRROR AMIRROR SUPA CIP CT DIAMON DIAMOF POS "
+      "TRANS ATRANS ROT AROT SCALE ASCALE MIRROR AMIRROR SUPA CIP CT DIAMON DIAMOF POS MEAS "
       "700 710 810 811 812 813 814 815 816 817 818 819 820 821 822 823 824 825 826 827 828 829 931 "
       "942 952 961 962 971 972 973",
       "NCI, ggroups.json: the G groups of the manual", Secondary};
@@ -71,12 +71,14 @@ void meanings(Control& c) {
       "TRANS=frame-shift ATRANS=frame-shift-added ROT=frame-rotation AROT=frame-rotation-added "
       "SCALE=frame-scale ASCALE=frame-scale-added MIRROR=frame-mirror AMIRROR=frame-mirror-added "
       "SUPA=machine-all CIP=three-points-by-mode CT=tangent-arc POS=position-axes "
+      "MEAS=skip-on-line "
       "DIAMON=diameter DIAMOF=diameter-off "
       "140=neutral 141=neutral 142=neutral 143=neutral 340=neutral 341=neutral 460=neutral "
       "601=neutral 602=neutral 603=neutral 700=inch 710=metric "
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
   c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
+  c.motion.g_meanings.tell("MEAS=skip-on-line", "840slj p.5-24: MEAS", Secondary);
   c.motion.g_meanings.tell("CT=tangent-arc", "SONE p.201: CT", Manual);
   c.motion.g_meanings.tell("POS=position-axes", "MD840, MD 32060: positioning axes", Secondary);
   c.motion.g_meanings.tell("96=surface-speed-per-revolution", "SONE p.99: G96", Manual);
@@ -93,6 +95,10 @@ void motion(Control& c) {
   c.motion.feed_mode_change = {FeedModeChange::DeletesFeed,
                                "840Dv p.2-4: a change between G93, G94 and G95 deletes F",
                                Secondary};
+  c.motion.modal_groups = {
+      "motion=1 plane=6 radius=7 work=8 units=13 distance=14 feed=15 corner=18 diameter=29 "
+      "surface=30 stroke=31 length=32 return=33 path=34 macro=35 rotation=36 polar=37 scaling=38",
+      "NCI, ggroups.json", Secondary};
   c.motion.speed_limit = {SpeedLimit::OwnWord, "SONE p.99: LIMS", Secondary};
   c.motion.unused_words_told = {true, "policy, nobody says", Inferred};
   has(c.common.refuses, {Cause::NoSurfaceSpeed, Cause::FeedOutOfRange},
@@ -143,13 +149,24 @@ void system_variables(Control& c) {
   };
   add(1001, 1024, VariableKind::Input, 0, kKnown, Inferred);
   add(3001, 1024, VariableKind::Output, 0, kKnown, Inferred);
-  add(4901, 30, VariableKind::ModalCode, 0, kKnown, Inferred);
+  c.variables.back().access = Access::ReadWrite;
+  add(4901, 40, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
   add(5001, 9, VariableKind::WorkPosition, 0, kPositions, Secondary);
   add(5021, 9, VariableKind::MachinePosition, 0, kPositions, Secondary);
   add(5041, 9, VariableKind::BlockEnd, 0, kKnown, Inferred);
   add(5061, 1, VariableKind::ActiveWord, 'T', kKnown, Inferred);
   add(5062, 1, VariableKind::ActiveWord, 'F', kKnown, Inferred);
-  add(5101, 22, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
+  add(5067, 1, VariableKind::ToolLength, 'T', kKnown, Inferred);  // the tool itself
+  c.variables.back().from = -1;
+  add(5068, 1, VariableKind::SkipTouched, 0, kKnown, Inferred);
+  add(5081, 9, VariableKind::MeasuredPosition, 0, "840slj p.5-24: $AA_MW", Secondary);
+  add(5091, 9, VariableKind::MeasuredMachine, 0, "840slj p.5-24: $AA_MM", Secondary);
+  add(7001, 8, VariableKind::Kept, 'M', "general knowledge: $AC_MARKER, machine datum 28256",
+      Inferred);
+  c.variables.back().access = Access::ReadWrite;
+  add(7101, 50, VariableKind::Kept, 'P', "general knowledge: $AC_PARAM, machine datum 28254",
+      Inferred);
+  c.variables.back().access = Access::ReadWrite;
   add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
   add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
   constexpr const char* kFrames = "MD840, framevar.svar: $P_UIFR and kin";

@@ -71,6 +71,53 @@ for name in ("$MN_SCALING_SYSTEM_IS_METRIC", "$MC_GMMC_INFO_UNIT_IS_STATUS", "$A
         program=f"N10 {name}=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
     )
 
+# ---- markers, parameters and outputs that a program writes ----
+
+case(
+    "markers and parameters of the channel are variables of all programs, 0 at first", **KNOWN,
+    program="N10 R1=$AC_MARKER[0] R2=$AC_PARAM[49]\nN20 $AC_MARKER[0]=7\nN30 $AC_PARAM[49]=2.5\nN40 SUB\nN50 R4=$AC_PARAM[R5+49]\nN60 M30\n%_N_SUB_SPF\nR3=$AC_MARKER[0]+1\n$AC_PARAM[49]=$AC_PARAM[49]*2\nM17",
+    vars={1: 0, 2: 0, 3: 8, 4: 5},
+)
+case(
+    "a marker is a whole number", **KNOWN,
+    program="N10 $AC_MARKER[1]=2.6\nN20 R1=$AC_MARKER[1]\nN30 M30", vars={1: 3},
+)
+for wrong in ("$AC_MARKER[8]=1", "$AC_PARAM[50]=1", "$AC_MARKER[-1]=1", "$A_OUT[1025]=1"):
+    case(
+        f"there is none by this index: {wrong}", **KNOWN,
+        program=f"N10 {wrong}\nN20 M30", runs="", alarm="array-element", number="12400", at="MAIN N10",
+    )
+case(
+    "an output that a program writes is read again", **KNOWN,
+    program="N10 $A_OUT[3]=1\nN20 R1=$A_OUT[3] R2=$A_OUT[2]\nN30 $A_OUT[3]=FALSE\nN40 R3=$A_OUT[3]\nN50 M30", vars={1: 1, 2: 0, 3: 0},
+)
+case(
+    "a marker beside its own assignment is not computed", **POLICY,
+    program="N10 $AC_MARKER[1]=1 R1=$AC_MARKER[1]\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+)
+case(
+    "$P_TOOLP is the tool that T names, $P_TOOLNO the one that M6 has changed", **KNOWN,
+    program="N10 T3 M6\nN20 T4\nN30 R1=$P_TOOLP R2=$P_TOOLNO\nN40 M6\nN50 R3=$P_TOOLNO\nN60 M30", vars={1: 4, 2: 3, 3: 4},
+)
+
+# ---- $P_GG: places in the G groups ----
+
+GROUPS = {"control": ONE, "source": "NCI, ggroups.json", "evidence": "secondary"}
+for codes, group, place in (
+    ("G0", 1, 1), ("G1", 1, 2), ("G2", 1, 3), ("G3", 1, 4), ("CIP", 1, 5), ("G33", 1, 10), ("G17", 6, 1), ("G19", 6, 3), ("G40", 7, 1),
+    ("G500", 8, 1), ("G54", 8, 2), ("G57", 8, 5), ("G505", 8, 6), ("G70", 13, 1), ("G71", 13, 2), ("G700", 13, 3),
+    ("G90", 14, 1), ("G91", 14, 2), ("G93", 15, 1), ("G94", 15, 2), ("G95", 15, 3), ("G96 S100", 15, 4), ("G450", 18, 1), ("G451", 18, 2),
+    ("DIAMOF", 29, 1), ("DIAMON", 29, 2),
+):
+    case(
+        f"$P_GG[{group}] is {place} after {codes}", **GROUPS,
+        program=f"N10 {codes}\nN20 R1=$P_GG[{group}]\nN30 M30", vars={1: place},
+    )
+case(
+    "$P_GG of a group on which no path depends is not known", **POLICY,
+    program="N10 R1=$P_GG[10]\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
+)
+
 # ---- positions in a frame: what is programmed, moved to again, moves nothing ----
 
 TURNED = {"control": ONE, "source": "840Dk p.128: $AA_IW, the setpoint in the workpiece", "evidence": "inferred"}

@@ -321,6 +321,18 @@ bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view n
   return reported(open, words, at);
 }
 
+/// Read MEAS=1 or MEAS=-1, a move until the first probe switches on or off.
+bool measure(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
+  open.line.pass(std::string_view("MEAS").size());
+  if (!open.line.take('=')) return open.refuse(block, Cause::MissingEquals, "MEAS without =", at);
+  Value probe;
+  if (!open.expression.value(probe)) return open.refuse(block);
+  if (probe.computed || std::fabs(probe.number) != 1)
+    return open.not_computed(block, "MEAS of another probe than the first", at);
+  constexpr int kNoGroup = 0, kMeasure = 9017;
+  return add_code(open, block, words, kNoGroup, kMeasure, at);
+}
+
 /// Read a G code that is written as a word.
 bool code_word(OpenBlock& open, Block& block, Words& words, int code, std::string_view name,
                std::uint32_t at) {

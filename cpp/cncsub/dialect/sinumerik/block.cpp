@@ -214,6 +214,7 @@ bool named(OpenBlock& open, Block& block, Words& words) {
   }
   if (name == "AX") return axis_by_index(open, block, words, at);
   if (name == "POS") return position(open, block, words, at);
+  if (name == "MEAS") return measure(open, block, words, at);
   if (place_of(name) >= 0 && open.line.ahead(name.size()) != '[') {
     open.line.pass(name.size());
     return long_address(open, block, words, name, at);

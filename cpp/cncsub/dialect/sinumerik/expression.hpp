@@ -47,13 +47,13 @@ struct OpenExpression {
   }
 };
 
-/// Data of tools that the control keeps as variables: of edges, by tool and edge, or names by tool.
-struct ToolDatum {
-  std::int32_t first = 0;  // the variable before all of them
-  bool of_edge = false;
+/// System variables that a program may write, by their indices: data of tools, markers, outputs.
+struct SystemArray {
+  std::int32_t first = 0;  // the variable whose indices are all zero
+  Definition shape;        // its type, its dimensions and their extents
 };
-/// Return the data of this name, in capitals; nothing where the control has none that are computed.
-std::optional<ToolDatum> tool_datum_of(const Builder& to, std::string_view name);
+/// Return those of this name, in capitals; nothing where the control has none that are computed.
+std::optional<SystemArray> system_array_of(const Builder& to, std::string_view name);
 
 class ExpressionReader {
  public:
@@ -95,7 +95,7 @@ class ExpressionReader {
   /// Read SET(...), REP(...) or (...), which give elements from `first` on their values.
   bool elements(const Definition& to, const Statement& first, std::vector<Statement>& statements);
   /// Read the indices of a datum, and the value that it is given.
-  bool tool_datum(const ToolDatum& of, Statement& statement);
+  bool system_array(const SystemArray& of, Statement& statement);
   /// Note that the block gives a variable its value: what comes after in it does not read that.
   void note_assigned(const Definition& of);
   /// Return whether SET(, REP( or, in a definition, a bracket stands here.

@@ -9,44 +9,12 @@
 
 #include "cncsub/control/edge_datum.hpp"
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/sinumerik/code_groups.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
 
 namespace cncsub::sinumerik {
 
 namespace {
-
-/// The codes of a G group in their order, ten times each. [NCI, ggroups.json]
-struct Group {
-  int number;
-  std::vector<int> codes;
-};
-constexpr int kNot = -1;  // a code that is not computed
-
-/// List the groups that a path depends on.
-std::vector<Group> groups() {
-  std::vector<int> systems{5000, 540, 550, 560, 570};
-  for (int code = 505; code <= 599; ++code) systems.push_back(code * 10);
-  return {{1,
-           {0, 10, 20, 30, 9012, kNot, kNot, kNot, kNot, 330, 3310, 3320, kNot, kNot, kNot, kNot,
-            kNot}},
-          {6, {170, 180, 190}},
-          {7, {400, 410, 420}},
-          {8, std::move(systems)},
-          {10, {600, 640, 6410, 6420, 6430, 6440, 6450}},
-          {12, {6010, 6020, 6030}},
-          {13, {700, 710, 7000, 7100}},
-          {14, {900, 910}},
-          {15, {930, 940, 950, 960, 970}},
-          {18, {4500, 4510}},
-          {29, {9015, 9014}}};
-}
-
-const Group* group_numbered(int number) {
-  static const std::vector<Group> kAll = groups();
-  const auto found = std::find_if(kAll.begin(), kAll.end(),
-                                  [number](const Group& of) { return of.number == number; });
-  return found == kAll.end() ? nullptr : &*found;
-}
 
 /// Write an expression of the instructions of others, and one more.
 std::uint32_t joined(Builder& to, std::initializer_list<std::uint32_t> parts, Instruction more) {
@@ -77,7 +45,7 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
   if (!open.expression.value(number)) return open.refuse(block);
   const int group =
       index.computed ? 0 : to_whole<int>(std::clamp(std::round(index.number), 0.0, 99.0));
-  const Group* const of = group_numbered(group);
+  const CodesOfGroup* const of = codes_of_group(group);
   if (of == nullptr)
     return open.not_computed(
         block,
@@ -88,7 +56,7 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
       return open.refuse(block, Cause::GroupGivenTwice, "a second code of its G group", at);
     std::vector<double> list;
     list.reserve(of->codes.size());
-    for (const int code : of->codes) list.push_back(code == kNot ? kVacant : code / 10.0);
+    for (const int code : of->codes) list.push_back(code == kNoCode ? kVacant : code / 10.0);
     const Instruction chosen{Ins::Listed, 0, number.at,
                              static_cast<double>(open.to.names().list(std::move(list)))};
     words.list.add_g({true, joined(open.to, {number.expression}, chosen), 0});
@@ -101,7 +69,7 @@ bool code_of_group(OpenBlock& open, Block& block, Words& words, const Value& ind
     return open.refuse(block, Cause::GroupCodeNotAvailable, "no code of the group has this number",
                        at);
   const int code = of->codes[to_whole<std::size_t>(place) - 1];
-  if (code == kNot) return open.not_computed(block, "this code of its G group", at);
+  if (code == kNoCode) return open.not_computed(block, "this code of its G group", at);
   return add_code(open, block, words, group, code, at);
 }
 
@@ -182,12 +150,13 @@ bool system_assignment(OpenBlock& open, Block& block, Words& words, std::uint32_
   const Line before = open.line;
   open.line.pass(1);
   const std::string name = capitals(open.line.name());
-  if (!name.starts_with("TC_")) return open.line = before, false;
+  const auto array = system_array_of(open.to, name);
+  if (!array && !name.starts_with("TC_")) return open.line = before, false;
   open.line.pass(name.size());
-  if (const auto datum = tool_datum_of(open.to, name)) {
+  if (array) {
     Statement statement;
     statement.at = statement.variable_at = at;
-    if (!open.expression.tool_datum(*datum, statement)) return open.refuse(block), true;
+    if (!open.expression.system_array(*array, statement)) return open.refuse(block), true;
     words.statements.push_back(statement);
     return true;
   }

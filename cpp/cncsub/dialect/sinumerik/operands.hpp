@@ -34,8 +34,8 @@ Read read_system_variable(OpenExpression& open, int depth);
 std::vector<std::string_view> known_system_variables();
 /// Read the indices of an array, in their brackets, as the place of one element.
 bool read_indices(OpenExpression& open, const Definition& of, int depth);
-/// Read the indices of a datum of a tool, as the number of its variable.
-bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth);
+/// Read the indices of a system variable, as its number.
+bool read_system_array(OpenExpression& open, const SystemArray& of, int depth);
 /// Return the place of a parameter R; one that does not exist is a fault.
 bool parameter_number(OpenExpression& open, std::string_view digits, std::uint32_t at,
                       VariablePlace& place, std::int32_t& number);
@@ -73,7 +73,7 @@ inline std::int32_t mark_of(const Definition& of) {
   constexpr std::int32_t kGlobal = 1 << 29, kArray = 1 << 28;
   return -1 - of.local - (of.global ? kGlobal : of.is_array() ? kArray : 0);
 }
-constexpr std::int32_t kToolData = -2147483647;  // the mark of data of tools
+constexpr std::int32_t kSystemArray = -2147483647;  // the mark of system variables
 /// Write that the block has assigned to what is read here.
 bool late(OpenExpression& open, std::uint32_t at);
 

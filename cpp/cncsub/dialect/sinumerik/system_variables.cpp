@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "cncsub/control/edge_datum.hpp"
+#include "cncsub/dialect/sinumerik/code_groups.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 #include "cncsub/text/axis_names.hpp"
@@ -16,8 +17,8 @@ namespace {
 struct SystemVariable {
   std::string_view name;
   VariableKind kind;
-  enum class By : std::uint8_t { Nothing, Axis, Number, Group } by;
-  char address = 0;  // of an active word
+  enum class By : std::uint8_t { Nothing, Axis, Number, Place, Group } by;
+  char address = 0;  // of an active word, or what tells variables of a kind apart
   // A part of the number that the control keeps: over `divisor`, and the rest of a hundred.
   double divisor = 0;
 };
@@ -27,7 +28,13 @@ using By = SystemVariable::By;
 constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, By::Axis},
                                          {"AA_IM", VariableKind::MachinePosition, By::Axis},
                                          {"P_EP", VariableKind::BlockEnd, By::Axis},
-                                         {"P_TOOLNO", VariableKind::ActiveWord, By::Nothing, 'T'},
+                                         {"AA_MW", VariableKind::MeasuredPosition, By::Axis},
+                                         {"AA_MM", VariableKind::MeasuredMachine, By::Axis},
+                                         {"AC_MEA", VariableKind::SkipTouched, By::Number},
+                                         {"AC_MARKER", VariableKind::Kept, By::Place, 'M'},
+                                         {"AC_PARAM", VariableKind::Kept, By::Place, 'P'},
+                                         {"P_TOOLNO", VariableKind::ToolLength, By::Nothing, 'T'},
+                                         {"P_TOOLP", VariableKind::ActiveWord, By::Nothing, 'T'},
                                          {"P_TOOL", VariableKind::ActiveWord, By::Nothing, 'D'},
                                          {"P_F", VariableKind::ActiveWord, By::Nothing, 'F'},
                                          {"P_S", VariableKind::ActiveWord, By::Nothing, 'S'},
@@ -39,15 +46,6 @@ constexpr SystemVariable kVariables[] = {{"AA_IW", VariableKind::WorkPosition, B
                                          {"A_HOUR", VariableKind::Time, By::Nothing, 0, 10000},
                                          {"A_MINUTE", VariableKind::Time, By::Nothing, 0, 100},
                                          {"A_SECOND", VariableKind::Time, By::Nothing, 0, 1}};
-
-/// A G group whose number is not that of the group on other controls.
-struct GGroup {
-  std::string_view number;
-  int modal;  // among the groups of ModalCode
-  int first;  // the code before the first one of the group
-};
-// The plane; G40 to G42; G90 and G91. [NCI groups]
-constexpr GGroup kGroups[] = {{"6", 2, 16}, {"7", 7, 39}, {"14", 3, 89}};
 
 /// Return the range of the control's variables that holds a system variable; null where it has
 /// none.
@@ -73,6 +71,11 @@ bool push_indexed(OpenExpression& open, const SystemVariable& of, std::int32_t f
   return true;
 }
 
+/// The groups whose code in force a run knows. [NCI groups]
+constexpr int kKnownGroups[] = {1, 6, 7, 8, 13, 14, 15, 18, 29};
+constexpr int kFeedGroup = 15,
+              kSurfaceGroup = 30;  // G96 is one of the feeds there, and no feed here
+
 /// Read $P_GG[6], the place of the code in force among those of its group, and push it.
 bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
   if (!open.line.take('['))
@@ -80,52 +83,84 @@ bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
   open.line.peek();
   const std::string number(open.line.take_digits());
   if (!open.line.take(']')) return open.wrong(Cause::BracketNotClosed, "] is missing", at);
-  for (const GGroup& group : kGroups) {
-    if (number != group.number) continue;
-    open.emit_at(at, Ins::Variable, first + group.modal - 1);
-    open.emit(Ins::SubtractConstant, group.first);
-    return true;
-  }
-  return open.wrong(Cause::CodeNotComputed, "a run does not know $P_GG[" + number + "]", at);
+  int group = 0;
+  std::from_chars(number.data(), number.data() + number.size(), group);
+  if (std::find(std::begin(kKnownGroups), std::end(kKnownGroups), group) == std::end(kKnownGroups))
+    return open.wrong(Cause::CodeNotComputed, "a run does not know $P_GG[" + number + "]", at);
+  std::vector<double> codes;
+  for (const int code : codes_of_group(group)->codes)
+    codes.push_back(code == kNoCode ? kVacant : code / 10.0);
+  const auto list = static_cast<double>(open.to.names().list(std::move(codes)));
+  const auto push = [&](int of) {
+    open.emit_at(at, Ins::Variable, first + of - 1);
+    open.emit(Ins::PlaceIn, list);
+  };
+  if (group == kFeedGroup) push(kSurfaceGroup);
+  push(group);
+  if (group == kFeedGroup) open.emit(Ins::FirstSet);
+  return true;
 }
 
 /// Read $TC_DP3[5,1], whose name is passed.
-Read read_datum(OpenExpression& open, const ToolDatum& of, int depth) {
-  if (!read_tool_datum(open, of, depth + 1)) return std::nullopt;
+Read read_element(OpenExpression& open, const SystemArray& of, int depth) {
+  if (!read_system_array(open, of, depth + 1)) return std::nullopt;
   open.constant.reset();
   open.emit(Ins::Indirect);
-  if (open.assigned.contains(kToolData)) {
+  if (open.assigned.contains(kSystemArray)) {
     late(open, open.line.offset());
     return std::nullopt;
   }
-  return Type::Real;
+  return of.shape.type;
 }
+
+/// System variables that a program may write by one index.
+struct Written {
+  std::string_view name;
+  VariableKind kind;
+  char address;
+  Type type;
+  std::int32_t from;  // the index of the first
+};
+// [general knowledge of the SINUMERIK 840D]
+constexpr Written kWritten[] = {{"TC_TP2", VariableKind::ToolName, 0, Type::String, 0},
+                                {"AC_MARKER", VariableKind::Kept, 'M', Type::Int, 0},
+                                {"AC_PARAM", VariableKind::Kept, 'P', Type::Real, 0},
+                                {"A_OUT", VariableKind::Output, 0, Type::Bool, 1}};
 
 }  // namespace
 
-std::optional<ToolDatum> tool_datum_of(const Builder& to, std::string_view name) {
-  constexpr std::string_view kEdge = "TC_DP", kName = "TC_TP2";
-  const auto first = [&to](VariableKind kind) {
+std::optional<SystemArray> system_array_of(const Builder& to, std::string_view name) {
+  const auto range_of = [&to](VariableKind kind, char address) -> const VariableRange* {
     for (const PlacedRange& placed : to.code().variables)
-      if (placed.range.kind == kind) return placed.range.first;
-    return -1;
+      if (placed.range.kind == kind && placed.range.address == address) return &placed.range;
+    return nullptr;
   };
-  if (name == kName && first(VariableKind::ToolName) >= 0)
-    return ToolDatum{first(VariableKind::ToolName), false};
+  SystemArray array;
+  for (const Written& of : kWritten) {
+    const VariableRange* const range = of.name == name ? range_of(of.kind, of.address) : nullptr;
+    if (range == nullptr) continue;
+    array.first = range->first - of.from;
+    array.shape.type = of.type;
+    array.shape.dimensions = 1;
+    array.shape.extents = {range->last - array.first + 1};
+    return array;
+  }
+  constexpr std::string_view kEdge = "TC_DP";
+  const VariableRange* const edges = range_of(VariableKind::EdgeDatum, 0);
   std::int32_t datum = 0;
   const char* const last = name.data() + name.size();
-  if (!name.starts_with(kEdge) || first(VariableKind::EdgeDatum) < 0) return std::nullopt;
+  if (!name.starts_with(kEdge) || edges == nullptr) return std::nullopt;
   const auto read = std::from_chars(name.data() + kEdge.size(), last, datum);
   if (read.ec != std::errc() || read.ptr != last || datum < 1 || datum >= EdgeDatum::kData)
     return std::nullopt;
-  return ToolDatum{first(VariableKind::EdgeDatum) + EdgeDatum{datum, 0, 0}.number(), true};
+  array.first = edges->first + EdgeDatum{datum, 0, 0}.number();
+  array.shape.dimensions = 2;
+  array.shape.extents = {EdgeDatum::kTools, EdgeDatum::kEdges};
+  return array;
 }
 
-bool read_tool_datum(OpenExpression& open, const ToolDatum& of, int depth) {
-  Definition indices;
-  indices.dimensions = of.of_edge ? 2 : 1;
-  indices.extents = {EdgeDatum::kTools, EdgeDatum::kEdges};
-  if (!read_indices(open, indices, depth)) return false;
+bool read_system_array(OpenExpression& open, const SystemArray& of, int depth) {
+  if (!read_indices(open, of.shape, depth)) return false;
   open.emit(Ins::AddConstant, of.first);
   return true;
 }
@@ -145,6 +180,7 @@ std::string name_in_table(const VariableRange& range, std::int32_t index) {
     std::string name = "$" + std::string(of.name);
     if (of.by == By::Axis) name += "[" + axis_letter(index + 1) + "]";
     if (of.by == By::Number) name += "[" + std::to_string(index + 1) + "]";
+    if (of.by == By::Place) name += "[" + std::to_string(index) + "]";
     return name;
   }
   return "";
@@ -199,8 +235,9 @@ Read read_system_variable(OpenExpression& open, int depth) {
     return Type::Real;
   }
   if (is_frame_variable(name)) return read_control_frame(open, name, at, depth);
-  if (const auto datum = tool_datum_of(open.to, name); datum && datum->of_edge)
-    return read_datum(open, *datum, depth);
+  const auto array = system_array_of(open.to, name);
+  if (array && array->shape.type != Type::String && array->shape.type != Type::Bool)
+    return read_element(open, *array, depth);
   const auto* const of = std::find_if(std::begin(kVariables), std::end(kVariables),
                                       [&](const auto& known) { return known.name == name; });
   const VariableRange* const range = of == std::end(kVariables) ? nullptr : range_of(open, *of);
@@ -217,8 +254,9 @@ Read read_system_variable(OpenExpression& open, int depth) {
   if (of->by != By::Nothing) {
     if (!push_indexed(open, *of, range->first, at, depth)) return std::nullopt;
     open.constant.reset();
-    return of->kind == VariableKind::Input || of->kind == VariableKind::Output ? Type::Bool
-                                                                               : Type::Real;
+    const bool signal = of->kind == VariableKind::Input || of->kind == VariableKind::Output ||
+                        of->kind == VariableKind::SkipTouched;
+    return signal ? Type::Bool : Type::Real;
   }
   return push_variable(open, *of, range->first, at);
 }

@@ -139,18 +139,18 @@ bool ExpressionReader::assignment(const Definition& to, Statement& statement) {
   return true;
 }
 
-bool ExpressionReader::tool_datum(const ToolDatum& of, Statement& statement) {
+bool ExpressionReader::system_array(const SystemArray& of, Statement& statement) {
   const std::uint32_t at = statement.at;
   open_.to.expressions().begin();
-  if (!read_tool_datum(open_, of, 0)) return false;
+  if (!read_system_array(open_, of, 0)) return false;
   statement.target = Statement::Target::Indirect;
   statement.variable = open_.to.expressions().end(at, open_.line.width_from(at));
   statement.variable_width = open_.line.width_from(at);
   if (!open_.line.take('=')) return open_.wrong(Cause::MissingEquals, "= is missing", at);
   Definition as;
-  as.type = of.of_edge ? Type::Real : Type::String;
+  as.type = of.shape.type;
   if (!assigned_value(as, statement)) return false;
-  open_.assigned.insert(kToolData);
+  open_.assigned.insert(kSystemArray);
   return true;
 }
 

@@ -40,6 +40,11 @@ inline Fallible listed(E e, I at, double a) {
       return found;
   return fails(e, at, Cause::GroupCodeNotAvailable, "no code of the group has this number");
 }
+inline double place_in(E e, I at, double a) {
+  const std::vector<double>& list = e.run.code->lists[to_whole<std::size_t>(at.value())];
+  const auto found = std::find(list.begin(), list.end(), a);
+  return found == list.end() ? kVacant : static_cast<double>(found - list.begin()) + 1;
+}
 /// Leave a word out of its block; the value that it takes instead is vacant.
 inline double left_out(E e, I at) {
   e.run.block.left_out.push_back({0, at.at(), to_whole<std::uint32_t>(at.value())});

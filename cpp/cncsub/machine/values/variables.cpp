@@ -65,6 +65,10 @@ std::optional<double> of_motion(const MotionView& motion, const VariablePlace& p
       return work_position(motion, index);
     case VariableKind::SkipPosition:
       return skip_position(motion, index);
+    case VariableKind::MeasuredPosition:
+      return measured_position(motion, index);
+    case VariableKind::MeasuredMachine:
+      return measured_machine(motion, index);
     case VariableKind::ActiveLength:
       return active_length(motion, index);
     case VariableKind::SkipTouched:

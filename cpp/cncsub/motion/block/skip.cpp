@@ -109,10 +109,24 @@ bool must_probe(MotionView m) {
   return motion.meaning == Meaning::Skip && motion.variant % 2 == 0;
 }
 
+/// Keep where the axes of the block stand as measured. [840slj p.5-24]
+void keep_measured(MotionState& state, std::uint32_t named) {
+  const Axes point = as_programmed(state, state.work);
+  const Axes machine = in_machine(state, machine_point(state));
+  for (std::size_t i = 0; i < point.size(); ++i)
+    if ((named & axis_bit(static_cast<int>(i))) != 0) {
+      state.measured[i] = point[i];
+      state.measured_machine[i] = machine[i];
+    }
+}
+
 }  // namespace
 
 Result skip(MotionContext& m, BlockWords& block) {
   if (compensating(m.state)) return fault(Cause::CompensationSkip, block);
+  if (block.code(Group::OneShot).variant == kSkipOnLine &&
+      m.state.modal[at(Group::Motion)].meaning != Meaning::Line)
+    return fault(Cause::CodeNotComputed, block, "measuring on another move than a line of G01");
   if (m.state.modal[at(Group::Feed)].meaning == Meaning::PerRevolution &&
       m.facts.refuses(Cause::SkipPerRevolution))
     return fault(Cause::SkipPerRevolution, block);
@@ -131,6 +145,7 @@ Result skip(MotionContext& m, BlockWords& block) {
   m.state.skip_touched = touched;
   m.state.set_anew[0] = true;
   m.state.skip = m.state.work;
+  keep_measured(m.state, named);
   if (m.facts.control->motion.length_type.value != LengthType::Shift)
     m.state.skip = m.state.skip + m.state.length;  // with the tool, like #5041 [NCT 99M p.183]
   return std::nullopt;

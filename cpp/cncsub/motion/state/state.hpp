@@ -227,7 +227,8 @@ struct ModalValues {
   // their variables. Until then what was written counts.
   std::array<bool, 3> set_anew{};
   int length_axis = 2;
-  Axes skip{};  // skip position: work coordinates, tool included
+  Axes skip{};                          // skip position: work coordinates, tool included
+  Axes measured{}, measured_machine{};  // the same point in the frame of its block, and the machine
   std::array<GCode, kGroups> modal{};
   Plane plane = Plane::XY;
   int work_system = 1;                                 // 1 to 6, 0 = extra
