@@ -44,6 +44,9 @@ N260 M99
 """
 
 
+HOME = {"start": {"X": 0.0, "Y": 0.0, "Z": 0.0}}
+
+
 @pytest.fixture
 def job() -> cncsub.Library:
     return cncsub.loads({"job.nc": JOB}, control=CONTROL)
@@ -120,7 +123,7 @@ def test_a_loop_is_gone_through_to_its_end_with_the_locals_of_the_macro(
 def test_a_place_is_a_block_a_line_a_move_a_tool_or_the_nearest(
     job: cncsub.Library, at: Any, n: int
 ) -> None:
-    resumed = job.resume(at=at)
+    resumed = job.resume(at=at, setup=HOME)
     assert resumed.state.block.n == n
     resumed.verify()
 
@@ -148,8 +151,10 @@ def test_a_wrong_place_is_refused(
 def test_a_start_inside_radius_compensation_names_the_block_that_begins_it() -> None:
     text = "O1\nN10 G0 X0 Y0\nN20 G41 D1 G1 X5. F100\nN30 Y10.\nN40 X20.\nN50 G40 Y30.\nN60 M30\n"
     library = cncsub.loads(text, control=CONTROL)
-    setup = cncsub.Setup(radius_offsets={1: 2.0})
-    with pytest.raises(cncsub.ResumeError, match="start at O1 N20, which begins it") as error:
+    setup = cncsub.Setup(radius_offsets={1: 2.0}, **HOME)
+    with pytest.raises(
+        cncsub.ResumeError, match="start at O1 N20, which begins it, or at O1 N60, after"
+    ) as error:
         library.resume(at="O1:N40", setup=setup)
     assert (error.value.program, error.value.n) == ("O1", 40)
     assert library.resume(at="O1:N20", setup=setup).state.block.n == 20
@@ -166,22 +171,22 @@ HEADS: list[tuple[str, str, str, dict[str, Any], list[str]]] = [
         CONTROL,
         "O1\nN10 G20\nN20 G10 L2 P1 X2.\nN30 G91 G0 X1.5\nN40 X1.\nN50 M30\n",
         "O1:N40",
-        {},
-        ["G20 G17 G94 G40 G80 G90", "G54", "#5221=2", "G00 Z0.", "G00 X-0.5 Y0.", "G91"],
+        HOME,
+        ["G20 G17 G94 G40 G80 G49 G90", "G54", "#5221=2", "G00 Z0.", "G00 X-0.5 Y0.", "G91"],
     ),
     (
         CONTROL,
         "O1\nN10 G0 Z20.\nN20 G81 X10. Z-5. R2. F100\nN30 R3. X20.\nN40 X30.\nN50 G80\nN60 M30\n",
         "O1:N40",
-        {},
-        ["G21 G17 G94 G40 G80 G90", "G54", "G00 Z20.", "G00 X20. Y0.", "G81 Z-5. R3. F100 K0"],
+        HOME,
+        ["G21 G17 G94 G40 G80 G49 G90", "G54", "G00 Z20.", "G00 X20. Y0.", "G81 Z-5. R3. F100 K0"],
     ),
     (
         CONTROL,
         "O1\nN10 G0 X5.\nN20 G52 X3.\nN30 G0 X7.\nN40 X8.\nN50 M30\n",
         "O1:N40",
-        {},
-        ["G21 G17 G94 G40 G80 G90", "G54", "G00 Z0.", "G00 X10. Y0.", "G52 X3."],
+        HOME,
+        ["G21 G17 G94 G40 G80 G49 G90", "G54", "G00 Z0.", "G00 X10. Y0.", "G52 X3."],
     ),
     (
         CONTROL,
@@ -194,8 +199,8 @@ HEADS: list[tuple[str, str, str, dict[str, Any], list[str]]] = [
         "siemens-one",
         "N10 G0 X5 Z10\nN20 TRANS X3\nN30 G0 X7\nN40 X8\nN50 M30\n",
         "MAIN:N40",
-        {},
-        ["G71 G17 G40 G90", "G54", "G00 Z10.", "G00 X10. Y0.", "TRANS X3."],
+        HOME,
+        ["G71 G17 G94 G40 G90", "G54", "G00 Z10.", "TRANS X3", "G00 X7. Y0."],
     ),
 ]
 
@@ -215,7 +220,7 @@ def test_the_safe_height_and_the_order_of_axes_are_chosen(job: cncsub.Library) -
     lines = resumed.text.splitlines()
     assert "G00 Z-5." in job.resume(at="O2:N120", order=["X"]).text  # what it does not name, last
     at = lines.index("G00 G43 H1 Z80.")
-    assert lines[at + 1 : at + 3] == ["G00 X20.", "G00 Z-5."]
+    assert lines[at + 1 : at + 4] == ["G00 Y0.", "G00 X20.", "G00 Z-5."]
 
 
 @pytest.mark.parametrize("order", [["Q"], ["XY", "Y"], [], "X Z"])
@@ -236,7 +241,7 @@ def test_an_order_that_names_no_axes_is_refused(job: cncsub.Library, order: Any)
 def test_a_rest_that_cannot_go_on_with_calls_is_flat_and_says_so(
     control: str, text: str, at: str
 ) -> None:
-    resumed = cncsub.loads(text, control=control).resume(at=at)
+    resumed = cncsub.loads(text, control=control).resume(at=at, setup=HOME)
     assert resumed.form == "flat"
     assert resumed.notes == ("the rest stands without calls and loops; it sets no variables",)
 
@@ -292,13 +297,13 @@ def test_the_command_prints_the_state_and_writes_the_program(tmp_path: Path) -> 
 def test_a_main_program_with_a_name_goes_on_with_its_calls_and_loops() -> None:
     text = "F100 R1=1\nWHILE R1<4\nN20 SUB\nR1=R1+1\nN30 G0 X=R1\nENDWHILE\nM30\n"
     job = {"A.MPF": text, "SUB.SPF": "G91 Z1\nG90\nM17\n"}
-    resumed = cncsub.loads(job, control="siemens-one").resume(at="A:N30", times=2)
+    resumed = cncsub.loads(job, control="siemens-one").resume(at="A:N30", times=2, setup=HOME)
     assert resumed.form == "calls"
     assert resumed.files == {
-        "RESTART.MPF": "G71 G17 G40 G90\nG54\nR1=3\nG00 Z2.\nG00 X2. Y0.\nF100\nN30 G0 X=R1\n"
+        "RESTART.MPF": "G71 G17 G94 G40 G90\nG54\nR1=3\nG00 Z3.\nG00 X2. Y0.\nG00 Z2.\nF100\nN30 G0 X=R1\n"
         "WHILE R1<4\nN20 SUB\nR1=R1+1\nN30 G0 X=R1\nENDWHILE\nM30\n"
     }
-    inside = cncsub.loads(job, control="siemens-one").resume(at="SUB:2")
+    inside = cncsub.loads(job, control="siemens-one").resume(at="SUB:2", setup=HOME)
     assert inside.form == "flat"
 
 

@@ -18,6 +18,7 @@ from typing import Any
 import cncsub
 import o_words
 from cncsub.resume import ResumeError
+from cncsub.resume.start import given_setup, with_start
 from cncsub.testing.cases import Row
 from comparison import Comparison
 from flat_programs import (
@@ -44,7 +45,13 @@ class Restarts:
         self.shown: dict[str, str] = {}
 
     def of(self, library: cncsub.Library, main: str | None = None, **options: Any) -> None:
-        """Start a program again at several steps, if it ends."""
+        """Start a program again at several steps, if it ends. The setup says where all axes start:
+        else a place that depends on that is refused.
+        """
+        fresh = library.machine(main, **{**options, "max_blocks": 0})
+        given = given_setup(options).start
+        start = {axis: at for axis, at in fresh.position.items() if axis not in given}
+        options = with_start(options, start)
         run = library.run(main, **options)
         if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES) or not len(run.steps):
             return

@@ -17,9 +17,9 @@ from cncsub.cli.options import (
     runs_programs,
     wrong_use,
 )
-from cncsub.cli.output import told_idle, write_code, write_json
+from cncsub.cli.output import status_of, told_idle, write_code, write_json
 from cncsub.escapes import shown
-from cncsub.resume import Resume
+from cncsub.resume import Resume, ResumeError, WholeRunError
 
 _PLACES = (
     "The block that comes next: O2:N30, job.nc:12 (a line), 120 (a move), T3 (the block that calls"
@@ -54,6 +54,9 @@ def resume(
             help="Write the restart program to this file; into a folder, a file each program.",
         ),
     ] = None,
+    force: Annotated[
+        bool, typer.Option("--force", help="Write over other programs of the folder.")
+    ] = False,
     **shared: Any,
 ) -> None:
     """Start a run again in the middle: print the state there, and write a restart program.
@@ -69,16 +72,20 @@ def resume(
         asked = run_options(options, "moves")
         asked.pop("trace", None)
         told_idle(library, asked)
-        resumed = library.resume(
-            main,
-            at=int(at) if at.isdecimal() else at,
-            times=times,
-            safe_height=safe_height,
-            order=None if order is None else order.upper().split(","),
-            **asked,
-        )
-    if output is not None:
-        resumed.write(output)
+        try:
+            resumed = library.resume(
+                main,
+                at=int(at) if at.isdecimal() else at,
+                times=times,
+                safe_height=safe_height,
+                order=None if order is None else order.upper().split(","),
+                **asked,
+            )
+        except ResumeError as error:
+            typer.echo(f"cncsub: {shown(str(error))}", err=True)
+            raise typer.Exit(_status_of(error)) from None
+        if output is not None:
+            _write(resumed, output, force)
     if format is Format.JSON:
         write_json(None, _facts(resumed))
         return
@@ -89,6 +96,19 @@ def resume(
     if output is None:
         typer.echo()
         write_code([resumed.text])
+
+
+def _status_of(error: ResumeError) -> int:
+    return status_of(error.run) if isinstance(error, WholeRunError) else 1
+
+
+def _write(resumed: Resume, output: Path, force: bool) -> None:
+    try:
+        resumed.write(output, force=force)
+    except FileExistsError as error:
+        raise ValueError(
+            f"{error.filename} holds another program; --force writes over it"
+        ) from None
 
 
 def _facts(resumed: Resume) -> dict[str, Any]:

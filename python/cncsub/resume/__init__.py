@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from cncsub.resume.errors import ResumeError
+from cncsub.resume.errors import ResumeError, WholeRunError
 from cncsub.resume.resumed import Resume, resume
 from cncsub.resume.state import RestartState
 
-__all__ = ["RestartState", "Resume", "ResumeError", "resume"]
+__all__ = ["RestartState", "Resume", "ResumeError", "WholeRunError", "resume"]

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.errors import ResumeError, place_text, refused
 from cncsub.resume.history import Before
-from cncsub.resume.state import RestartState, roles_of
+from cncsub.resume.start import Starts, given_setup, machine_coordinate
+from cncsub.resume.state import RestartState, group_of, roles_of
 
 if TYPE_CHECKING:
     from cncsub.library import Library
@@ -16,10 +17,13 @@ if TYPE_CHECKING:
 _INCH = 25.4
 _DIGITS = 10  # of a value of `modal`: one that has as many may have more
 _NEAR = 1e-9  # mm
+_REACHED = 0.01  # mm: words of a head that have so many digits
 _ROTARY = "ABC"
 # Modes that a head cancels before it moves, by their codes at power-on; and those that it writes.
 _CANCELLED = ("radius", "cycle", "scaling", "rotation", "polar", "mirror")
 _BENDING = _CANCELLED[2:]
+# Modes that an aborted run may have left otherwise: a head writes them where the run has.
+_LEFT = ("surface", "return", "path", "stroke")
 _WRITTEN = ("units", "plane", "feed_mode")
 _WORDS = ("F", "S", "T", "H", "D")
 _DATA = (10, 10.1, 10.9, 52, 92)  # the G codes that set data
@@ -33,11 +37,22 @@ class Head:
     """The blocks of a head, each of which has been run by the control."""
 
     def __init__(
-        self, library: Library, machine: Machine, state: RestartState, options: dict[str, Any]
+        self,
+        library: Library,
+        machine: Machine,
+        state: RestartState,
+        starts: Starts,
+        before: Before,
+        options: dict[str, Any],
     ) -> None:
         self._library = library
         self._machine = machine
         self._state = state
+        self._starts = starts
+        self._before = before
+        self._setup = given_setup(options)
+        self._shifted_first: set[str] = set()  # the axes whose place it has said at the start
+        self._commanded: set[str] = set()  # the axes that the head has moved
         self._options = {
             **options,
             "trace": "moves",
@@ -46,8 +61,10 @@ class Head:
         }
         self.lines: list[str] = []
         self.lacks: list[str] = []  # what could not be put in force
+        self.notes: list[str] = []  # what whoever starts it should know
         self.now = self._run([])
         self._power_on = dict(self.now.modal)
+        self._lathe = self._power_on.get("plane", "G18") == "G18"
 
     def _run(self, lines: list[str]) -> Machine:
         text = "".join(f"{line}\n" for line in lines)
@@ -85,7 +102,7 @@ class Head:
             in_force = self.now.modal.get(name) == wanted
             return in_force and (name in _BENDING or self._stays(before))
 
-        return any(self._add_where(right, text) for text in texts)
+        return any(self._add_where(right, *text.split("\n")) for text in texts if text)
 
     def _stays(self, before: Machine) -> bool:
         """Return whether the tool stands where it stood, and went nowhere on the way."""
@@ -106,28 +123,47 @@ class Head:
         codes += [
             code
             for name in _CANCELLED
-            if (code := self._power_on.get(name)) and (name in _CANCELLED[:2] or self._used(name))
+            if (code := self._power_on.get(name))
+            and (name in _CANCELLED[:2] or self._used(name) or self._changed(name))
         ]
+        if "length" in modal and not self._used("length"):
+            codes.append(modal["length"])  # of the tool before
         codes += ["G90"] if "distance" in modal else []
         for code in codes:
             self._add_if_right(code)
         self._join(codes)
-        if "work" in modal:
-            self.add(modal["work"])
+        if "work" in modal and not self.add(modal["work"]):
+            raise refused(f"the control takes no block '{modal['work']}' here", self._state.block)
+        self._modes_left()
+
+    def _modes_left(self) -> None:
+        """Write the modes that are as at power-on at the place, but were otherwise in the run."""
+        for name in _LEFT:
+            code = self._state.modal.get(name)
+            if code is not None and code == self._power_on.get(name) and self._changed(name):
+                self._add_for(name, [code])
+
+    def _changed(self, mode: str) -> bool:
+        """Return whether the run has changed a mode before the place."""
+        return self._before.block_that_changed(mode) is not None
 
     def _add_if_right(self, code: str) -> None:
         """Add a code, unless it changes a mode that is right without it: a control may count the
         feed and the surface speed as one group.
         """
-        wanted = self._state.modal
         keep = [
             name
             for name, mode in self.now.modal.items()
-            if mode == wanted.get(name) and name != "distance" and name not in _CANCELLED
+            if mode == self._state.modal.get(name) and name != "distance" and name not in _CANCELLED
         ]
-        self._add_where(
-            lambda before: all(self.now.modal.get(name) == wanted[name] for name in keep), code
-        )
+        self._add_where(lambda before: all(self._in_force(name) for name in keep), code)
+
+    def _in_force(self, name: str) -> bool:
+        """Return whether a mode is as the state has it. One that is not told any more is of the
+        group of another: G97 after G94 on a SINUMERIK.
+        """
+        wanted, now = self._state.modal.get(name), self.now.modal.get(name)
+        return now == wanted or (now is None and wanted == self._power_on.get(name))
 
     def _used(self, mode: str) -> bool:
         return self._state.modal.get(mode) != self._power_on.get(mode)
@@ -180,8 +216,7 @@ class Head:
         state = self._state
         if state.tool is not None:
             digits = str(state.tool)
-            lathe = "Y" not in self._machine.position
-            word = f"T{'0' * (lathe and len(digits) > 2 and len(digits) % 2)}{digits}"
+            word = f"T{'0' * (self._lathe and len(digits) > 2 and len(digits) % 2)}{digits}"
             changes = roles_of(self._machine).get("tool-change", ())
             used = [code for code in changes if code in self._machine.m_codes]
             change = f" M{used[0]:02d}" if used else ""
@@ -196,37 +231,120 @@ class Head:
         speed = state.modal.get("S", "0")
         turn = f" {state.spindle}" if state.spindle else ""
         code = state.modal.get("surface")
-        first = f"{code} " if code and self.now.modal.get("surface") != code else ""
+        told = "surface" in self.now.modal
+        written = code and ((self._lathe and told) or not self._in_force("surface"))
+        first = f"{code} " if written else ""
         if speed != "0" or turn:
             word = f"S{speed}" if speed != "0" else ""
             self.add(f"{first}{word}{turn}".strip())
         for coolant in state.coolant:
             self.add(coolant)
 
-    def approach(self, safe: float | None, order: tuple[str, ...] | None) -> None:
-        """Move to where the run stands: to the safe height, then axis by axis of the order."""
+    def offsets(self) -> None:
+        """Choose the edge of the tool, where D does that: no axis may move before."""
+        edge = self._state.modal.get("D", "0")
+        if "length" not in self._power_on and self.now.modal.get("D", edge) != edge:
+            self.add(f"D{edge}")
+
+    def approach(
+        self, height: float | None, order: tuple[str, ...] | None, *, bends_first: bool
+    ) -> None:
+        """Move to where the run stands: to a height (machine coordinate, mm), bend the path as the
+        run does, then axis by axis of the order.
+        """
         if not len(self._machine.moves):
+            self.bend()
+            self.polar()
             return
         aim = self._machine.moves[-1]
-        axes = [axis for axis in self._machine.position if _at(aim, axis) is not None]
-        mill = "Y" in axes
-        if mill and "Z" in axes:
-            self._retract(safe)
-        groups = order or (() if mill else ("Z", "X"))
+        axes = [
+            axis
+            for axis in self._machine.position
+            if machine_coordinate(aim, axis) is not None and self._can_move(axis)
+        ]
+        if not self._lathe and "Z" in axes and height is not None:
+            self._retract(height)
+        else:
+            self._put_length_in_force()
+        if bends_first:
+            self.bend()
+        self._go_across(aim, axes, order)
+
+    def _go_across(self, aim: Any, axes: list[str], order: tuple[str, ...] | None) -> None:
+        groups = order or (("Z", "X") if self._lathe else ())
         left = "".join(axis for axis in axes if axis not in "".join(groups))
         for group in (*groups, left.replace("Z", ""), "Z"):
-            self._go({axis: _at(aim, axis) or 0.0 for axis in group if axis in axes})
+            wanted = {axis: _at(aim, axis) for axis in group if axis in axes}
+            if not self._go(wanted):
+                self.lacks.append(f"the head cannot move {' and '.join(wanted)} to the place")
+        self.polar()
 
-    def _retract(self, safe: float | None) -> None:
+    def _can_move(self, axis: str) -> bool:
+        """Return whether the head can move an axis to the place: not where its place depends on
+        where the run began. Raises `ResumeError` where it has left that.
+        """
+        starts = self._starts
+        if not starts.machine_depends(axis):
+            return True
+        if not starts.has_moved(axis):
+            self._note(f"the head does not move {axis}: the run has not moved it before")
+            return False
+        if starts.work_depends(axis) or axis not in self._shifted_first:
+            raise refused(
+                f"where {axis} stands depends on where the run begins: give the start of {axis} in"
+                f" a setup (start = {{{axis} = ...}}), or a place after a block that moves it to a"
+                " coordinate",
+                self._state.block,
+            )
+        return True
+
+    def _note(self, text: str) -> None:
+        if text not in self.notes:
+            self.notes.append(text)
+
+    def _retract(self, height: float) -> None:
         """Go up, with the length of the tool."""
-        height = safe
-        if height is None:
-            height = float(max(self._machine.moves.z.max(), self._machine.position["Z"]))
-        length = self._state.modal.get("length", "")
-        code = f" {length} H{self._state.modal['H']}" if self._has_length() else ""
-        value = self._text("Z", height)
-        if not self.add(f"G00{code} Z{value}"):
-            self.add(f"G00 Z{value}")
+        leads = self._length_words() if self._has_length() else [""]
+        for lead in leads:
+            if self._go({"Z": height}, lead) and self._length_is_right():
+                return
+        if self._has_length():
+            self._put_length_in_force()
+            leads = [""]
+        if not self._go({"Z": height}):
+            raise refused(
+                "the control takes no move to the safe height; give another one"
+                " (safe_height, --safe-height)",
+                self._state.block,
+            )
+
+    def _length_words(self) -> list[str]:
+        modal = self._state.modal
+        found = self._before.block_that_changed("length")
+        lines = [] if found is None else self._before.flat_text(found[1])
+        own = (word for line in lines for word in self._words(line))
+        kept = [w.text for w in own if w.address == "H" or f"{w.text}" == modal["length"]]
+        return [f"{modal['length']} H{modal['H']}", " ".join(kept)]
+
+    def _length_is_right(self) -> bool:
+        return all(
+            self.now.modal.get(name) == self._state.modal.get(name) for name in ("length", "H")
+        )
+
+    def _put_length_in_force(self) -> None:
+        """Put the length of the tool in force before any axis moves: without it the tool would go
+        too deep.
+        """
+        if not self._has_length() or self._length_is_right():
+            return
+        for words in self._length_words():
+            if words and self._add_where(lambda _: self._length_is_right(), words):
+                return
+        raise refused(
+            f"{self._state.modal['length']} H{self._state.modal['H']} cannot be put in force before"
+            " the head moves",
+            self._state.block,
+        )
 
     def _has_length(self) -> bool:
         return self._used("length") and self._state.modal.get("H", "0") != "0"
@@ -235,25 +353,126 @@ class Head:
         """Return a coordinate in mm as a word has it."""
         if self.now.core.inch and axis not in _ROTARY:
             value /= _INCH
-        places = next((n for n in range(3, 11) if abs(round(value, n) - value) < 1e-10), 4)
+        most = 4 if self._used("polar") else 11  # the polar words say it exactly, and come after
+        places = next((n for n in range(3, most) if abs(round(value, n) - value) < 1e-10), 4)
         whole, _, part = f"{value:.{places}f}".partition(".")
         return f"{whole}.{part.rstrip('0')}"
 
-    def _go(self, aim: dict[str, float]) -> None:
-        """Move axes to machine coordinates, by the words that lead there."""
-        if not aim or _near(self.now, aim):
-            return
+    def _go(self, aim: dict[str, float], lead: str = "") -> bool:
+        """Move axes to machine coordinates, by the words that lead there. Return whether they
+        stand there then.
+        """
+        if not aim or (_near(self.now, aim) and set(aim) <= self._commanded):
+            return True
+        line = self._line_to(aim, lead)
+        if not self._add_where(lambda _: _near(self.now, aim, _REACHED), line):
+            return False
+        self._commanded |= set(aim)
+        return True
+
+    def _line_to(self, aim: dict[str, float], lead: str) -> str:
+        """Return the block that moves axes to machine coordinates: first with the words that the
+        run has, then with those that lead there from where they led.
+        """
         words = {axis: self._machine.position[axis] for axis in aim}
         line = ""
-        for _ in range(3):
-            texts = (f"{axis}{self._text(axis, value)}" for axis, value in words.items())
-            line = f"G00 {' '.join(texts)}"
+        for again in (True, True, False):
+            line = self._rapid(words, lead)
             tried = self._run([*self.lines, line])
-            if tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
+            if not again or tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
                 break
-            here = tried.moves[-1]
-            words = {axis: words[axis] + aim[axis] - (_at(here, axis) or 0.0) for axis in aim}
-        self.add(line)
+            words = self._solved(words, aim, lead, tried)
+        return line
+
+    def _rapid(self, words: dict[str, float], lead: str) -> str:
+        texts = (f"{axis}{self._text(axis, value)}" for axis, value in words.items())
+        return " ".join(["G00", *filter(None, [lead]), *texts])
+
+    def _solved(
+        self, words: dict[str, float], aim: dict[str, float], lead: str, tried: Machine
+    ) -> dict[str, float]:
+        """Return the words that lead to machine coordinates: each axis tells how it moves the
+        others, as mirror images, scales and rotations want it.
+        """
+        import numpy as np
+
+        here = np.array([_at(tried.moves[-1], axis) for axis in aim])
+        columns = []
+        for axis in aim:
+            line = self._rapid({**words, axis: words[axis] + 1}, lead)
+            there = self._run([*self.lines, line])
+            if there.alarm is not None or not len(there.moves):
+                columns = list(np.eye(len(aim)))
+                break
+            columns.append(np.array([_at(there.moves[-1], each) for each in aim]) - here)
+        try:
+            by = np.linalg.solve(np.array(columns).T, np.array(list(aim.values())) - here)
+        except np.linalg.LinAlgError:
+            return words
+        return {axis: round(words[axis] + float(d), 10) for axis, d in zip(aim, by, strict=True)}
+
+    def bend(self) -> None:
+        """Bend the path as the run does: rotation, scaling, mirror image and frames, by the blocks
+        of the run that did so.
+        """
+        for name in _BENDING:
+            if name == "polar" or name not in self._state.modal or not self._used(name):
+                continue
+            found = self._before.block_that_changed(name)
+            for step in self._before.steps_with(found[1] if found else 0, self._of_group(name)):
+                self._add_where(lambda _: True, *self._before.flat_text(step))
+        for step in self._before.frame_steps():
+            self._add_where(lambda _: True, *self._before.flat_text(step))
+
+    def _of_group(self, name: str) -> Callable[[Any], bool]:
+        """Return what asks whether a block has a code of a group."""
+        control = self._library.control
+        machine = "" if self._setup.machine is None else self._setup.machine
+
+        def asked(block: Any) -> bool:
+            codes = (
+                f"G{w.value:g}" for w in block.words if w.address == "G" and w.value is not None
+            )
+            return any(group_of(control, code, machine) == name for code in codes)
+
+        return asked
+
+    def polar(self) -> None:
+        """Put polar coordinates in force, with the last radius and angle of the run."""
+        if "polar" not in self._state.modal or not self._used("polar"):
+            return
+        found = self._before.block_that_changed("polar")
+        if found is None:
+            return
+        begins, *lines = self._before.flat_text(found[1], self._state.step) or [""]
+        of_plane = _PLANES.get(self._state.modal.get("plane", ""), "")
+        kept = {w.address: w.text for line in lines for w in self._words(line)}
+        if not len(self._machine.moves):
+            self._add_where(lambda _: True, begins)
+            return
+        words = " ".join(kept[axis] for axis in of_plane if axis in kept)
+        aim = {axis: _at(self._machine.moves[-1], axis) for axis in of_plane}
+        if self._add_where(lambda _: True, begins) and words:
+            self._add_where(lambda _: _near(self.now, aim, _REACHED), f"G00 {words}")
+
+    def shift_first(self) -> None:
+        """Write where the tool stands, as the run has done, where only that gives axes a place."""
+        starts = self._starts
+        axes = [a for a in self._state.position if starts.says_where(a)]
+        if not axes:
+            return
+        words = " ".join(f"{axis}{self._text(axis, starts.start_in_work(axis))}" for axis in axes)
+        for code in (92, 50):
+            line = f"G{code} {words}"
+            if self._writes(code) and self._add_where(
+                lambda _: all(
+                    abs(self.now.position[a] - starts.start_in_work(a)) < _NEAR for a in axes
+                ),
+                line,
+            ):
+                self._shifted_first |= set(axes)
+                self._note(f"start it where the program starts: {line} says where the tool stands")
+                return
 
     def shift(self) -> None:
         """Put the shift of the work coordinates in force that the program has set."""
@@ -262,10 +481,9 @@ class Head:
         off = {axis: here[axis] - wanted[axis] for axis in wanted if axis in here}
         if all(abs(each) < _NEAR for each in off.values()) or self._used("rotation"):
             return
-        by = " ".join(f"{axis}{self._text(axis, value)}" for axis, value in off.items() if value)
-        to = " ".join(
-            f"{axis}{self._text(axis, wanted[axis])}" for axis, value in off.items() if value
-        )
+        shifted = [axis for axis, value in off.items() if abs(value) > _NEAR]
+        by = " ".join(f"{axis}{self._text(axis, off[axis])}" for axis in shifted)
+        to = " ".join(f"{axis}{self._text(axis, wanted[axis])}" for axis in shifted)
         used = [code for code in (52, 92, 50) if self._writes(code)]
         for code in used:
             if self._shifts(f"G{code} {by if code == 52 else to}"):
@@ -294,44 +512,75 @@ class Head:
 
         return self._add_where(right, line)
 
-    def clamp(self, before: Before) -> None:
+    def clamp(self) -> None:
         """Write the highest speed of the spindle that the program has set last."""
-        found = before.last_executed(_sets_clamp)
+        found = self._before.last_executed(_sets_clamp)
         if found is not None:
-            words = [word for line in before.flat_text(found) for word in self._words(line)]
+            words = [word for line in self._before.flat_text(found) for word in self._words(line)]
             wanted = [w.text for w in words if w.address == "S" or w.value in _CLAMPS]
             self.repeat([" ".join(wanted)])
 
-    def modes_after_moves(self, before: Before) -> None:
+    def modes_after_moves(self) -> None:
         """Put in force what the run has in force; raise `ResumeError` where that cannot be."""
         modal = self._state.modal
-        late = [name for name in modal if len(name) > 1 and name not in ("motion", "distance")]
-        for name in (*late, *_WORDS, "distance", "motion"):
-            if name not in modal or self.now.modal.get(name) == modal[name]:
+        last = ("motion", "distance", "cycle")
+        late = [name for name in modal if len(name) > 1 and name not in last]
+        order = (*late, *_WORDS, "cycle", "distance", "motion")
+        if self._used("cycle"):  # a code of motion would end the cycle
+            order = (*late, "motion", "cycle", *_WORDS, "distance")
+        for name in order:
+            if name not in modal or self._in_force(name):
                 continue
-            if not self._add_for(name, self._texts_for(name, before)):
-                lacking = self._lacking(name, before)
+            if not self._add_for(name, self._texts_for(name)):
+                lacking = self._lacking(name)
                 if name not in _SOFT:
                     raise lacking
                 self.lacks.append(lacking.reason)
 
-    def _texts_for(self, name: str, before: Before) -> Iterator[str]:
+    def _texts_for(self, name: str) -> Iterator[str]:
         code = self._state.modal[name]
-        found = None if name in _WORDS and len(code) < _DIGITS else before.block_that_changed(name)
+        found = (
+            None
+            if name in _WORDS and len(code) < _DIGITS
+            else self._before.block_that_changed(name)
+        )
         if name in _WORDS:
-            lines = before.flat_text(found[1]) if found is not None else []
+            lines = self._before.flat_text(found[1]) if found is not None else []
             words = [word for line in lines for word in self._words(line) if word.address == name]
             yield from (word.text for word in words)
             yield from (f"{name}{code}", f"{name}{code}.")
             return
         if name == "cycle" and found is not None:
-            data = self._cycle_data(before.flat_text(found[1], self._state.step))
-            yield from (f"{data} K0", f"{data} L0")
+            data = self._cycle_data(self._before.flat_text(found[1], self._state.step))
+            lead = self._rigid_before(found[1])
+            chosen = self._before.block_that_changed("distance")
+            if chosen is not None and chosen[1] <= found[1]:
+                lead += f"{self._state.modal['distance']} "  # its data may be increments
+            yield from (f"{lead}{data} {count}" for count in ("K0", "L0"))
             return
+        if name in _BENDING and found is not None:
+            return  # a code of these says nothing without its words
         yield code
         if found is None:
             return
-        yield from before.flat_text(found[1])
+        yield from self._before.flat_text(found[1])
+
+    def _rigid_before(self, step: int) -> str:
+        """Return the block that made the tapping cycle of a step rigid; empty where none did."""
+        roles = roles_of(self._machine)
+        moves = self._machine.moves.step
+        for code in reversed(list(self._machine.codes)):
+            if code.step > step or code.kind != "M":
+                continue
+            if ((moves >= code.step) & (moves < step)).any():
+                return ""
+            if code.value in roles.get("rigid-tapping", ()):
+                words = self._words_of(code.step)
+                return " ".join(w.text for w in words if w.address in "MS") + "\n"
+        return ""
+
+    def _words_of(self, step: int) -> list[Any]:
+        return [word for line in self._before.flat_text(step) for word in self._words(line)]
 
     def _cycle_data(self, lines: list[str]) -> str:
         """Return the words of a cycle's blocks that stay in force, the last of each address."""
@@ -348,9 +597,9 @@ class Head:
             for block in program.blocks:
                 yield from block.words
 
-    def _lacking(self, name: str, before: Before) -> ResumeError:
+    def _lacking(self, name: str) -> ResumeError:
         code = self._state.modal[name]
-        found = before.block_that_changed(name)
+        found = self._before.block_that_changed(name)
         shown = f"{name}{code}" if name in _WORDS else f"{code} ({name})"
         since = (
             f"; it is in force since {place_text(found[0])}: start there"
@@ -360,19 +609,16 @@ class Head:
         return refused(f"{shown} cannot be put in force without a move{since}", self._state.block)
 
 
-def _at(move: Any, axis: str) -> float | None:
-    value = getattr(move, f"m{axis.lower()}", None)
-    if value is None:
-        value = getattr(move, axis.lower(), None)
-    return None if value is None else float(value)
+def _at(move: Any, axis: str) -> float:
+    return machine_coordinate(move, axis) or 0.0
 
 
-def _near(machine: Machine, aim: dict[str, float]) -> bool:
+def _near(machine: Machine, aim: dict[str, float], most: float = _NEAR) -> bool:
     """Return whether the tool stands at machine coordinates."""
     if not len(machine.moves):
         return False
     here = machine.moves[-1]
-    return all(abs((_at(here, axis) or 0.0) - value) < _NEAR for axis, value in aim.items())
+    return all(abs(_at(here, axis) - value) < most for axis, value in aim.items())
 
 
 def _reads(machine: Machine, number: int) -> float | None:

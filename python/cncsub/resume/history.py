@@ -12,6 +12,10 @@ if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.machine import Machine
 
+# The words that make the frame of a program, and those that add to it [SINUMERIK, G group 3].
+_NEW_FRAMES = ("TRANS", "ROT", "ROTS", "SCALE", "MIRROR")
+_MORE_FRAMES = tuple(f"A{word}" for word in _NEW_FRAMES)
+
 
 class Before:
     """The run up to a restart."""
@@ -37,6 +41,11 @@ class Before:
 
     def last_executed(self, asked: Callable[[Block], bool]) -> int | None:
         """Return the step of the last block of this kind, `None` where none was executed."""
+        found = self.steps_with(0, asked)
+        return found[-1] if found else None
+
+    def steps_with(self, first: int, asked: Callable[[Block], bool]) -> list[int]:
+        """Return the steps from one on whose blocks are of this kind."""
         import numpy as np
 
         steps = self._machine.steps
@@ -50,9 +59,17 @@ class Before:
             for line in lines.get(name, ())
         ]
         if not wanted:
-            return None
+            return []
         found = np.flatnonzero(np.isin(steps.program.astype(np.int64) << 32 | steps.line, wanted))
-        return int(found[-1]) if len(found) else None
+        return [int(step) for step in found if step >= first]
+
+    def frame_steps(self) -> list[int]:
+        """Return the steps that have made the frame in force: the last that makes a new one, and
+        those that add to it.
+        """
+        makes = self.last_executed(lambda block: _has_word(block, _NEW_FRAMES))
+        adds = self.steps_with(makes or 0, lambda block: _has_word(block, _MORE_FRAMES))
+        return [*([] if makes is None else [makes]), *adds]
 
     def flat_text(self, step: int, end: int | None = None) -> list[str]:
         """Return what a flat program has of a block that was executed, or of those before the step
@@ -87,3 +104,7 @@ def _is_head(core: _core.Machine, lines: list[str]) -> bool:
         return False
     alone = _core.compile(core.code.control, [("<text>", "", [lines[0] + "\n"], False)], False)
     return alone.program(0).blocks == 0 if len(alone) else False
+
+
+def _has_word(block: Block, words: tuple[str, ...]) -> bool:
+    return any(word.address in words for word in block.words)

@@ -30,16 +30,29 @@ def as_place(at: object, times: int) -> _Found:
     Raises `TypeError` and `ValueError` for what names none.
     """
     if isinstance(at, Mapping):
+        _once(times)
         return {_axis(axis): length("at: a coordinate", value) for axis, value in at.items()}
     if is_whole(at):
+        _once(times)
         return int(at)  # type: ignore[call-overload,no-any-return]
     if isinstance(at, str) and (pieces := at.replace(",", " ").split()):
         found = [_POINT.fullmatch(piece) for piece in pieces]
         if all(found):
+            _once(times)
             return {match[1].upper(): float(match[2]) for match in found if match}
     if isinstance(at, Breakpoint | Step):
+        _once(times)
         return at
     return Breakpoint(at, hits=times)  # type: ignore[arg-type]
+
+
+def _once(times: int) -> None:
+    if times != 1:
+        raise ValueError(
+            f"times (--pass) must be 1 here, not {times}: it counts how often the run comes to a"
+            " block; a move, a step and a place in space are met once, and a Breakpoint has its own"
+            " hits"
+        )
 
 
 def _axis(name: object) -> str:

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
+import errno
 import itertools
 import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Unpack
+from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
 
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
-from cncsub.resume.errors import place_text, refused
+from cncsub.resume.errors import WholeRunError, place_text, refused
 from cncsub.resume.head import Head
 from cncsub.resume.history import Before, FlatLines
+from cncsub.resume.not_repeated import comment_of, not_repeated
 from cncsub.resume.place import Place, as_place, length, stand_at
 from cncsub.resume.proof import Part, parting
+from cncsub.resume.start import Starts, given_setup, machine_coordinate, with_start
 from cncsub.resume.state import RestartState, state_of
-from cncsub.resume.tails import NoTailsError, Tails
+from cncsub.resume.tails import NoTailsError, Tails, free_numbers
 from cncsub.run_options import FlattenOptions, check_names, takes, whole
 from cncsub.setup import AXES
 from cncsub.writing import write_whole
@@ -59,8 +62,10 @@ class Resume(NotPicklable):
         form: str,
         notes: tuple[str, ...],
         differs: Callable[[], str | None],
+        line_end: str = "\n",
     ) -> None:
         self.state = state
+        self._line_end = line_end
         self.files = dict(files)
         self.form = form
         self.notes = notes
@@ -71,13 +76,25 @@ class Resume(NotPicklable):
         """The restart programs as one text, the one to start first."""
         return "".join(self.files.values())
 
-    def write(self, path: str | os.PathLike[str]) -> None:
-        """Write the text to a file; into a folder that exists, a file for each program."""
+    def write(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
+        """Write the text to a file; into a folder that exists, a file for each program. Lines end
+        as in the file of the main program.
+
+        Raises `FileExistsError` for a file of the folder that is there and holds another program,
+        unless `force` is true; nothing is written then.
+        """
         if not Path(path).is_dir():
-            write_whole(path, self.text)
+            write_whole(path, self._bytes(self.text))
             return
-        for name, text in self.files.items():
-            write_whole(Path(path) / name, text)
+        files = {Path(path) / name: self._bytes(text) for name, text in self.files.items()}
+        for file, data in files.items():
+            if not force and file.exists() and file.read_bytes() != data:
+                raise FileExistsError(errno.EEXIST, "holds another program", str(file))
+        for file, data in files.items():
+            write_whole(file, data)
+
+    def _bytes(self, text: str) -> bytes:
+        return text.replace("\n", self._line_end).encode(errors="surrogateescape")
 
     def verify(self) -> None:
         """Run the restart program, and raise `AssertionError` with the first difference to the
@@ -95,16 +112,30 @@ class Resume(NotPicklable):
         return f"<Resume at {place}: {programs}, {self.form}>"
 
 
+class Manner(NamedTuple):
+    """How a head is made. `repeats`: with the block before the place, where it makes no move.
+    `bends_first`: rotation and the like come before the head moves across.
+    """
+
+    repeats: bool
+    bends_first: bool
+
+
 class _Work:
     """What a restart program is made from."""
 
     def __init__(
-        self, library: Library, main: str | int | None, at: Any, options: dict[str, Any]
+        self,
+        library: Library,
+        main: str | int | None,
+        at: Any,
+        safe: float | None,
+        options: dict[str, Any],
     ) -> None:
         self.library, self.main, self.options = library, main, options
         self.whole = uninterrupted(library.run(main, **options))
         if self.whole.stop not in ("end", "cycles"):
-            raise refused(f"the whole run does not end: {self.whole.summary()}")
+            raise WholeRunError(self.whole)
         self.machine: Machine = library.machine(main, **options)
         stand_at(library, self.machine, at, self.whole)
         block = self.machine.next
@@ -113,6 +144,66 @@ class _Work:
         self.state = state_of(self.machine, block)
         self.before = Before(library, main, self.machine, options)
         self._refuse_compensation()
+        self.starts = Starts(library, main, options, self.whole, self.machine)
+        self.safe = safe
+        self.height = self._height() if self._needs_height() else None
+
+    def _needs_height(self) -> bool:
+        """Return whether the head goes up before it moves other axes: not on a lathe."""
+        plane = self.library.machine(self.main, **{**self.options, "max_blocks": 0}).modal
+        return (
+            plane.get("plane", "G18") != "G18"
+            and bool(len(self.machine.moves))
+            and "Z" in self.state.position
+            and any(
+                axis != "Z" and not self.starts.stands_at_start(axis)
+                for axis in self.state.position
+            )
+        )
+
+    def _height(self) -> float:
+        """Return the height to which the head goes first, as a machine coordinate."""
+        place = self._machine_z()
+        at_start = self.starts.stands_at_start("Z")
+        if self.safe is not None:
+            here = self.state.position["Z"]
+            if self.safe < here - 1e-9 and not at_start:
+                raise ValueError(
+                    f"safe_height {self.safe:g} lies below the place, which is at Z{here:g}"
+                )
+            height = place + self.safe - here
+        else:
+            known = self.starts.highest()
+            if known is None:
+                raise refused(
+                    "no safe height is known: the run has not moved Z before, and where Z stands"
+                    " depends on data that the setup does not give; give the Z to go to first"
+                    " (safe_height, --safe-height), or the start of Z and the offsets in a setup",
+                    self.state.block,
+                )
+            height = known
+        limit = given_setup(self.options).limits.get("Z")
+        if limit is None or height <= limit[1]:
+            return height
+        if self.safe is None:
+            return max(place, limit[1])
+        raise ValueError(
+            f"safe_height {self.safe:g} is at {height:g} in machine coordinates, above the travel"
+            f" limit of Z, {limit[1]:g}"
+        )
+
+    def _machine_z(self) -> float:
+        return machine_coordinate(self.machine.moves[-1], "Z") or 0.0
+
+    def begun_at_height(self, at: Any) -> _Work:
+        """Return the same work of a run that begins at the safe height, where the place of Z is
+        that of the start of the run, which nobody gave.
+        """
+        if self.height is None or not self.starts.stands_at_start("Z"):
+            return self
+        start = self.starts.at_start["Z"] + self.height - self._machine_z()
+        options = with_start(self.options, {"Z": start})
+        return _Work(self.library, self.main, at, None, options)
 
     def _refuse_compensation(self) -> None:
         """Refuse a start inside radius compensation: its path depends on the blocks before."""
@@ -123,29 +214,83 @@ class _Work:
         if began is None:
             return
         place = place_text(began[0])
+        after = self.machine.copy()
+        while after.run(until="mode radius") is None and after.modal.get("radius") != "G40":
+            pass
+        later = after.next
+        cancelled = f" at {place_text(later)}" if after.stop is None and later else ""
         raise refused(
-            f"radius compensation {code} is in force: start at {place}, which begins it, or after"
-            " it is cancelled",
+            f"radius compensation {code} is in force: start at {place}, which begins it, or"
+            f"{cancelled or ' after it is cancelled'}"
+            f"{', after it is cancelled' if cancelled else ''}",
             self.state.block,
         )
 
-    def head(self, approach: Any, *, data: bool, repeats: bool) -> Head:
-        """Return the head; `repeats`: with the block before the place, where it makes no move."""
-        head = Head(self.library, self.machine, self.state, self.options)
+    def head(self, order: Any, manner: Manner, *, data: bool) -> Head:
+        """Return the head."""
+        head = Head(self.library, self.machine, self.state, self.starts, self.before, self.options)
         head.modes_before_moves()
         head.variables(commons=not data)
         head.tool()
-        head.clamp(self.before)  # before the surface speed turns the spindle
+        head.clamp()  # before the surface speed turns the spindle
         head.spindle()
-        head.approach(*approach)
+        head.offsets()
+        head.shift_first()
+        head.approach(self.height, order, bends_first=manner.bends_first)
         head.shift()
-        head.modes_after_moves(self.before)
-        if repeats and not (self.state.step and self._repeat(head)):
+        if not manner.bends_first:
+            head.bend()
+        head.modes_after_moves()
+        if manner.repeats and not (self.state.step and self._repeat(head)):
             raise NoTailsError("the block before it moves")
         return head
 
     def _repeat(self, head: Head) -> bool:
         return head.repeat(self.before.flat_text(self.state.step - 1))
+
+    def told(self, head: Head) -> list[str]:
+        """Return what whoever starts it has to know."""
+        return [*head.notes, *not_repeated(self.library, self.machine)]
+
+    def comments(self, told: Iterable[str]) -> list[str]:
+        return [text for line in told if (text := comment_of(self.library, line))]
+
+    def resume(
+        self,
+        files: Mapping[str, str],
+        form: str,
+        notes: Iterable[str],
+        differs: Callable[[], str | None],
+    ) -> Resume:
+        left_out = any("\0" in text for text in files.values())
+        kept = {name: text.replace("\0", "") for name, text in files.items()}
+        told = [*notes, *(["bytes of zero in its blocks are left out"] if left_out else [])]
+        return Resume(self.state, kept, form, tuple(told), differs, self._line_end())
+
+    def _line_end(self) -> str:
+        """Return how the lines of the main program's file end."""
+        main = self.library.main if self.main is None else self.library[self.main]
+        path = None if main is None else Path(main.file)
+        if path is None or not path.is_file():
+            return "\n"
+        with path.open("rb") as file:
+            return "\r\n" if b"\r\n" in file.read(1 << 16) else "\n"
+
+    def causes(self) -> str:
+        """Return the modes in force that no head could restore, with the blocks that began them."""
+        found = []
+        for name in ("rotation", "scaling", "polar", "mirror", "cycle"):
+            code = self.state.modal.get(name)
+            began = self.before.block_that_changed(name)
+            if began is not None and code != self._cancelled(name):
+                found.append(f"{code} is in force since {place_text(began[0])}")
+        if self.machine.core.modal_calls:
+            found.append("a modal call is in force")
+        return "".join(f"\n{each}: start there, or after it is cancelled" for each in found)
+
+    def _cancelled(self, name: str) -> str | None:
+        fresh = self.library.machine(self.main, **{**self.options, "max_blocks": 0})
+        return fresh.modal.get(name)
 
     def differs(
         self, head: Head, library: Library, main: str | None, *, variables: bool
@@ -159,12 +304,13 @@ class _Work:
         )
 
 
-def _of_calls(work: _Work, approach: Any, repeats: bool) -> Resume:
+def _of_calls(work: _Work, order: Any, manner: Manner) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
     tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
-    head = work.head(approach, data=False, repeats=repeats)
+    head = work.head(order, manner, data=False)
     name = f"O{tails.number}" if tails.number else _free_name(work.library, "RESTART{}")
-    lines = [*([name] if tails.number else []), *head.lines, *tails.main]
+    told = work.told(head)
+    lines = [*([name] if tails.number else []), *work.comments(told), *head.lines, *tails.main]
     files = _named(work, {name: "".join(f"{line}\n" for line in lines), **tails.programs})
     library = work.library
     for file, text in files.items():
@@ -176,7 +322,7 @@ def _of_calls(work: _Work, approach: Any, repeats: bool) -> Resume:
         return work.differs(head, library, name, variables=True)
 
     _prove(head, differs())
-    return Resume(work.state, files, "calls", (), differs)
+    return work.resume(files, "calls", told, differs)
 
 
 def _with(library: Library, text: str, file: str | None) -> Library:
@@ -191,31 +337,35 @@ def _prove(head: Head, told: str | None) -> None:
         raise NoTailsError("; ".join([*head.lacks, told]))
 
 
-def _flat(work: _Work, approach: Any, repeats: bool) -> Resume:
-    head = work.head(approach, data=True, repeats=repeats)
+def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
+    head = work.head(order, manner, data=True)
     rest = FlatLines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
     lines = [*head.lines, *rest.lines]
     if work.whole.stop == "cycles" and lines[-1].strip() == "M99":
         lines[-1] = "M30"
+    told = work.told(head)
+    comments = work.comments(told)
     name = _free_name(work.library, "O{}")
     headed = _is_head(work.library, name)
-    text = "".join(f"{line}\n" for line in ([name] if headed else []) + lines)
+    text = "".join(f"{line}\n" for line in [*([name] if headed else []), *comments, *lines])
     library = work.library.of_text(text, work.library.control)
 
     def differs() -> str | None:
         return work.differs(head, library, None, variables=False)
 
     _prove(head, differs())
-    notes = ("the rest stands without calls and loops; it sets no variables",)
+    notes = ["the rest stands without calls and loops; it sets no variables", *told]
     name = name if headed else _free_name(work.library, "RESTART{}")
-    return Resume(work.state, _named(work, {name: text}), "flat", notes, differs)
+    return work.resume(_named(work, {name: text}), "flat", notes, differs)
 
 
 def _free_name(library: Library, form: str) -> str:
     """Return a name that no program of the memory has."""
-    numbers = range(9001, 99999) if form.startswith("O") else itertools.chain([""], range(2, 99999))
+    numbers: Iterable[Any] = itertools.chain([""], itertools.count(2))
+    if form.startswith("O"):
+        numbers = free_numbers(library)
     return next(name for n in numbers if (name := form.format(n)) not in library)
 
 
@@ -256,20 +406,31 @@ def resume(
 ) -> Resume:
     """Start a run again in the middle: see `Library.resume`."""
     check_names("resume", options, FlattenOptions)
-    place = as_place(at, whole("times", times, 1))
+    given = whole("times", times, 1)
+    place = as_place(at, given)
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
-    work = _Work(library, main, place, dict(options))
     height = None if safe_height is None else length("safe_height", safe_height)
-    approach = height, _order(order)
-    reasons = []
-    for form, repeats in ((_of_calls, False), (_flat, False), (_of_calls, True), (_flat, True)):
-        try:
-            return form(work, approach, repeats)
-        except NoTailsError as error:
-            reasons.append(str(error))
+    groups = _order(order)
+    work = _Work(library, main, place, height, dict(options)).begun_at_height(place)
+    reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
+    for manner in _MANNERS:
+        for form in (_of_calls, _flat):
+            try:
+                return form(work, groups, manner)
+            except NoTailsError as error:
+                reasons[form].append(str(error))
     raise refused(
-        f"no restart program does the same from here on\nwith calls: {reasons[0]}\n"
-        f"without calls: {reasons[1]}",
+        f"no restart program does the same from here on{work.causes()}\nwith calls:"
+        f" {reasons[_of_calls][0]}\nwithout calls: {reasons[_flat][0]}",
         work.state.block,
     )
+
+
+# Tried in this order: the plain head first.
+_MANNERS = (
+    Manner(repeats=False, bends_first=True),
+    Manner(repeats=False, bends_first=False),
+    Manner(repeats=True, bends_first=True),
+    Manner(repeats=True, bends_first=False),
+)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from cncsub import _core
 from cncsub._core import Frame
 from cncsub.controls import rule_value
 from cncsub.program import Block
@@ -13,8 +15,10 @@ from cncsub.program import Block
 if TYPE_CHECKING:
     from cncsub.machine import Machine
 
-_COOLANTS = {7, 8}  # and off by 9 [ISO 6983-1, the M functions]
+_COOLANTS = {7, 8}  # and off by 9; 19 stops the spindle at an angle [ISO 6983-1, the M functions]
 _COOLANT_OFF = 9
+COOLANT_CODES = frozenset({*_COOLANTS, _COOLANT_OFF})
+_ORIENTED = 19
 
 
 @dataclass(frozen=True)
@@ -118,7 +122,7 @@ def _switched(machine: Machine) -> tuple[int | None, str | None, tuple[str, ...]
             tool = chosen
         elif code.kind == "M" and value in turns:
             spindle = f"M{value}"
-        elif code.kind == "M" and value in stops:
+        elif code.kind == "M" and (value in stops or value == _ORIENTED):
             spindle = None
         elif code.kind == "M" and value in _COOLANTS:
             coolant = [*(each for each in coolant if each != f"M{value}"), f"M{value}"]
@@ -141,3 +145,10 @@ def roles_of(machine: Machine) -> dict[str, tuple[int, ...]]:
         if code[:1] == "M" and code[1:].isdigit():
             found[role] = (*found.get(role, ()), int(code[1:]))
     return found
+
+
+@functools.cache
+def group_of(control: Any, code: str, machine: str) -> str:
+    """Return the group of a G code on a kind of machine; empty where it has none."""
+    facts = _core.code_facts(control, code, machine)
+    return str(facts["group"]) if facts is not None else ""

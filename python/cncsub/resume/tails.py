@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-from cncsub.controls import first_made_number
+from cncsub.controls import first_made_number, rule_value
 from cncsub.program import Block, Program
 
 if TYPE_CHECKING:
@@ -34,9 +34,7 @@ class Tails:
         self._machine = machine
         self._frames = machine.core.open_frames
         self._refuse()
-        taken = {number for name in library if (number := _number(name)) is not None}
-        first = first_made_number(library.control)
-        free = (n for n in itertools.count(first) if n not in taken)
+        free = free_numbers(library)
         self._numbers = [next(free) for _ in self._frames]
         self.number = self._numbers[0] if _number(self._program_of(self._frames[0]).name) else None
         self.main = self._rest(0)
@@ -153,6 +151,17 @@ class Tails:
             ]:
                 return text
         raise NoTailsError("the rest of its passes cannot be written")
+
+
+def free_numbers(library: Library) -> Iterator[int]:
+    """Yield the numbers of programs that the memory does not have and the control takes."""
+    taken = {number for name in library if (number := _number(name)) is not None}
+    most = rule_value(library.control, "max_program_number")
+    first = first_made_number(library.control)
+    last = 10**8 if most is None else int(str(most))
+    numbers = itertools.chain(range(first, last + 1), range(first - 1, 0, -1))
+    yield from (n for n in numbers if n not in taken)
+    raise NoTailsError("the memory has no number left for a program")
 
 
 def _with_count(block: Block, repeats: int, left: int) -> list[str]:

@@ -1,0 +1,209 @@
+"""What of a run depends on data that nobody gave: where axes start, offsets of work and tools."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from cncsub.setup import Setup, setup_from, work_system
+
+if TYPE_CHECKING:
+    from cncsub.library import Library
+    from cncsub.machine import Machine
+    from cncsub.program import Block
+    from cncsub.run import Run
+
+_SHIFT = 0.005  # mm: small enough for the ends of an arc to agree still
+_NEAR = 1e-9  # mm
+_SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")
+
+
+def given_setup(options: Mapping[str, Any]) -> Setup:
+    given = options.get("setup")
+    if given is None:
+        return Setup()
+    return given if isinstance(given, Setup) else setup_from(given)
+
+
+def with_start(options: dict[str, Any], start: Mapping[str, float]) -> dict[str, Any]:
+    """Return the options of a run whose axes start elsewhere (work coordinates, mm)."""
+    setup = given_setup(options)
+    return {**options, "setup": dataclasses.replace(setup, start={**setup.start, **start})}
+
+
+def machine_coordinate(move: Any, axis: str) -> float | None:
+    value = getattr(move, f"m{axis.lower()}", None)
+    if value is None:
+        value = getattr(move, axis.lower(), None)
+    return None if value is None else float(value)
+
+
+class Starts:
+    """Which axes stand at a place where the start of the run puts them. The run is made again with
+    the axes elsewhere: what is the same then does not depend on the start.
+    """
+
+    def __init__(
+        self,
+        library: Library,
+        main: str | int | None,
+        options: dict[str, Any],
+        whole: Run,
+        machine: Machine,
+    ) -> None:
+        self._library, self._main, self._options = library, main, options
+        self._whole, self._machine = whole, machine
+        fresh = library.machine(main, **{**options, "max_blocks": 0})
+        given = {axis.upper() for axis in given_setup(options).start}
+        self.at_start = dict(fresh.position)
+        self._open = [axis for axis in machine.position if axis not in given]
+        together = self._again(self._open)
+        self._others = {
+            axis: together if together is not None else self._again([axis]) for axis in self._open
+        }
+
+    def _again(self, axes: list[str]) -> Machine | None:
+        start = {axis: self.at_start.get(axis, 0.0) + _SHIFT for axis in axes}
+        return self._with(with_start(self._options, start))
+
+    def _with(self, options: dict[str, Any]) -> Machine | None:
+        """Return the machine of the same run with another setup; `None` where that run is another
+        one.
+        """
+        machine = self._library.machine(self._main, **options)
+        run = machine.run()
+        if run is None or run.stop != self._whole.stop or machine.blocks != len(self._whole.steps):
+            return None
+        return machine if len(run.moves) == len(self._whole.moves) else None
+
+    def machine_depends(self, axis: str) -> bool:
+        """Return whether the machine coordinate of an axis at the place depends on its start."""
+        if axis not in self._others:
+            return False
+        count = len(self._machine.moves)
+        other = self._others[axis]
+        if other is None or not count:
+            return True
+        here = machine_coordinate(self._machine.moves[count - 1], axis)
+        there = machine_coordinate(other.moves[count - 1], axis)
+        return here is None or there is None or abs(here - there) > _NEAR
+
+    def work_depends(self, axis: str) -> bool:
+        """Return whether its work coordinate does."""
+        if axis not in self._others:
+            return False
+        if (other := self._others[axis]) is None:
+            return True
+        there = other.copy()
+        there.core.remember()
+        there.back(self._machine.blocks)
+        apart: float = there.position[axis] - self._machine.position[axis]
+        return abs(apart) > _NEAR
+
+    def says_where(self, axis: str) -> bool:
+        """Return whether a block of the run says where an axis stands, and only the start of the
+        run gives it a place on the machine.
+        """
+        return self.machine_depends(axis) and not self.work_depends(axis) and axis in self._others
+
+    def start_in_work(self, axis: str) -> float:
+        """Return the start of an axis in the work coordinates of the place."""
+        moves = self._machine.moves
+        here: float = self._machine.position[axis]
+        if not len(moves):
+            return here
+        first, last = self._machine_start(axis), machine_coordinate(moves[-1], axis)
+        return here + (first or 0.0) - (last or 0.0)
+
+    def _machine_start(self, axis: str) -> float | None:
+        first = self._machine.moves[0]
+        value = getattr(first, f"ms{axis.lower()}", getattr(first, f"s{axis.lower()}", None))
+        return None if value is None else float(value)
+
+    def has_moved(self, axis: str) -> bool:
+        """Return whether an axis stands elsewhere than at the start."""
+        moves = self._machine.moves
+        if not len(moves):
+            return False
+        first = self._machine_start(axis)
+        last = machine_coordinate(moves[-1], axis)
+        return first is None or last is None or abs(first - last) > _NEAR
+
+    def highest(self) -> float | None:
+        """Return the highest machine Z of the run that is known; `None` where none is. Offsets that
+        the setup does not give may be anything on a machine: they, too, are changed. What is known
+        is known by itself, or in its distance from the place.
+        """
+        import numpy as np
+
+        moves = self._whole.moves
+        if not len(moves) or "mz" not in moves.columns:
+            return None
+        values = np.asarray(moves.mz, float)
+        count = len(self._machine.moves)
+        place = machine_coordinate(self._machine.moves[count - 1], "Z") if count else 0.0
+        other = self._with(self._other_heights())
+        if other is None:
+            return None if self.machine_depends("Z") else place
+        apart = np.asarray(other.moves.mz, float) - values
+        known = np.abs(apart) < _NEAR
+        if not self.stands_at_start("Z"):
+            known |= np.abs(apart - apart[count - 1]) < _NEAR
+        return float(values[known].max()) if known.any() else None
+
+    def stands_at_start(self, axis: str) -> bool:
+        """Return whether an axis stands where the run began, and that is not given."""
+        return self.machine_depends(axis) and not self.has_moved(axis)
+
+    def _other_heights(self) -> dict[str, Any]:
+        """Return the options of the run with other values for all that the setup does not give."""
+        setup = given_setup(self._options)
+        shifts = (_SHIFT * step for step in itertools.count(1))
+        start = dict(setup.start)
+        if "Z" in self._open:
+            start["Z"] = self.at_start.get("Z", 0.0) + next(shifts)
+        given = {work_system("work", name): at for name, at in setup.work_offsets.items()}
+        systems: dict[str, Any] = {**{name: {} for name in self._systems()}, **given}
+        work = {name: {"Z": next(shifts), **values} for name, values in systems.items()}
+        moves = self._whole.moves
+        numbers = sorted({int(n) for name in ("h", "tool") for n in set(moves[name].tolist())})
+        lengths = {n: next(shifts) for n in numbers if 0 < n < 10_000}
+        for number in (*setup.length_offsets, *setup.tools):
+            lengths.pop(int(number), None)  # keys of a file are texts
+        changed = dataclasses.replace(
+            setup,
+            start=start,
+            work_offsets=work,
+            length_offsets={**lengths, **setup.length_offsets},
+        )
+        return {**self._options, "setup": changed}
+
+    def _systems(self) -> list[str]:
+        """Return the work offsets that the run may use, as far as the control has them."""
+        named = {*_SYSTEMS, self._machine.modal.get("work", "")}
+        for program in self._library.values():
+            for block in program.blocks:
+                named |= set(_systems_in(block))
+        return [name for name in sorted(named) if self._has(name)]
+
+    def _has(self, name: str) -> bool:
+        try:
+            system = work_system("work", name)
+            self._library.machine(self._main, setup=Setup(work_offsets={system: {"Z": 0}}))
+        except ValueError:
+            return False
+        return system == name
+
+
+def _systems_in(block: Block) -> Iterator[str]:
+    words = block.words
+    for word in words:
+        if word.address == "G" and word.value is not None:
+            code = f"{word.value:g}"
+            yield f"G{code}"
+            yield from (f"G{code} P{w.value:g}" for w in words if w.address == "P" and w.value)
+
+
+__all__ = ["Starts", "given_setup", "machine_coordinate", "with_start"]
