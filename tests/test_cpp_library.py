@@ -592,7 +592,9 @@ def test_comparisons_of_rows_through_c_are_those_of_python(installed: Path) -> N
 def test_what_cannot_be_is_refused_with_a_reason(installed: Path) -> None:
     c = face(installed)
     assert read(c, "fanuc-99", MOVING) is None
-    assert c.cncsub_error() == b"there is no control fanuc-99; controls() lists them"
+    assert c.cncsub_error() == (
+        b"there is no control fanuc-99; did you mean fanuc-16i, fanuc-30i, fanuc-31i?"
+    )
     library = read(c, "fanuc-0i-f", ALARMING)
     options = ctypes.c_void_p(c.cncsub_options_new())
     assert not c.cncsub_options_number(options, b"speed", ctypes.c_double(1))

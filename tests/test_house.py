@@ -124,6 +124,7 @@ MAY_IMPORT = {
     "resume": {"base", "tables", "analysis"},
     "face": {"base", "tables", "coverage", "analysis", "drawing", "resume"},
     "comparison": {"base", "tables", "analysis", "face"},
+    "questions": {"base", "tables", "face"},
     "editing": {"base", "tables", "analysis", "face"},
     "plot": {"base", "tables", "drawing"},
     "reports": {"base", "tables", "coverage", "analysis", "drawing", "face"},
@@ -135,7 +136,7 @@ MAY_IMPORT = {
     | {"archive", "resume"},
     "testing": {"base", "analysis", "face", "package"},
     "cli": {"base", "tables", "coverage", "analysis", "face", "comparison", "editing", "plot"}
-    | {"reports", "archive", "package", "resume", "dap", "debugging", "terminal"},
+    | {"reports", "archive", "package", "resume", "dap", "debugging", "terminal", "questions"},
     # The servers for editors and for agents: commands of their own, which no other room imports.
     "agents": {"base", "tables", "face", "reports", "package", "cli"},
     "editor": {"base", "tables", "analysis", "face", "editing", "reports", "cli"},

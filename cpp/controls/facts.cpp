@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cncsub/control/alias.hpp"
 #include "cncsub/control/source.hpp"
 
 namespace cncsub {
@@ -20,6 +21,15 @@ const std::vector<Control>& all_controls() {
     return all;
   }());
   return list;
+}
+
+const std::vector<Alias>& all_aliases() {
+  static const std::vector<Alias> aliases = {
+#define ALIAS(name, control, source, evidence) {name, control, source, Evidence::evidence},
+#include "controls/aliases.def"
+#undef ALIAS
+  };
+  return aliases;
 }
 
 const std::vector<Source>& all_sources() {

@@ -70,9 +70,9 @@ bool begins_with_digit(const std::string& name) {
 
 Result<std::shared_ptr<const cncsub::Control>> changed_control(
     const std::string& name, const std::map<std::string, std::string>& changes) {
-  const cncsub::Control* const known = find_control(name);
-  if (known == nullptr)
-    return Error{"control", "there is no control " + name + "; controls() lists them"};
+  const Result<const cncsub::Control*> found = control_named(name);
+  if (!found) return found.error();
+  const cncsub::Control* const known = *found;
   auto own = std::make_shared<cncsub::Control>(*known);
   // Parameters first, as in a file of one's own: they set rules that a rule of its own then
   // changes.

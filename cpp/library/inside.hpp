@@ -40,8 +40,8 @@ Result<std::optional<double>> read(const cncsub::Machine& machine, std::int64_t 
 
 std::vector<Variable> variables_of(const cncsub::Machine& machine, int level);
 
-/// Return the control of a name; null where there is none.
-const cncsub::Control* find_control(const std::string& name);
+/// Return the control of a name or of an alias, or an error with the names that are near.
+Result<const cncsub::Control*> control_named(const std::string& name);
 Result<std::shared_ptr<const cncsub::Control>> changed_control(
     const std::string& name, const std::map<std::string, std::string>& changes);
 /// Read the texts of a library for another control.

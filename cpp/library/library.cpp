@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cncsub/analysis/check.hpp"
+#include "cncsub/control/alias.hpp"
 #include "inside.hpp"
 
 namespace cncsub::api {
@@ -52,10 +53,13 @@ Finding finding_of(const Code& code, const cncsub::Finding& from) {
 
 }  // namespace
 
-const cncsub::Control* find_control(const std::string& name) {
-  for (const cncsub::Control& control : all_controls())
-    if (control.name == name) return &control;
-  return nullptr;
+Result<const cncsub::Control*> control_named(const std::string& name) {
+  if (const cncsub::Control* known = find_control(name)) return known;
+  std::string near;
+  for (const std::string_view known : names_near(name))
+    near.append(near.empty() ? "; did you mean " : ", ").append(known);
+  return Error{"control", "there is no control " + name + near +
+                              (near.empty() ? "; controls() lists them" : "?")};
 }
 
 std::string_view version() { return CNCSUB_VERSION; }
@@ -70,10 +74,9 @@ std::vector<Control> controls() {
 Result<Library> Library::read(std::vector<Source> sources, const std::string& control,
                               const std::map<std::string, double>& parameters,
                               const std::function<bool()>& interrupted) {
-  const cncsub::Control* const known = find_control(control);
-  if (known == nullptr)
-    return Error{"control", "there is no control " + control + "; controls() lists them"};
-  auto own = std::make_shared<cncsub::Control>(*known);
+  const Result<const cncsub::Control*> known = control_named(control);
+  if (!known) return known.error();
+  auto own = std::make_shared<cncsub::Control>(**known);
   for (const auto& [name, value] : parameters)
     if (const auto wrong = own->set_parameter(name, value)) return Error{"parameters", *wrong};
   std::vector<SourceFile> files;

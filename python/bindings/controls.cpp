@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bindings.hpp"
+#include "cncsub/control/alias.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/control/source.hpp"
 #include "cncsub/control/spelled.hpp"
@@ -659,6 +660,14 @@ void add_controls(py::module_& m) {
            })
       .def("__repr__",
            [](const Control& c) { return "<Control " + whole_name(c) + ": " + c.title + ">"; });
+  m.def("aliases", [] {
+    py::list rows;
+    for (const Alias& alias : all_aliases())
+      rows.append(py::make_tuple(std::string(alias.name), std::string(alias.control),
+                                 std::string(alias.source),
+                                 std::string(to_string(alias.evidence))));
+    return rows;
+  });
   m.def("controls", [] {
     std::vector<std::shared_ptr<Control>> list;
     for (const Control& control : all_controls())

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, __version__
 from cncsub.breakpoints import Breakpoint
-from cncsub.controls import Cause, Source, causes, control, controls, sources
+from cncsub.controls import Alias, Cause, Source, aliases, causes, control, controls, sources
 from cncsub.engine_types import tell_engine_types
 from cncsub.inputs import Inputs
 from cncsub.library import Library
@@ -96,6 +96,7 @@ def __dir__() -> list[str]:
 __all__ = [
     "Alarm",
     "AlarmError",
+    "Alias",
     "Block",
     "BlockChange",
     "Box",
@@ -156,6 +157,7 @@ __all__ = [
     "Word",
     "Workpiece",
     "__version__",
+    "aliases",
     "causes",
     "check_many",
     "compare",

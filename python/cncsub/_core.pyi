@@ -13,6 +13,7 @@ __version__: str
 def causes() -> list[tuple[str, str, str]]:
     """Return the slug, meaning and cure of every cause."""
 
+def aliases() -> list[tuple[str, str, str, str]]: ...  # name, control, source, evidence
 def controls() -> list[Control]:
     """Return every control, in listing order."""
 

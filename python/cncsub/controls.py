@@ -67,26 +67,42 @@ def did_you_mean(name: object, names: Iterable[str], otherwise: str = "") -> str
 
 
 def names_beginning(letters: str) -> list[str]:
-    """Return the names of controls that begin with `letters`, for the completion of a shell."""
-    return [name for name in controls if name.startswith(letters)]
+    """Return the names of controls that begin with `letters`, for the completion of a shell; their
+    aliases, where no name does.
+    """
+    names = [name for name in controls if name.startswith(letters)]
+    return names or [alias for alias in aliases if alias.startswith(letters)]
 
 
 class Named(Mapping[str, T]):
-    """A mapping whose `KeyError` suggests similar names."""
+    """A mapping whose `KeyError` suggests similar names. `others` are further names of entries:
+    they are found, and not listed.
+    """
 
-    def __init__(self, what: str, read: Callable[[], dict[str, T]]) -> None:
+    def __init__(
+        self,
+        what: str,
+        read: Callable[[], dict[str, T]],
+        others: Callable[[], Mapping[str, str]] = dict,
+    ) -> None:
         self._what = what
         self._read = read
+        self._read_others = others
 
     @functools.cached_property
     def _entries(self) -> dict[str, T]:
         return self._read()
 
+    @functools.cached_property
+    def _others(self) -> Mapping[str, str]:
+        return self._read_others()
+
     def __getitem__(self, name: str) -> T:
         try:
-            return self._entries[name]
+            return self._entries[self._others.get(name, name)]
         except (KeyError, TypeError):
-            known = did_you_mean(name, self._entries, f"; there are {', '.join(self._entries)}")
+            there = f"; there are {', '.join(self._entries)}"
+            known = did_you_mean(name, [*self._entries, *self._others], there)
             raise KeyError(f"there is no {self._what} {name!r}{known}") from None
 
     def __iter__(self) -> Iterator[str]:
@@ -99,13 +115,73 @@ class Named(Mapping[str, T]):
         return f"<{len(self)} {self._what}s: {', '.join(self)}>"
 
 
-controls: Mapping[str, Control] = Named("control", lambda: {c.base: c for c in _core.controls()})
-"""Every control by its name, in listing order.
+class Alias(NamedTuple):
+    """Another name of a control, and who says that it is the same one."""
+
+    name: str
+    control: str
+    source: str
+    evidence: str
+
+
+aliases: Mapping[str, Alias] = Named(
+    "alias", lambda: {name: Alias(name, *rest) for name, *rest in _core.aliases()}
+)
+"""The other names of controls: models of one series, and names that people write.
+
+>>> import cncsub
+>>> cncsub.aliases["fanuc-31i"].control
+'fanuc-30i'
+"""
+
+controls: Mapping[str, Control] = Named(
+    "control",
+    lambda: {c.base: c for c in _core.controls()},
+    lambda: {alias.name: alias.control for alias in aliases.values()},
+)
+"""Every control by its name, in listing order; an alias finds its control, and is not listed.
 
 >>> import cncsub
 >>> cncsub.controls["fanuc-0i-f"].alarms["program-not-found"].number
 'PS0076'
+>>> cncsub.controls["fanuc-31i"].name
+'fanuc-30i'
 """
+
+
+def aliases_of(control: Control) -> list[str]:
+    """Return the other names of a control."""
+    return [alias.name for alias in aliases.values() if alias.control == control.base]
+
+
+def alias_named(name: str) -> Alias | None:
+    """Return the alias that a name means in any spelling; `None` where it is a control's own."""
+    letters = "".join(_words(name))
+    for whole in (True, False):
+        if any(letters in _spellings(known, whole) for known in controls):
+            return None
+        for alias in aliases.values():
+            if letters in _spellings(alias.name, whole):
+                return alias
+    return None
+
+
+def inferred_rules(control: Control) -> int:
+    """Return how many of the rules that a control answers are inferred: no source says them.
+
+    >>> import cncsub
+    >>> control = cncsub.controls["linuxcnc"]
+    >>> inferred_rules(control) < len(control.rules)
+    True
+    """
+    return sum(rule.evidence == EVIDENCE[-1] for rule in control.rules)
+
+
+def evidence_words(control: Control) -> str:
+    """Return in words how many rules of a control are inferred: `20 of 52 (38 %)`."""
+    count, total = inferred_rules(control), len(control.rules)
+    return f"{count} of {total} ({100 * count / total:.0f} %)"
+
 
 causes: Mapping[str, Cause] = Named(
     "cause", lambda: {slug: Cause(slug, *rest) for slug, *rest in _core.causes()}
@@ -157,13 +233,13 @@ def control_named(name: str, among: Mapping[str, Control] = controls) -> Control
         return among[meant[0]]
     if meant:
         raise ValueError(f"{name!r} may be {_either(meant)}: write one of them")
-    known = did_you_mean(name, among, f"; there are {', '.join(among)}")
+    known = did_you_mean(name, [*among, *aliases], f"; there are {', '.join(among)}")
     raise ValueError(f"there is no control {name!r}{known}")
 
 
 def _meant(name: str, among: Mapping[str, Control]) -> list[str]:
     """Return the names of the controls that are meant: by the whole name, else by a part of it,
-    else by words of the title.
+    each time by those of the controls before their aliases; else by words of the title.
     """
     words = _words(name)
     letters = "".join(words)
@@ -171,6 +247,9 @@ def _meant(name: str, among: Mapping[str, Control]) -> list[str]:
         return []
     for whole in (True, False):
         if found := [known for known in among if letters in _spellings(known, whole)]:
+            return found
+        other = [a.control for a in aliases.values() if letters in _spellings(a.name, whole)]
+        if found := [known for known in dict.fromkeys(other) if known in among]:
             return found
     return [
         known

@@ -16,9 +16,10 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
+from cncsub.questions.values import answers
 from conformance import Case, rows
-from mutation import answers, on, passes
 from mutation import excused as is_inert
+from mutation import on, passes
 
 FILE = Path(__file__).parent / "entries.json"
 HOW_TO_WRITE = "python tests/conformance/entries.py looks for rows and writes entries.json"

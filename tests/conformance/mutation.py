@@ -19,9 +19,10 @@ from collections.abc import Iterator
 from typing import Any
 
 import cncsub
+from cncsub.questions.values import answers, entries_of, mutants
 from cncsub.testing.outcome import differences
 from conformance import Case, Row, rows
-from unpinned import UNPINNED, entries_of
+from unpinned import UNPINNED
 
 HOW_TO_FIND = "python tests/conformance/mutation.py names rows that could"
 
@@ -92,11 +93,6 @@ def kin(name: str) -> list[str]:
     return [o for o in others if sum(answers(o).get(r) != own[r] for r in own) <= APART * len(own)]
 
 
-@functools.cache
-def answers(name: str) -> dict[str, Any]:
-    return {rule.name: rule.value for rule in cncsub.controls[name].rules}
-
-
 def answer(name: str, word: str) -> Any:
     """Return what a control answers: the value of a rule, or whether a set has an entry."""
     rule, _, entry = word.partition(":")
@@ -123,45 +119,6 @@ def on(case: Case, control: str) -> Case:
 def notices(case: Case, control: cncsub.Control, word: str) -> bool:
     """Return whether some other value of the rule makes the row fail."""
     return any(not passes(case, mutant) for mutant in mutants(control, word))
-
-
-def mutants(control: cncsub.Control, word: str) -> Iterator[cncsub.Control]:
-    """Yield the control with another value of the rule, for each value worth trying."""
-    name, _, entry = word.partition(":")
-    rule = next((rule for rule in control.rules if rule.name == name), None)
-    if rule is None:  # a rule of a group that the control does not have
-        return
-    if entry:
-        there = entry in str(rule.value).split()
-        yield control.replace(**{name: f"-{entry}" if there else entry})
-        return
-    whole = "=" if isinstance(rule.value, str) and not rule.choices else ""  # a whole list
-    options = [o.name for o in control.variable_options.values() if o.rule == rule.name]
-    for value in [*other_values(rule), *options]:
-        try:
-            yield control.replace(**{rule.name: whole + value if whole else value})
-        except ValueError:
-            continue  # the rule cannot take the value
-
-
-def other_values(rule: Any) -> list[Any]:
-    """Return the values to try: near numbers, other choices, a list with an entry less or more."""
-    if isinstance(rule.value, bool):
-        return [not rule.value]
-    if isinstance(rule.value, int):
-        return [rule.value + step for step in (1, -1) if rule.value + step >= 0]
-    if rule.choices:
-        return [value for value in rule.choices if value != rule.value]
-    return [value for value in _other_lists(rule) if value != rule.value]
-
-
-def _other_lists(rule: Any) -> Iterator[str]:
-    """Yield a list of letters or codes without one of its entries, and lists of other controls."""
-    separator = " " if " " in rule.value or len(rule.value) > 30 or rule.entries else ""
-    entries = rule.value.split() if separator else list(rule.value)
-    for entry in dict.fromkeys(entries):
-        yield separator.join(other for other in entries if other != entry)
-    yield from sorted({str(answers(control).get(rule.name, "")) for control in cncsub.controls})
 
 
 def passes(case: Case, control: cncsub.Control) -> bool:

@@ -11,13 +11,14 @@ import pytest
 
 import cncsub
 from cncsub import _core
+from cncsub.questions.values import entries_of
 from cncsub.reports.facts import explanations
 from cncsub.testing.outcome import execute, load
 from conformance import EVIDENCE, FOLDER, Case, cases, motion_causes, rows, topic_files
 from entries import HOW_TO_WRITE as HOW_TO_PIN
 from entries import unnoticed
 from mutation import HOW_TO_FIND, lent, notices, passes, pinning, unpinned, words
-from unpinned import UNPINNED, entries_of
+from unpinned import UNPINNED
 
 MINIMUM_CASES = 900
 LISTS = Path(__file__).parents[2] / "cpp" / "controls"

@@ -3,9 +3,8 @@
 Rows can say the same of one control: `inert(rules, control=..., reason=...)`.
 """
 
-from typing import Any
-
 import cncsub
+from cncsub.questions.values import entries_of
 from conformance import inert_rules, rows
 
 TA, T, TDI, MDI, TE = "gsk-988ta", "gsk-988t", "gsk-980tdi", "gsk-980mdi", "gsk-928te"
@@ -45,11 +44,6 @@ Unpinned = dict[str, tuple[tuple[str, ...], str]]
 
 def _all(rules: str, controls: tuple[str, ...], reason: str) -> Unpinned:
     return dict.fromkeys(rules.split(), (controls, reason))
-
-
-def entries_of(rule: Any) -> list[str]:
-    """Return the entries of a set; of roles, which any code may have, those of the control."""
-    return str(rule.value).split() if rule.name == "roles" else list(rule.entries)
 
 
 def _sets(control: str, rules: str, but: str, reason: str) -> Unpinned:

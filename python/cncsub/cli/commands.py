@@ -43,6 +43,7 @@ COMMANDS = {
     "report": ("cli.report.report", "Write a run as one page of HTML."),
     "plot": ("cli.plot.plot", "Draw the path of a run as one page of HTML."),
     "controls": ("cli.controls.controls", "List the controls, or show what is known of one."),
+    "ask": ("cli.ask.ask", "Print programs that settle what no source says of a control."),
     "explain": ("cli.explain.explain", "Explain an alarm or a rule, with the cure."),
     "debug": ("cli.debug.debug", "Debug a program in the terminal."),
     "dap": ("cli.dap.dap", "Serve an editor that debugs programs (DAP)."),

@@ -17,11 +17,11 @@ from cncsub.cli.options import Format, Output, control_named, wrong_use
 from cncsub.cli.output import write_json, write_text
 from cncsub.cli.project import project_for
 from cncsub.comparison.reasons import told_apart, value_text
-from cncsub.controls import names_beginning
+from cncsub.controls import aliases_of, evidence_words, names_beginning
 from cncsub.escapes import shown
 from cncsub.interrupts import left_to_child
 from cncsub.reports.control_text import print_control, print_summary
-from cncsub.reports.facts import control_facts
+from cncsub.reports.facts import control_facts, listed_facts
 from cncsub.reports.printing import Console, console_on, print_pairs, print_wrapped
 
 _LISTS = {  # the lists, and the word for one entry
@@ -67,13 +67,14 @@ def controls(
             if diff is not None:
                 raise ValueError("--diff compares two controls: give the first one too")
             own = project_for(None).own_control
-        listed = {known.name: known.title for known in cncsub.controls.values()}
+        listed = {known.name: known for known in cncsub.controls.values()}
         if own is not None:
-            listed = {own.name: own.title} | listed
+            listed = {own.name: own} | listed
         if format is Format.JSON:
-            write_json(output, [{"name": key, "title": title} for key, title in listed.items()])
+            write_json(output, list(map(listed_facts, listed.values())))
         else:
-            write_text(output, lambda console: print_pairs(console, listed))
+            pairs = {name: _listed(known) for name, known in listed.items()}
+            write_text(output, lambda console: print_pairs(console, pairs))
         return
     control = control_named(name)
     if diff is None and not words and format is Format.TEXT:
@@ -91,6 +92,13 @@ def controls(
     differences = list(_differences(facts, _chosen(control_facts(other), words or ())))
     apart = {"controls": [control.name, other.name], "differences": differences}
     _tell(apart, format, output, lambda: _difference_lines(apart))
+
+
+def _listed(control: cncsub.Control) -> str:
+    """Return what the list says of a control: its title, evidence and other names."""
+    names = aliases_of(control) if control.name == control.base else []
+    also = f"; also {', '.join(names)}" if names else ""
+    return f"{control.title}; inferred {evidence_words(control)}{also}"
 
 
 class _Held(io.StringIO):

@@ -16,7 +16,7 @@ import typer
 import cncsub
 from cncsub import system
 from cncsub.cli.project import Project, project_for
-from cncsub.controls import names_beginning
+from cncsub.controls import alias_named, names_beginning
 from cncsub.option_errors import option_of
 from cncsub.run_options import RunOptions, stated
 
@@ -315,9 +315,14 @@ def control_named(name: str | None, project: Project | None = None) -> cncsub.Co
             " commands"
         )
     try:
-        return (project or project_for(None)).control_named(name)
+        found = (project or project_for(None)).control_named(name)
     except ValueError as error:
         raise WrongUseError(str(error)) from None
+    alias = alias_named(name)
+    if alias is not None and found.name == alias.control:
+        told = f"{alias.name} is taken as {found.name}, {found.title} [{alias.source}]"
+        typer.echo(f"note: {told}", err=True)
+    return found
 
 
 def _named_value(option: str, text: str) -> tuple[str, float]:

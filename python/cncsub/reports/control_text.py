@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import Any
 
 from cncsub._core import Control, Parameter, Rule, cited
-from cncsub.controls import causes, controls, sources_of
+from cncsub.controls import aliases_of, causes, controls, evidence_words, sources_of
 from cncsub.reports.facts import effect_of
 from cncsub.reports.printing import Console, Text, wrapped
 
@@ -33,14 +33,20 @@ def print_summary(console: Console, control: Control) -> None:
     _print_paragraph(
         console,
         f"{len(different)} of {len(control.rules)} rules differ from the family, whose value is"
-        f" in ( ), the source in [ ], with a ? where it is inferred. `{lead} WORD` prints the"
-        f" facts with a word and the page of the source, `{lead} --all` everything.",
+        f" in ( ), the source in [ ]. Inferred (?) are {evidence_words(control)}: see `cncsub ask"
+        f" {shlex.quote(control.base)}`. `{lead} WORD` prints facts with a word, --all instead"
+        f" everything.{_other_names(control)}",
     )
     for title, facts in _sections(control, different):
         console.print(Text(f"\n{title}", style="bold"))
         for head, text in facts:
             _print_paragraph(console, f"{head}{text}", head)
     _print_keys(console, control, different)
+
+
+def _other_names(control: Control) -> str:
+    names = aliases_of(control)
+    return f" Also {', '.join(names)}." if names else ""
 
 
 def _sections(control: Control, different: list[Rule]) -> Iterator[tuple[str, list[Fact]]]:

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub._core import Alarm, Control, Frame, Parameter, keywords
 from cncsub.analysis.conditions import conditions_on
-from cncsub.controls import causes, cure_of, did_you_mean, sources_of
+from cncsub.controls import (
+    aliases_of,
+    causes,
+    cure_of,
+    did_you_mean,
+    inferred_rules,
+    sources_of,
+)
 from cncsub.loading import loads
 from cncsub.tables.call_tree import CallTree
 from cncsub.tables.table import records
@@ -156,10 +163,23 @@ def _call_facts(run: Run, call: CallTree) -> dict[str, Any]:
     }
 
 
+def listed_facts(control: Control) -> dict[str, Any]:
+    """Return what the list of controls says of one."""
+    return {
+        "name": control.name,
+        "title": control.title,
+        "aliases": aliases_of(control) if control.name == control.base else [],
+        "rules": len(control.rules),
+        "inferred": inferred_rules(control),
+    }
+
+
 def control_facts(control: Control) -> dict[str, Any]:
     return {
         "name": control.name,
         "title": control.title,
+        "aliases": listed_facts(control)["aliases"],
+        "inferred": inferred_rules(control),
         "rules": [
             {
                 "name": rule.name,

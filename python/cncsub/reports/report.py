@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from cncsub import _core
 from cncsub.analysis.static_tree import letters
 from cncsub.analysis.steps_text import place_of
+from cncsub.controls import evidence_words
 from cncsub.escapes import escape
 from cncsub.pages import html_page
 from cncsub.reports.code import Anchors, code_section
@@ -109,11 +110,18 @@ def _stop(library: Library, run: Run, anchors: Anchors) -> Iterator[str]:
     elif run.endless is not None:
         yield f"<p>{escape(str(run.endless))}</p>"
     yield "<dl>"
+    yield f"<dt>evidence</dt><dd>{escape(_evidence(library))}</dd>"
     for name, told in _facts(run):
         yield f"<dt>{name}</dt><dd>{escape(told)}</dd>"
     yield "</dl>"
     told_notes = library.notes[:MOST_ROWS]
     yield from (f"<p>note: {escape(str(note))}</p>" for note in told_notes)
+
+
+def _evidence(library: Library) -> str:
+    """Return how far the control is to be trusted."""
+    control = library.control
+    return f"of the rules of {control.base} {evidence_words(control)} are inferred"
 
 
 def _facts(run: Run) -> Iterator[tuple[str, str]]:

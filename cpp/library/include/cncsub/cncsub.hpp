@@ -261,7 +261,8 @@ class CNCSUB_API Library {
   std::shared_ptr<const Inside> inside_;
 };
 
-/// A control that this library knows.
+/// A control that this library knows. Where a control is named, an alias names it too: "fanuc-31i"
+/// is "fanuc-30i".
 struct Control {
   std::string name, title;  // "fanuc-0i-f", "FANUC Series 0i-F"
 };
