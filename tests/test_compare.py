@@ -131,6 +131,24 @@ def test_what_a_new_version_changed(old: str, new: str, what: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("G0 X1000.0004", "G0 X1000.0006", ("x = 1000.0004", "x = 1000.0006")),
+        ("#100=1000.0004", "#100=1000.0006", ("#100 = 1000.0004", "#100 = 1000.0006")),
+        ("T12345678", "T12345679", ("T12345678", "T12345679")),
+        ("G0 X1000.4", "G0 X2000.5", ("x = 1000.4", "x = 2000.5")),
+        ("#3006=1(IT'S)", "#3006=1(ITS)", ('message "IT\'S"', "message 'ITS'")),
+    ],
+)
+def test_what_differs_is_written_differently(old: str, new: str, told: tuple[str, str]) -> None:
+    before, after = (cncsub.loads(f"O1\nN10 {text}\nM30\n", control=MILL) for text in (old, new))
+    lines = cncsub.compare(before, after).what.splitlines()
+    assert [line.partition(", line 2: ")[2].removeprefix("move 0 goes to ") for line in lines] == [
+        *told
+    ]
+
+
+@pytest.mark.parametrize(
     "after",
     [
         BEFORE.replace("N20", "(A COMMENT)\nN20"),

@@ -582,8 +582,9 @@ def test_comparisons_of_rows_through_c_are_those_of_python(installed: Path) -> N
         library = cncsub.loads({"file0.nc": text}, control=one)
         same = cncsub.compare(library, controls=[one, other], max_blocks=2000)
         told = c.cncsub_comparison_what(compared).decode() if compared else c.cncsub_error()
-        if told != ("" if same.same else same.what):
-            apart.append((row.case.claim, one, other, told, same.what))
+        found = [row.name.decode() for row in rows(c.cncsub_comparison_rule, compared, Rule)]
+        if (told, found) != ("" if same.same else same.what, [*same.rules, *same.parameters]):
+            apart.append((row.case.claim, one, other, told, same.what, found, same.rules))
         for free, handle in (("comparison", compared), ("options", options)):
             getattr(c, f"cncsub_{free}_free")(handle)
     assert not apart, apart[:3]

@@ -27,6 +27,8 @@ KNOWS = {
     "motion": {"system", "text", "control", "code", "trace"},
     "machine": {"system", "text", "control", "code", "trace", "motion"},
     "analysis": {"system", "text", "control", "code", "trace"},
+    # Two runs compared. Only what is above the engine uses this room: the bindings and the library.
+    "comparison": {"system", "text", "control", "code", "dialect", "trace", "motion", "machine"},
     # What a run executed, as a program: this room runs it, and only the bindings use this room.
     "flat": {"system", "text", "control", "code", "trace", "motion", "machine"},
     "controls": {"text", "control"},

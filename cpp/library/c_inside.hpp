@@ -47,9 +47,18 @@ inline std::string& last_error() {
   return text;
 }
 
+/// Keep why a call was refused. Where there is no memory for the text, it is empty.
+inline void keep_error(const char* why) noexcept {
+  try {
+    last_error() = why;
+  } catch (...) {
+    last_error().clear();
+  }
+}
+
 template <class Value>
 Value refused(const std::string& why, Value value) {
-  last_error() = why;
+  keep_error(why.c_str());
   return value;
 }
 
@@ -59,19 +68,20 @@ Value guarded(Value otherwise, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    return refused("there is no memory left", otherwise);
+    keep_error("there is no memory left");
   } catch (const std::exception& error) {
-    return refused(error.what(), otherwise);
+    keep_error(error.what());
   } catch (...) {
-    return refused("an unknown exception", otherwise);
+    keep_error("an unknown exception");
   }
+  return otherwise;
 }
 
 /// Return whether an argument is NULL that may not be, and say so.
 template <class... Pointers>
 bool missing(const Pointers*... pointers) {
   if (((pointers != nullptr) && ...)) return false;
-  last_error() = "an argument is NULL";
+  keep_error("an argument is NULL");
   return true;
 }
 

@@ -17,6 +17,7 @@ void add_references(pybind11::module_& m);
 void add_check(pybind11::module_& m);
 void add_coverage(pybind11::module_& m);
 void add_flat(pybind11::module_& m);
+void add_comparison(pybind11::module_& m);
 void add_machine(pybind11::module_& m);
 void add_trace(pybind11::module_& m);
 

@@ -44,6 +44,7 @@ PYBIND11_MODULE_EXEC(engine, m) {
   cncsub::bindings::add_trace(m);
   cncsub::bindings::add_machine(m);
   cncsub::bindings::add_flat(m);
+  cncsub::bindings::add_comparison(m);
   cncsub::bindings::add_coverage(m);
 }
 

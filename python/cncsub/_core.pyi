@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, final
+from typing import Any, TypeAlias, final
 
 import numpy as np
 
@@ -700,6 +700,43 @@ class Flattening:
     @property
     def program_names(self) -> list[str]: ...
 
+@final
+class RuleExchange:
+    """The rules of one control that another one answers otherwise, and parameters that are no
+    rules.
+    """
+
+    def control(self, names: Sequence[str]) -> Control | None:
+        """Return the first control with the values of the other one for these; `None` where they
+        do not go together.
+        """
+    @property
+    def untried(self) -> list[str]:
+        """The rules whose values could not be given to the first control."""
+
+# The name of a side, its run, and what runs it again: for as many blocks, with variables watched.
+_Again: TypeAlias = Callable[[int | None, Sequence[int]], Machine | None]
+_Side: TypeAlias = tuple[str, Machine, _Again]
+
+def rule_exchange(one: Control, other: Control) -> RuleExchange: ...
+def parting(
+    question: str,
+    sides: tuple[_Side, _Side],
+    programs: Mapping[str, str] = ...,
+    variables: Mapping[int, int] = ...,
+) -> tuple[int, int, str, str] | None:
+    """Return the first difference: a step of each, the text, the column of the moves."""
+
+def rules_apart(
+    exchange: RuleExchange,
+    at: tuple[int, int],
+    sides: tuple[_Side, _Side],
+    run_on: Callable[[Control], _Again | None],
+) -> list[str]:
+    """Return the fewest rules and parameters that make a difference."""
+
+def shared_variables(one: Machine, other: Machine) -> list[int]: ...
+def summary(machine: Machine) -> str: ...  # how a run stopped, in a few words
 def flattening(machine: Machine, comments: bool, other: Machine | None = None) -> Flattening: ...
 def mode_names() -> list[str]: ...  # that `modal` may show
 def machine(code: Code, main: int, **options: Any) -> Machine: ...

@@ -233,12 +233,7 @@ class State(NotPicklable):
 
     def summary(self) -> str:
         """Return how the run stopped, in a few words."""
-        alarm = self.alarm
-        if alarm is not None:
-            where = alarm.program if alarm.n is None else f"{alarm.program} N{alarm.n}"
-            number = f"{alarm.number} " if alarm.number else ""
-            return f"alarm {number}{alarm.cause} at {where}"
-        return str(self.core.stop or "running")
+        return _core.summary(self.core)
 
 
 class Outcome(State, Recorded):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -13,15 +13,8 @@ if TYPE_CHECKING:
 NEAR = 1e-9  # mm, degrees, mm/min: values that differ by less are alike
 
 
-def alike(a: float | None, b: float | None) -> bool:
-    """Return whether two values of a variable are the same."""
-    return a == b or (a is not None and b is not None and abs(a - b) < NEAR)
-
-
-def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) -> Column:
-    """Return a column with its texts written out; NaN where the table has no such column. `called`
-    has other words for some texts.
-    """
+def column_of(table: Any, name: str) -> Column:
+    """Return a column with its texts written out; NaN where the table has no such column."""
     import numpy as np
 
     if name not in table.columns:
@@ -30,8 +23,7 @@ def column_of(table: Any, name: str, called: Mapping[str, str] | None = None) ->
     texts = table.texts_of(name)
     if texts is None:
         return column
-    names = texts if called is None else [called.get(text, text) for text in texts]
-    written: Column = np.asarray([*names, None], dtype=object)
+    written: Column = np.asarray([*texts, None], dtype=object)
     return written[column]
 
 

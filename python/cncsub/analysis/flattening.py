@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, Unpack
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.analysis.block_errors import BlockError
-from cncsub.analysis.pairs import OtherControlPair, Pair, Parting, variables_lacking
+from cncsub.analysis.pairs import Pair, Parting, Question, variables_lacking
 from cncsub.controls import control_of
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
@@ -23,11 +23,9 @@ if TYPE_CHECKING:
     import numpy as np
 
     from cncsub.library import Library
-    from cncsub.run import Run
 
     Columns = Mapping[str, np.ndarray[Any, Any]]
 
-_NEAR = 1e-9  # s
 _KEPT = 1 << 24  # bytes of text that are kept; a longer text is written anew at each look
 _ORIGINS = ("program", "n", "line", "call", "pass")
 
@@ -82,24 +80,6 @@ class Origins(Table[Origin]):
 
     def texts_of(self, name: str) -> list[str] | None:
         return self._programs if name == "program" else None
-
-
-class _FlatPair(Pair):
-    """A program and its flat program: variables, calls and steps need not be the same."""
-
-    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        yield from self._of_moves(a, b)
-        for name in ("m_codes", "t_codes", "messages"):
-            yield from self._of_list(a, b, name)
-        if len(a.moves) == len(b.moves):
-            apart = abs(a.moves.time - b.moves.time) > _NEAR  # dwells have a time and no length
-            if apart.any():
-                at = int(apart.argmax())
-                steps = (int(a.moves.step[at]), int(b.moves.step[at]))
-                yield self._say((a, b), steps, (f"move {at}", f"move {at} with another time"))
-        alarms = [(run.alarm.cause, run.alarm.number) if run.alarm else None for run in (a, b)]
-        if a.stop != b.stop or alarms[0] != alarms[1]:
-            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
 
 
 class Flat(NotPicklable):
@@ -293,8 +273,8 @@ def _parts(
     given = options.get("variables") or {}
     lacking = variables_lacking(control, given)  # their values stand in the text
     again["variables"] = {n: value for n, value in given.items() if n not in lacking}
-    kind = _FlatPair if control is library.control else OtherControlPair
-    pair = kind((library, flat), ("program", "flat"), main, options)
+    question: Question = "flat" if control is library.control else "rewritten"
+    pair = Pair(question, (library, flat), ("program", "flat"), main, options)
     try:
         run, other = map(uninterrupted, (library.run(main, **options), flat.run(**again)))
     except KeyError as error:  # read by this control, the text has no such program

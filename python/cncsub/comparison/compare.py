@@ -8,12 +8,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Unpack
 
-from cncsub._core import Alarm, Control
-from cncsub.analysis.first_difference import column_of, first_difference
-from cncsub.analysis.pairs import LISTS, OtherControlPair, Pair, Parting, variables_lacking
+from cncsub import _core
+from cncsub._core import Control
+from cncsub.analysis.pairs import Again, Pair, Parting, Question, variables_lacking
 from cncsub.comparison.changes import BlockChange, block_changes
 from cncsub.comparison.reasons import modes_apart, reasons
-from cncsub.comparison.rule_bisection import RuleExchange
 from cncsub.controls import control_of
 from cncsub.library import Library
 from cncsub.loading import load
@@ -155,8 +154,9 @@ def compare(
     if second is None:
         raise TypeError("compare needs a second library, or controls=[one, another]")
     a, b = _library(first, control), _library(second, control)
-    kind = Pair if a.control.dialect == b.control.dialect else _ControlPair
-    pair = kind((a, b), ("before", "after"), main, options)
+    one_language = a.control.dialect == b.control.dialect
+    question: Question = "versions" if one_language else "controls"
+    pair = Pair(question, (a, b), ("before", "after"), main, options)
     runs = pair.runs()
     parting = pair.parting(*runs)
     if parting is None:
@@ -206,6 +206,7 @@ class _OfControls:
         for each in controls:
             if lacking := variables_lacking(each, options.get("variables") or {}):
                 raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
+        self._other = library.read_for(other)
 
     def compared(self, *, every: bool) -> Comparison:
         """Return the first difference, or every one until none is left or no rule makes it."""
@@ -220,7 +221,7 @@ class _OfControls:
                 break
             one = changed
             pair = self._pair(one)
-            runs = pair.run(pair.libraries[0]), runs[1]
+            runs = pair.run(0), runs[1]
         rest = self._rest(found, ended=parting is None) if every and found else ""
         return Comparison(not found, first, tuple(found), rest)
 
@@ -232,42 +233,46 @@ class _OfControls:
             return f"no more than {MOST_DIFFERENCES} differences are looked for"
         return "what comes after is not compared: no rule is known to make this difference"
 
-    def _pair(self, one: Control) -> _ControlPair:
-        texts = (self._library.read_for(one), self._library.read_for(self._controls[1]))
-        return _ControlPair(texts, self._names, self._main, self._options)
+    def _pair(self, one: Control) -> Pair:
+        texts = (self._library.read_for(one), self._other)
+        return Pair("controls", texts, self._names, self._main, self._options)
 
     def _difference(
-        self, one: Control, pair: _ControlPair, runs: tuple[Run, Run], parting: Parting
+        self, one: Control, pair: Pair, runs: tuple[Run, Run], parting: Parting
     ) -> tuple[Control | None, Difference]:
         """Return a difference, and the first control with the rules exchanged that make it."""
         other = self._controls[1]
-        blocks = min(parting.first, parting.second) + 1  # as far as the first difference
-        limit = min(blocks, self._options.get("max_blocks", 10_000_000))
-        wanted = pair.run(pair.libraries[1], max_blocks=limit)
 
-        def explains(control: Control) -> bool:
+        def run_on(control: Control) -> Again | None:
             try:
-                exchanged = self._pair(control)
-                tried = exchanged.run(exchanged.libraries[0], max_blocks=limit)
-            except (KeyError, ValueError):  # read so, there is no such main program or variable
-                return False
-            return exchanged.parting(tried, wanted) is None
+                again = self._pair(control).again(0)
+            except (KeyError, ValueError):
+                return None
 
-        exchange = RuleExchange(one, other)
-        made = exchange.fewest(explains)
+            def run(most: int | None, watch: Sequence[int]) -> _core.Machine | None:
+                try:
+                    return again(most, watch)
+                except (KeyError, ValueError):  # read so, there is no such main program or variable
+                    return None
+
+            return run
+
+        exchange = _core.rule_exchange(one, other)
+        made = _core.rules_apart(exchange, parting[:2], pair.sides(*runs), run_on)
         rules = tuple(name for name in made if name not in one.parameters)
         parameters = tuple(name for name in made if name in one.parameters)
+        untried = tuple(exchange.untried)
         both = (one, other)
         modes = list(self._modes(both, pair, runs, parting))
-        why = reasons(both, self._names, modes, rules, parameters, exchange.untried)
+        why = reasons(both, self._names, modes, rules, parameters, untried)
         where = _where(runs, parting)
-        difference = Difference(where, parting.what, rules, parameters, exchange.untried, why)
+        difference = Difference(where, parting.what, rules, parameters, untried, why)
         return exchange.control(made) if made else None, difference
 
     def _modes(
         self,
         both: tuple[Control, Control],
-        pair: _ControlPair,
+        pair: Pair,
         runs: tuple[Run, Run],
         parting: Parting,
     ) -> Iterator[str]:
@@ -276,66 +281,7 @@ class _OfControls:
         if not parting.column or any(map(operator.ge, parting[:2], ended)):
             return
         one, other = (
-            pair.run(library, max_blocks=at + 1).modal
-            for library, at in zip(pair.libraries, parting[:2], strict=True)
+            pair.run(side, max_blocks=at + 1).modal for side, at in enumerate(parting[:2])
         )
         machine = machine_of(self._options.get("setup"))
         yield from modes_apart(both, self._names, (one, other), parting.column, machine)
-
-
-class _ControlPair(OtherControlPair):
-    """The same texts on two controls. Programs are compared by their files and lines: what a
-    control calls a program without a name of its own is no difference. Nor is a level of locals
-    that one control opens for a call: the locals are compared where they do something.
-    """
-
-    _of_a_call = ("kind", "program", "start_n", "repeats")
-
-    def _called(self, run: Run, library: Library) -> dict[str, str]:
-        return _ends_of(run, library)
-
-    def _place(self, alarm: Alarm) -> tuple[object, ...]:
-        return (alarm.file, alarm.line)
-
-    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        """Yield the differences. Blocks and calls are compared within one language only: another
-        language counts heads of programs as blocks, or a call once for each pass, and does the
-        same.
-        """
-        yield from self._of_moves(a, b)
-        for name in LISTS:
-            yield from self._of_list(a, b, name)
-        yield from self._of_dwells(a, b)
-        yield from self._of_variables(a, b)
-        one, other = (library.control.dialect for library in self.libraries)
-        if one == other:
-            yield from self._of_calls(a, b)
-            yield from self._of_steps(a, b)
-        yield from self._of_stop(a, b)
-
-    def _of_steps(self, a: Run, b: Run) -> Iterator[Parting]:
-        programs = [
-            column_of(run.steps, "program", _files_of(library))
-            for run, library in zip((a, b), self.libraries, strict=True)
-        ]
-        lines = column_of(a.steps, "line"), column_of(b.steps, "line")
-        at = first_difference([(programs[0], programs[1]), lines])
-        if at is not None:
-            yield self._say((a, b), (at, at), ("", ""))
-
-
-def _files_of(library: Library) -> dict[str, str]:
-    """Return the files of the programs, by their names."""
-    return {of.name: of.file for of in (*library.external.values(), *library.values())}
-
-
-def _ends_of(run: Run, library: Library) -> dict[str, str]:
-    """Return by name the files and last lines of the programs that a run has called. These are the
-    same whatever a control calls the programs.
-    """
-    found = {}
-    for name in run.calls.programs:
-        program = library.get(name) or library.external.get(name)
-        if program is not None and program.blocks:
-            found[name] = f"{program.file}:{program.blocks[-1].line}"
-    return found

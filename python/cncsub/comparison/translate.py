@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Unpack
 
 from cncsub._core import Control
-from cncsub.analysis.pairs import OtherControlPair, Parting, variables_lacking
+from cncsub.analysis.pairs import Pair, variables_lacking
 from cncsub.checking import Edit
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
@@ -20,14 +20,6 @@ from cncsub.run import Run, Stop
 from cncsub.run_options import MdiOptions, takes
 from cncsub.setup import machine_of
 from cncsub.writing import write_whole
-
-
-class _TranslatedPair(OtherControlPair):
-    """A program and its translation: blocks and programs may differ, what they do may not."""
-
-    def _partings(self, a: Run, b: Run) -> Iterator[Parting]:
-        yield from super()._partings(a, b)
-        yield from self._of_variables(a, b)
 
 
 @dataclass(frozen=True)
@@ -120,8 +112,8 @@ def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -
     source = rewriting.library
     made = rewriting.made()
     names = (source.control.name, rewriting.target.name)
-    pair = _TranslatedPair((source, made), names, main, options)
-    first = pair.run(source)
+    pair = Pair("translated", (source, made), names, main, options)
+    first = pair.run(0)
     if first.stop not in (Stop.END, Stop.CYCLES):
         reached = first.alarm or first.steps[len(first.steps) - 1]
         reason = (
@@ -130,7 +122,7 @@ def _proved(rewriting: Rewriting, main: str | int | None, options: MdiOptions) -
         reason += first.summary()
         raise TranslateError(reason, reached.program, reached.n, reached.line)
     try:
-        second = pair.run(made)
+        second = pair.run(1)
     except KeyError as error:
         reason = f"{rewriting.target.name} reads the programs differently: {error.args[0]}"
         raise TranslateError(reason) from None

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from cncsub import _core
-from cncsub.analysis.first_difference import alike
-from cncsub.analysis.pairs import Pair, Parting
+from cncsub.analysis.pairs import Pair
 from cncsub.editing.errors import EditError, refusal
 from cncsub.editing.mentions import Mention, mentions
-from cncsub.library import Library
-from cncsub.run import Run, Stop
+from cncsub.run import Stop
 from cncsub.run_options import FlattenOptions
 
 if TYPE_CHECKING:
-    from cncsub._core import Alarm
     from cncsub.editing.edits import Edits
 
 MOST_BLOCKS = 1_000_000  # of each run, where the caller sets no limit
@@ -35,58 +31,6 @@ class Proof:
     partly: tuple[str, ...]
 
 
-class _EditedPair(Pair):
-    """A program before and after: its numbers and names differ, what it does may not."""
-
-    _of_a_call = ("kind", "program", "repeats", "level")
-
-    def __init__(self, edits: Edits, main: str, after: str, options: FlattenOptions) -> None:
-        super().__init__((edits.library, edits.after), ("before", "after"), main, options)
-        self._edits = edits
-        self._mains = {id(edits.library): main, id(edits.after): after}
-
-    def run(self, library: Library, **more: object) -> Run:
-        self._main = self._mains[id(library)]
-        return super().run(library, **more)
-
-    def _called(self, run: Run, library: Library) -> dict[str, str] | None:
-        return {name: self._told_apart(name, library) for name in run.calls.programs}
-
-    def _told_apart(self, name: str, library: Library) -> str:
-        """Return the name of a program before, in capitals: languages do not tell them apart."""
-        old = self._edits.names.get(name, name) if library is self._edits.after else name
-        return old.upper()
-
-    def _of_variables(self, a: Run, b: Run) -> Iterator[Parting]:
-        new = self._edits.variables
-        if not new:
-            yield from super()._of_variables(a, b)
-            return
-        held = {new.get(n, n): value for n, value in a.variables.items() if value is not None}
-        other = {n: value for n, value in b.variables.items() if value is not None}
-        for n in sorted(held.keys() | other.keys()):
-            if not alike(held.get(n), other.get(n)):
-                at = (len(a.steps), len(b.steps))
-                yield self._say((a, b), at, ("", f"#{n} differs at the end"))
-                return
-
-    def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
-        def stop(run: Run, library: Library) -> tuple[object, ...]:
-            alarm = run.alarm
-            # What a run waits for may name a variable.
-            waits = run.waiting_for if not self._edits.variables else None
-            told = (run.stop, waits, len(run.steps))
-            if alarm is None:
-                return told
-            return (*told, alarm.cause, self._told_apart(alarm.program, library), alarm.line)
-
-        if stop(a, self._edits.library) != stop(b, self._edits.after):
-            yield self._say((a, b), (len(a.steps), len(b.steps)), ("", ""))
-
-    def _place(self, alarm: Alarm) -> tuple[object, ...]:
-        return (alarm.line,)
-
-
 def prove(edits: Edits, main: str | int | None, options: FlattenOptions) -> Proof:
     """See `Edits.prove`."""
     if edits.empty:
@@ -103,8 +47,17 @@ def prove(edits: Edits, main: str | int | None, options: FlattenOptions) -> Proo
     limits: FlattenOptions = {"max_blocks": MOST_BLOCKS, **options}
     ran, partly = [], []
     for name in chosen:
-        pair = _EditedPair(edits, name, new_names.get(name, name), limits)
-        run, other = pair.run(library), pair.run(after)
+        mains = name, new_names.get(name, name)
+        pair = Pair(
+            "edited",
+            (library, after),
+            ("before", "after"),
+            mains,
+            limits,
+            renamed=edits.names,
+            renumbered=edits.variables,
+        )
+        run, other = pair.runs()
         parting = pair.parting(run, other)
         if parting is not None:
             raise EditError(f"edited, {name} does not do the same:\n{parting.what}")

@@ -1,13 +1,21 @@
 // What two runs move otherwise.
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
-#include "pair.hpp"
+#include "cncsub/comparison/pair.hpp"
 
-namespace cncsub::api {
+namespace cncsub {
 
 namespace {
+
+constexpr double kNearLength = 1e-6;  // mm
+constexpr double kNearTime = 1e-9;    // s
 
 bool is_whole(std::string_view name) {
   return name == "kind" || name == "plane" || name == "feed_mode" || name == "tool" ||
@@ -59,6 +67,27 @@ std::string kind_words(MoveKind kind) {
   return kWords[static_cast<std::size_t>(kind)];
 }
 
+/// Return what a move does, by the column that differs, and its value as shown.
+std::string move_words(const MoveRow& row, const std::string& column, double value,
+                       const std::string& shown) {
+  if (column == "kind") return " is " + kind_words(row.kind);
+  if (column == "skip") return " has skip = " + std::string(to_string(row.skip));
+  if (column == "feed_mode") {
+    constexpr std::array<const char*, 3> kModes = {"per-minute", "per-revolution", "inverse-time"};
+    return std::string(" has the feed mode ") +
+           kModes[static_cast<std::size_t>(row.state->feed_mode)];
+  }
+  if (column == "plane")
+    return " is in the plane of G" + std::to_string(static_cast<int>(row.state->plane));
+  if (column == "feed" || column == "spindle") return " has the " + column + " " + shown;
+  if (column.size() > 1 && column[column.size() - 2] == 'c')
+    return " has " + (std::isnan(value) ? "no " + column : column + " = " + shown);
+  if (std::isnan(value)) return " has no " + column;
+  if (is_whole(column))
+    return " has " + column + " = " + std::to_string(static_cast<std::int64_t>(value));
+  return " goes to " + column + " = " + shown;
+}
+
 }  // namespace
 
 Pair::Column Pair::moved(std::size_t side, const std::string& name) const {
@@ -68,40 +97,44 @@ Pair::Column Pair::moved(std::size_t side, const std::string& name) const {
   const auto letter = static_cast<char>(name.back() & ~0x20);
   const bool of_axis = name.size() <= 2 && name[0] != 'c' && name != "h" && name != "d";
   if (is_whole(name)) {
-    moves.column(name, whole.data());
+    moves.column(name, whole.data(), &interrupt_);
     std::copy(whole.begin(), whole.end(), column.begin());
   } else if (!of_axis || name[0] == 'c' || moves.axes().find(letter) != std::string::npos ||
              letter == 'X' || letter == 'Y' || letter == 'Z') {
-    moves.columns({name}, {column.data()});
+    moves.columns({name}, {column.data()}, &interrupt_);
   }
-  if (name != "plane" && name != "feed" && name != "feed_mode") return column;
-  moves.column("kind", whole.data());
+  const bool of_some_kinds = name == "plane" || name == "feed" || name == "feed_mode";
+  if (!asked_.two_controls || !of_some_kinds) return column;
+  moves.column("kind", whole.data(), &interrupt_);
   for (std::size_t i = 0; i < column.size(); ++i)
     if (!counts(name, static_cast<MoveKind>(whole[i]))) column[i] = 0;
   return column;
 }
 
-std::string Pair::move_text(std::size_t side, std::size_t at, const std::string& column) const {
-  if (at >= moves(side)) return "no further move";
-  const std::string move = "move " + std::to_string(at);
-  const MoveRow row = trace(side).moves.row(at);
-  if (column == "kind") return move + " is " + kind_words(row.kind);
-  if (column == "skip") return move + " has skip = " + std::string(cncsub::to_string(row.skip));
-  if (column == "feed_mode") {
-    constexpr std::array<const char*, 3> kModes = {"per-minute", "per-revolution", "inverse-time"};
-    return move + " has the feed mode " + kModes[static_cast<std::size_t>(row.state->feed_mode)];
+Pair::Columns Pair::both(const char* name) const {
+  Columns columns;
+  for (std::size_t side = 0; side < 2; ++side) {
+    columns[side].resize(moves(side));
+    trace(side).moves.columns({name}, {columns[side].data()}, &interrupt_);
   }
-  const double value = column == "plane"  ? static_cast<double>(row.state->plane)
-                       : column == "feed" ? row.feed
-                                          : moved(side, column)[at];
-  const std::string shown = short_text(value);
-  if (column == "plane") return move + " is in the plane of G" + shown;
-  if (column == "feed" || column == "spindle") return move + " has the " + column + " " + shown;
-  if (column.size() > 1 && column[column.size() - 2] == 'c')
-    return move + " has " + (std::isnan(value) ? "no " + column : column + " = " + shown);
-  if (std::isnan(value)) return move + " has no " + column;
-  const bool goes = !is_whole(column);
-  return move + (goes ? " goes to " : " has ") + column + " = " + shown;
+  return columns;
+}
+
+/// Return what a move does on each side, by the column that differs.
+Pair::Does Pair::moves_text(std::size_t at, const std::string& column) const {
+  Does does = {"no further move", "no further move"};
+  std::array<double, 2> values{};
+  for (std::size_t side = 0; side < 2; ++side)
+    if (at < moves(side)) values[side] = moved(side, column)[at];
+  const bool in_both = at < moves(0) && at < moves(1);
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (at >= moves(side)) continue;
+    const MoveRow row = trace(side).moves.row(at);
+    const double value = column == "feed" ? row.feed : values[side];
+    const std::string shown = texts_of(value, in_both ? values[1 - side] : value)[0];
+    does[side] = "move " + std::to_string(at) + move_words(row, column, value, shown);
+  }
+  return does;
 }
 
 bool Pair::of_moves() {
@@ -114,49 +147,42 @@ bool Pair::of_moves() {
     which = name;
   }
   if (!at) return false;
-  std::array<std::int64_t, 2> where{};
-  Does does;
-  for (std::size_t side = 0; side < 2; ++side) {
-    where[side] = *at < moves(side) ? trace(side).moves.row(*at).step
-                                    : static_cast<std::int64_t>(steps(side));
-    does[side] = move_text(side, *at, which);
-  }
-  say(where, does);
+  Steps where{};
+  for (std::size_t side = 0; side < 2; ++side)
+    where[side] = *at < moves(side) ? trace(side).moves.row(*at).step : steps(side);
+  say(where, moves_text(*at, which), which);
   return true;
 }
 
 /// Say where coordinates are the same and lengths are not: X of a mill is no diameter.
 void Pair::of_lengths() {
-  std::array<Column, 2> lengths;
-  for (std::size_t side = 0; side < 2; ++side) {
-    lengths[side].resize(moves(side));
-    trace(side).moves.columns({"length"}, {lengths[side].data()});
-  }
+  const Columns lengths = both("length");
   for (std::size_t i = 0; i < std::min(moves(0), moves(1)); ++i) {
     if (!(std::fabs(lengths[0][i] - lengths[1][i]) > kNearLength)) continue;
     const std::string move = "move " + std::to_string(i) + " is ";
+    const auto texts = texts_of(lengths[0][i], lengths[1][i]);
     say({trace(0).moves.row(i).step, trace(1).moves.row(i).step},
-        {move + short_text(lengths[0][i]) + " mm long",
-         move + short_text(lengths[1][i]) + " mm long"});
+        {move + texts[0] + " mm long", move + texts[1] + " mm long"});
     return;
   }
 }
 
-void Pair::of_dwells() {
-  if (moves(0) != moves(1)) return;
-  std::array<Column, 2> times{Column(moves(0)), Column(moves(0))};
-  for (std::size_t side = 0; side < 2; ++side)
-    trace(side).moves.columns({"time"}, {times[side].data()});
+/// Say where the moves are the same and one does not take as long. A dwell has a time and no
+/// length.
+void Pair::of_times() {
+  if (asked_.times == Times::None || moves(0) != moves(1)) return;
+  const bool all = asked_.times == Times::Moves;
+  const Columns times = both("time");
   std::vector<std::int32_t> kinds(moves(0));
-  trace(0).moves.column("kind", kinds.data());
+  trace(0).moves.column("kind", kinds.data(), &interrupt_);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i] != static_cast<std::int32_t>(MoveKind::Dwell)) continue;
-    if (!(std::fabs(times[0][i] - times[1][i]) > kNear)) continue;
+    if (!all && kinds[i] != static_cast<std::int32_t>(MoveKind::Dwell)) continue;
+    if (!(std::fabs(times[0][i] - times[1][i]) > kNearTime)) continue;
     const std::string move = "move " + std::to_string(i);
     say({trace(0).moves.row(i).step, trace(1).moves.row(i).step},
-        {move, move + ", a dwell with another time"});
+        {move, move + (all ? " with another time" : ", a dwell with another time")});
     return;
   }
 }
 
-}  // namespace cncsub::api
+}  // namespace cncsub
