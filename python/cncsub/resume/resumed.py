@@ -43,12 +43,11 @@ class Resume(NotPicklable):
     ('G01', -5.0)
     >>> print(resume.text, end="")
     O9001
-    G21 G17 G94 G40 G80 G90
+    G21 G17 G94 G40 G80 G49 G90
     G54
     G00 Z50.
-    G00 Z-5.
-    F100
-    G01
+    G00 X0. Y0.
+    G01 Z-5. F100
     N30 X5.
     N40 M30
     """
@@ -146,6 +145,7 @@ class _Work:
         self._refuse_compensation()
         self.starts = Starts(library, main, options, self.whole, self.machine)
         self.safe = safe
+        self.why_flat = ""
         self.height = self._height() if self._needs_height() else None
 
     def _needs_height(self) -> bool:
@@ -356,7 +356,8 @@ def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
         return work.differs(head, library, None, variables=False)
 
     _prove(head, differs())
-    notes = ["the rest stands without calls and loops; it sets no variables", *told]
+    without = f"the rest stands without calls and loops, it sets no variables: {work.why_flat}"
+    notes = [without, *told]
     name = name if headed else _free_name(work.library, "RESTART{}")
     return work.resume(_named(work, {name: text}), "flat", notes, differs)
 
@@ -420,6 +421,8 @@ def resume(
                 return form(work, groups, manner)
             except NoTailsError as error:
                 reasons[form].append(str(error))
+                if form is _of_calls:
+                    work.why_flat = str(error).partition("\n")[0]
     raise refused(
         f"no restart program does the same from here on{work.causes()}\nwith calls:"
         f" {reasons[_of_calls][0]}\nwithout calls: {reasons[_flat][0]}",
