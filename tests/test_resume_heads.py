@@ -278,6 +278,16 @@ def test_a_pass_of_a_place_that_is_met_once_is_refused(at: Any) -> None:
         library.resume(at=at, times=2)
 
 
+def test_a_refusal_names_the_cause_and_places_that_work() -> None:
+    text = (
+        "O1\nN5 G21 G90 G0 X0 Y0 Z5.\nN10 G20\nN20 G0 X[1/3]\nN30 G21\nN40 G1 Y5. F100\nN50 X3.\n"
+        "N60 M30\n"
+    )
+    with pytest.raises(cncsub.ResumeError, match="between the increments of the control") as error:
+        head_of(text, "O1:N40")
+    assert "it can be started at O1 N60 or O1 N10" in error.value.reason
+
+
 # ---- files ----
 
 

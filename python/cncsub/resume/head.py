@@ -287,7 +287,19 @@ class Head:
             last = index == len(groups) - 1
             if not (last and self._cut_in(wanted)) and not self._go(wanted):
                 self.lacks.append(f"the head cannot move {' and '.join(wanted)} to the place")
+            self._tell_between(wanted)
         self.polar()
+
+    def _tell_between(self, wanted: dict[str, float]) -> None:
+        """Tell where an axis stands that no word leads to: the run came there in other units or
+        through a rotation.
+        """
+        for axis, value in wanted.items():
+            if not _near(self.now, {axis: value}) and _near(self.now, {axis: value}, _REACHED):
+                self.lacks.append(
+                    f"{axis} stands at {self._machine.position[axis]:.9g}, between the increments"
+                    " of the control"
+                )
 
     def _cut_in(self, wanted: dict[str, float]) -> bool:
         """Move the last axes with the feed of the run, where the run came to the place with it:
