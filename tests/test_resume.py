@@ -77,7 +77,7 @@ def test_a_restart_program_goes_on_with_calls_and_passes(job: cncsub.Library) ->
     assert resumed.form == "calls"
     assert resumed.files == {
         "O9001.nc": "O9001\nG21 G17 G94 G40 G80 G90\nG54\n#100=1\nT5 M06\nS2000 M3\nM8\n"
-        "G00 G43 H1 Z50.\nG00 X30. Y0.\nG00 Z-5.\nF200\nG01\nM98 P9002\nM98 P2\n"
+        "G00 G43 H1 Z50.\nG00 X30. Y0.\nG01 Z-5. F200\nM98 P9002\nM98 P2\n"
         "N50 G65 P3 A3. B#100\nN70 M30\n",
         "O9002.nc": "O9002\nN120 G0 Z50.\nN125 #100=#100+1\nN130 M99\n",
     }
@@ -218,9 +218,9 @@ def test_a_head_puts_in_force_what_the_run_has(
 def test_the_safe_height_and_the_order_of_axes_are_chosen(job: cncsub.Library) -> None:
     resumed = job.resume(at="O2:N120", safe_height=80, order=["Y", "X", "Z"])
     lines = resumed.text.splitlines()
-    assert "G00 Z-5." in job.resume(at="O2:N120", order=["X"]).text  # what it does not name, last
+    assert "G01 Z-5." in job.resume(at="O2:N120", order=["X"]).text  # what it does not name, last
     at = lines.index("G00 G43 H1 Z80.")
-    assert lines[at + 1 : at + 4] == ["G00 Y0.", "G00 X20.", "G00 Z-5."]
+    assert lines[at + 1 : at + 5] == ["G00 Y0.", "G00 X20.", "G00 Z50.", "G01 Z-5. F200"]
 
 
 @pytest.mark.parametrize("order", [["Q"], ["XY", "Y"], [], "X Z"])
@@ -232,18 +232,21 @@ def test_an_order_that_names_no_axes_is_refused(job: cncsub.Library, order: Any)
 
 
 @pytest.mark.parametrize(
-    ("control", "text", "at"),
+    ("control", "text", "at", "why"),
     [
-        ("linuxcnc", "o1 sub\nG91 G0 X1\no1 endsub\nG0 Z5\nN20 o1 call\nN30 G90 X5\no1 call\nM2\n", "MAIN:N30"),
-        (CONTROL, "O1\nN10 G66 P2 A1.\nN20 G0 X5.\nN30 X6.\nN40 G67\nN50 M30\nO2\nG91 Z#1\nG90\nM99\n", "O1:N30"),
+        ("linuxcnc", "o1 sub\nG91 G0 X1\no1 endsub\nG0 Z5\nN20 o1 call\nN30 G90 X5\no1 call\nM2\n", "MAIN:N30", "move 1 of the rest differs in kind"),
+        (CONTROL, "O1\nN10 G66 P2 A1.\nN20 G0 X5.\nN30 X6.\nN40 G67\nN50 M30\nO2\nG91 Z#1\nG90\nM99\n", "O1:N30", "a modal call is in force"),
     ],
 )  # fmt: skip
 def test_a_rest_that_cannot_go_on_with_calls_is_flat_and_says_so(
-    control: str, text: str, at: str
+    control: str, text: str, at: str, why: str
 ) -> None:
     resumed = cncsub.loads(text, control=control).resume(at=at, setup=HOME)
     assert resumed.form == "flat"
-    assert resumed.notes == ("the rest stands without calls and loops; it sets no variables",)
+    assert len(resumed.notes) == 1
+    assert resumed.notes[0] == (
+        f"the rest stands without calls and loops, it sets no variables: {why}"
+    )
 
 
 @pytest.mark.parametrize(

@@ -34,7 +34,7 @@ class Breakpoint:
     | text | pauses |
     | --- | --- |
     | `"O2:N30"` | before the blocks N30 of the program O2 |
-    | `"job.nc:12"`, `"O2:12"` | before the block on line 12 of the file, or of the file of O2 |
+    | `"job.nc:12"`, `"O2:12"` | before the block on line 12 of the file, which lies in O2 |
     | `"call"`, `"call O2"` | after a call, at the first block of what was called |
     | `"return"`, `"return O2"` | after a program was left, at the block of the caller |
     | `"alarm"`, `"alarm 078"` | at an alarm, by its number or its cause |
@@ -201,18 +201,21 @@ class Compiled:
         return found
 
     def _on_line(self, name: str, line: int) -> dict[str, Any]:
-        """Return the blocks on a line of a file, or of the file in which a program stands."""
+        """Return the blocks on a line of a file, or of a program."""
         code, files = self._core.code, self._programs_of_files
         ending = (of for file, of in files.items() if file.rpartition("/")[2] == name)
         found = files.get(name) or sorted(itertools.chain.from_iterable(ending))
+        index = -1
         if not found:
             index = find_program(code, name)
             if index < 0:
                 names = [*code.names(), *files]
                 raise KeyError(f"no file and no program {name}{did_you_mean(name, names)}")
-            found = files[code.program(index).file]
+            found = self._parts_of(index)
         blocks = [block for i in found for block in self._core.blocks_at(i, -1, line)]
         if not blocks:
+            if index >= 0:
+                self._refuse_other_program(index, line)
             programs = map(code.program, found)
             lines = sorted(p.block(i)[1] for p in programs for i in range(p.blocks))
             before = max((each for each in lines if each < line), default=None)
@@ -221,6 +224,29 @@ class Compiled:
             cure = f"; the nearest have lines {near}" if near else ""
             raise KeyError(f"no block on line {line} of {name}{cure}")
         return {"kind": "block", "blocks": blocks}
+
+    def _parts_of(self, index: int) -> list[int]:
+        """Return a program with the subprograms that are defined inside of its text."""
+        program = self._core.code.program(index)
+        _, first, end = program.span
+        parts = [index]
+        for place in self._programs_of_files[program.file]:
+            other = self._core.code.program(place)
+            if other.inside and place != index and first <= other.span[1] < end:
+                parts.append(place)
+        return parts
+
+    def _refuse_other_program(self, index: int, line: int) -> None:
+        """Raise `KeyError` where a line of the file of a program lies in another program."""
+        code = self._core.code
+        program = code.program(index)
+        for place in self._programs_of_files[program.file]:
+            if self._core.blocks_at(place, -1, line):
+                other = code.program(place).name
+                raise KeyError(
+                    f"line {line} of {program.file} lies in {other}, not in {program.name}: give"
+                    f" {other}:{line}, or {program.file}:{line}"
+                )
 
 
 def blocks_of(core: _core.Machine, breakpoint: Breakpoint) -> list[int]:

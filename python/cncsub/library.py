@@ -405,7 +405,8 @@ class Library(Mapping[str, Program]):
         `"job.nc:12"`), `times` the so manieth time that the run comes to it; the number of a move;
         `"T3"`, the block that calls a tool; or a place in space (`"X10 Y5 Z-2"`, or a mapping; work
         coordinates, mm), the block whose move comes nearest. `safe_height`: the Z (work
-        coordinates, mm) to which the head goes first, the highest of the run without it. `order`:
+        coordinates, mm) to which the head goes first, the highest of the run that is known without
+        it: heights in other offsets only where the setup gives the offsets. `order`:
         the axes in the order in which the head goes to the place, one block each, such as
         `("XY", "Z")`. `options`: those of `run`.
 
@@ -414,7 +415,7 @@ class Library(Mapping[str, Program]):
         where no restart program does the same, and what `run` and `machine.run` raise.
 
         >>> import cncsub
-        >>> text = "O1\\nN10 G0 Z5.\\nN20 M98 P2 L3\\nN30 M30\\nO2\\nN40 G91 X5.\\nN50 M99\\n"
+        >>> text = "O1\\nN10 G0 X0 Z5.\\nN20 M98 P2 L3\\nN30 M30\\nO2\\nN40 G91 X5.\\nN50 M99\\n"
         >>> library = cncsub.loads(text, control="fanuc-0i-f")
         >>> resume = library.resume(at="O2:N40", times=2)
         >>> resume.state.stack

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +20,9 @@ _DIGITS = 10  # of a value of `modal`: one that has as many may have more
 _NEAR = 1e-9  # mm
 _REACHED = 0.01  # mm: words of a head that have so many digits
 _ROTARY = "ABC"
+_AIR = ("rapid", "dwell")  # the kinds of moves that do not cut
+_FEEDS = ("per-minute", "per-revolution")  # those that mean the same in another move
+_CUT = 100_000  # moves of one cut that are looked at
 # Modes that a head cancels before it moves, by their codes at power-on; and those that it writes.
 _CANCELLED = ("radius", "cycle", "scaling", "rotation", "polar", "mirror")
 _BENDING = _CANCELLED[2:]
@@ -271,13 +275,58 @@ class Head:
         self._go_across(aim, axes, order)
 
     def _go_across(self, aim: Any, axes: list[str], order: tuple[str, ...] | None) -> None:
-        groups = order or (("Z", "X") if self._lathe else ())
-        left = "".join(axis for axis in axes if axis not in "".join(groups))
-        for group in (*groups, left.replace("Z", ""), "Z"):
-            wanted = {axis: _at(aim, axis) for axis in group if axis in axes}
-            if not self._go(wanted):
+        chosen = order or (("Z", "X") if self._lathe else ())
+        left = "".join(axis for axis in axes if axis not in "".join(chosen))
+        every = (*chosen, left.replace("Z", ""))
+        named = ("".join(axis for axis in group if axis in axes) for group in every)
+        groups = [group for group in named if group]
+        if "Z" in left:
+            groups.append("Z")
+        for index, group in enumerate(groups):
+            wanted = {axis: _at(aim, axis) for axis in group}
+            last = index == len(groups) - 1
+            if not (last and self._cut_in(wanted)) and not self._go(wanted):
                 self.lacks.append(f"the head cannot move {' and '.join(wanted)} to the place")
+            self._tell_between(wanted)
         self.polar()
+
+    def _tell_between(self, wanted: dict[str, float]) -> None:
+        """Tell where an axis stands that no word leads to: the run came there in other units or
+        through a rotation.
+        """
+        for axis, value in wanted.items():
+            if not _near(self.now, {axis: value}) and _near(self.now, {axis: value}, _REACHED):
+                self.lacks.append(
+                    f"{axis} stands at {self._machine.position[axis]:.9g}, between the increments"
+                    " of the control"
+                )
+
+    def _cut_in(self, wanted: dict[str, float]) -> bool:
+        """Move the last axes with the feed of the run, where the run came to the place with it:
+        material may be in the way. Above the height from which it has cut Z goes with rapid.
+        """
+        moves = self._machine.moves
+        feed = self._state.modal.get("F", "0")
+        if moves[-1].kind in _AIR or feed in ("0", ""):
+            return False
+        if moves[-1].feed_mode not in _FEEDS:
+            return False
+        if set(wanted) == {"Z"} and (above := self._height_of_cut()) > wanted["Z"]:
+            self._go({"Z": above})
+        if _near(self.now, wanted) and set(wanted) <= self._commanded:
+            return True
+        return any(self._go(wanted, "G01", text) for text in self._texts_for("F"))
+
+    def _height_of_cut(self) -> float:
+        """Return the highest machine Z that the run has come to since its last rapid."""
+        moves = self._machine.moves
+        top = -math.inf
+        for index in range(len(moves) - 1, max(-1, len(moves) - _CUT), -1):
+            move = moves[index]
+            if move.kind in _AIR:
+                break
+            top = max(top, _at(move, "Z"), float(getattr(move, "msz", top)))
+        return top
 
     def _can_move(self, axis: str) -> bool:
         """Return whether the head can move an axis to the place: not where its place depends on
@@ -306,11 +355,9 @@ class Head:
         """Go up, with the length of the tool."""
         leads = self._length_words() if self._has_length() else [""]
         for lead in leads:
-            if self._go({"Z": height}, lead) and self._length_is_right():
+            if self._go({"Z": height}, f"G00 {lead}".strip()) and self._length_is_right():
                 return
-        if self._has_length():
-            self._put_length_in_force()
-            leads = [""]
+        self._put_length_in_force()
         if not self._go({"Z": height}):
             raise refused(
                 "the control takes no move to the safe height; give another one"
@@ -355,16 +402,18 @@ class Head:
             value /= _INCH
         most = 4 if self._used("polar") else 11  # the polar words say it exactly, and come after
         places = next((n for n in range(3, most) if abs(round(value, n) - value) < 1e-10), 4)
-        whole, _, part = f"{value:.{places}f}".partition(".")
+        whole, _, part = f"{round(value, places) + 0.0:.{places}f}".partition(".")
         return f"{whole}.{part.rstrip('0')}"
 
-    def _go(self, aim: dict[str, float], lead: str = "") -> bool:
-        """Move axes to machine coordinates, by the words that lead there. Return whether they
-        stand there then.
+    def _go(self, aim: dict[str, float], lead: str = "G00", tail: str = "") -> bool:
+        """Move axes to machine coordinates, by the words that lead there, with others before and
+        after them. Return whether they stand there then.
         """
         if not aim or (_near(self.now, aim) and set(aim) <= self._commanded):
             return True
         line = self._line_to(aim, lead)
+        if tail:
+            line = f"{line} {tail}"
         if not self._add_where(lambda _: _near(self.now, aim, _REACHED), line):
             return False
         self._commanded |= set(aim)
@@ -375,18 +424,28 @@ class Head:
         run has, then with those that lead there from where they led.
         """
         words = {axis: self._machine.position[axis] for axis in aim}
-        line = ""
-        for again in (True, True, False):
-            line = self._rapid(words, lead)
+        line = self._rapid(words, lead)
+        for _ in range(2):
             tried = self._run([*self.lines, line])
-            if not again or tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
+            if tried.alarm is not None or not len(tried.moves) or _near(tried, aim):
                 break
             words = self._solved(words, aim, lead, tried)
+            line = self._shortest(words, aim, lead)
+        return line
+
+    def _shortest(self, words: dict[str, float], aim: dict[str, float], lead: str) -> str:
+        """Return the block with the fewest digits that leads to machine coordinates, else all."""
+        line = ""
+        for digits in (3, 4, 6, 10):
+            rounded = {axis: round(value, digits) + 0.0 for axis, value in words.items()}
+            line = self._rapid(rounded, lead)
+            if _near(self._run([*self.lines, line]), aim):
+                break
         return line
 
     def _rapid(self, words: dict[str, float], lead: str) -> str:
         texts = (f"{axis}{self._text(axis, value)}" for axis, value in words.items())
-        return " ".join(["G00", *filter(None, [lead]), *texts])
+        return " ".join([lead, *texts])
 
     def _solved(
         self, words: dict[str, float], aim: dict[str, float], lead: str, tried: Machine

@@ -43,12 +43,11 @@ class Resume(NotPicklable):
     ('G01', -5.0)
     >>> print(resume.text, end="")
     O9001
-    G21 G17 G94 G40 G80 G90
+    G21 G17 G94 G40 G80 G49 G90
     G54
     G00 Z50.
-    G00 Z-5.
-    F100
-    G01
+    G00 X0. Y0.
+    G01 Z-5. F100
     N30 X5.
     N40 M30
     """
@@ -146,6 +145,7 @@ class _Work:
         self._refuse_compensation()
         self.starts = Starts(library, main, options, self.whole, self.machine)
         self.safe = safe
+        self.why_flat = ""
         self.height = self._height() if self._needs_height() else None
 
     def _needs_height(self) -> bool:
@@ -356,7 +356,8 @@ def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
         return work.differs(head, library, None, variables=False)
 
     _prove(head, differs())
-    notes = ["the rest stands without calls and loops; it sets no variables", *told]
+    without = f"the rest stands without calls and loops, it sets no variables: {work.why_flat}"
+    notes = [without, *told]
     name = name if headed else _free_name(work.library, "RESTART{}")
     return work.resume(_named(work, {name: text}), "flat", notes, differs)
 
@@ -412,21 +413,71 @@ def resume(
         options["block_skip"] = tuple(switches)  # the program runs more than once
     height = None if safe_height is None else length("safe_height", safe_height)
     groups = _order(order)
-    work = _Work(library, main, place, height, dict(options)).begun_at_height(place)
-    reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
-    for manner in _MANNERS:
-        for form in (_of_calls, _flat):
-            try:
-                return form(work, groups, manner)
-            except NoTailsError as error:
-                reasons[form].append(str(error))
+    asked = _Asked(library, main, height, groups, dict(options))
+    work, made, reasons = asked.at(place)
+    if made is not None:
+        return made
+    pairs = zip(("with", "without"), reasons, strict=True)
+    told = "".join(f"\n{form} calls: {reason}" for form, reason in pairs)
     raise refused(
-        f"no restart program does the same from here on{work.causes()}\nwith calls:"
-        f" {reasons[_of_calls][0]}\nwithout calls: {reasons[_flat][0]}",
+        f"no restart program does the same from here on{work.causes()}{asked.near(work)}{told}",
         work.state.block,
     )
 
 
+class _Asked:
+    """What a restart is asked for, but its place."""
+
+    def __init__(
+        self,
+        library: Library,
+        main: str | int | None,
+        height: float | None,
+        order: tuple[str, ...] | None,
+        options: dict[str, Any],
+    ) -> None:
+        self._library, self._main, self._height = library, main, height
+        self._order, self._options = order, options
+
+    def at(self, place: Any) -> tuple[_Work, Resume | None, list[str]]:
+        """Return the restart at a place, or the first reasons why none can be written: with calls,
+        and without.
+        """
+        work = _Work(self._library, self._main, place, self._height, self._options)
+        work = work.begun_at_height(place)
+        reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
+        for manner in _MANNERS:
+            for form in (_of_calls, _flat):
+                try:
+                    return work, form(work, self._order, manner), []
+                except NoTailsError as error:
+                    reasons[form].append(str(error))
+                    if form is _of_calls:
+                        work.why_flat = str(error).partition("\n")[0]
+        return work, None, [each[0] for each in reasons.values()]
+
+    def near(self, work: _Work) -> str:
+        """Return the nearest places, after and before, at which the run can be started again."""
+        count = len(work.whole.steps)
+        if count > _MOST_STEPS:
+            return ""
+        found = []
+        for sign in (1, -1):
+            steps = (work.state.step + sign * far for far in _FAR)
+            places = (work.whole.steps[step] for step in steps if 0 <= step < count)
+            place = next((place for place in places if self._works(place)), None)
+            found += [] if place is None else [place_text(place)]
+        return f"\nit can be started at {' or '.join(found)}" if found else ""
+
+    def _works(self, place: Any) -> bool:
+        try:
+            return self.at(place)[1] is not None
+        except ValueError:
+            return False
+
+
+_MOST_STEPS = 10_000  # of a run in which a place is looked for that works
+_FAR = (1, 2, 3, 5, 8, 13)  # steps from the one asked for
 # Tried in this order: the plain head first.
 _MANNERS = (
     Manner(repeats=False, bends_first=True),
