@@ -191,6 +191,33 @@ def test_two_controls_part_by_the_rule_that_python_finds(page: Any) -> None:
     assert "do the same" in page.text_content("#difference")
 
 
+def test_the_path_of_the_second_control_goes_on_where_the_first_one_stopped(page: Any) -> None:
+    text = "O1\nN10 G0 X0 Y0\nN20 M98 P20003\nN30 G1 X50. Y50. F100\nN40 M30\nO3\nM99\n"
+    run(page, text, "mitsubishi-m700", "fanuc-0i-f")
+    assert page.evaluate("ran.summary.stop") == "alarm"
+    drawn = """() => {
+        const data = $('canvas').getContext('2d').getImageData(0, 0, $('canvas').width, $('canvas').height).data;
+        let orange = 0;
+        for (let i = 0; i < data.length; i += 4) orange += data[i + 3] > 200 && data[i] > data[i + 2] + 60;
+        return orange;
+    }"""
+    assert page.evaluate(drawn) > 200
+    page.keyboard.press("Alt+Home")
+    assert page.evaluate(drawn) == 0
+
+
+def test_a_file_of_ones_own_is_no_example(page: Any) -> None:
+    assert page.input_value("#example") == "0"
+    file = {"name": "own.nc", "mimeType": "", "buffer": b"O1\nM30\n"}
+    page.set_input_files("#files", [file])
+    page.wait_for_function("files[0].name === 'own.nc'")
+    assert page.input_value("#example") == ""
+    idle(page)
+    page.select_option("#example", "1")
+    idle(page)
+    assert page.evaluate("files[0].name") == page.evaluate("PLAYGROUND.examples[1].name")
+
+
 def test_steps_go_forward_and_back_with_the_variables_of_the_place(page: Any) -> None:
     run(page, "O1\nN10 #100=1\nN20 M98 P2\nN30 #100=3\nN40 M30\nO2\nN50 #100=2\nN60 M99\n")
     page.click("#tab-variables")

@@ -25,6 +25,7 @@ const made = (tag, text, name) => {
 /** Show what would be invisible, or would turn the direction of what stands beside it; lines and tabs stay. */
 const visible = (text) => text.replace(/[\u0000-\u0008\u000b-\u001f\u007f-\u009f\u200b-\u200f\u202a-\u202e\u2060-\u2069\ufeff]/g,
   (one) => `\\u${one.charCodeAt(0).toString(16).padStart(4, "0")}`);
+const counted = (count, one) => `${count.toLocaleString("en")} ${one}${count === 1 ? "" : "s"}`;
 const say = (text) => { $("status").textContent = text; };
 const post = (kind, told = {}) => worker.postMessage({ job: ++job, kind, ...told }) || job;
 
@@ -177,7 +178,7 @@ function stop() {
 function showRun() {
   const { summary, messages, calls } = ran;
   const why = summary.stop === "waiting" ? `waiting for ${summary.waiting}` : summary.stop;
-  say(`${why}: ${summary.blocks.toLocaleString("en")} blocks, ${summary.moves.toLocaleString("en")} moves, ${summary.length.toFixed(1)} mm, ${summary.time.toFixed(1)} s`);
+  say(`${why}: ${counted(summary.blocks, "block")}, ${counted(summary.moves, "move")}, ${summary.length.toFixed(1)} mm, ${summary.time.toFixed(1)} s`);
   document.body.dataset.stop = summary.stop;
   const alarm = summary.alarm;
   $("alarm").hidden = alarm === null;
@@ -217,7 +218,7 @@ function callTree(calls) {
     const item = made("li", `${one.kind} ${one.called}${one.startN === null ? "" : ` from N${one.startN}`}${one.repeats === 1 ? "" : `, ${one.repeats} passes`}`);
     const go = made("button", item.textContent, "link");
     item.replaceChildren(go);
-    item.append(made("span", one.lastStep === null ? " not ended" : ` ${one.lastStep - one.firstStep + 1} blocks`, "where"));
+    item.append(made("span", one.lastStep === null ? " not ended" : ` ${counted(one.lastStep - one.firstStep + 1, "block")}`, "where"));
     const list = made("ul");
     item.append(list);
     go.onclick = () => goTo(one.callerStep + 1);
@@ -296,19 +297,21 @@ function showComparison() {
 
 function draw() {
   if (ran === null) {
-    drawPlane($("canvas"), [], "xy", 0, {});
+    drawPlane($("canvas"), [], "xy", {});
     return;
   }
   const style = getComputedStyle(document.documentElement);
   const colours = Object.fromEntries(["front", "back", "cut", "rapid", "other", "mark"].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
-  const paths = [{ path: ran.path, cut: colours.cut, rapid: colours.rapid, name: asked.control }];
-  if (compared && compared.what) paths.push({ path: compared.path, cut: colours.other, rapid: colours.rapid, name: asked.second });
+  const paths = [{ path: ran.path, until: at, cut: colours.cut, rapid: colours.rapid, name: asked.control }];
+  // After the last block the other control may still go on.
+  const until = at === ran.summary.steps ? Infinity : at;
+  if (compared && compared.what) paths.push({ path: compared.path, until, cut: colours.other, rapid: colours.rapid, name: asked.second });
   const inSpace = $("view").value === "3d";
   $("canvas").hidden = inSpace;
   $("space").hidden = !inSpace;
-  $("drawn").textContent = ran.path.x.length ? `${ran.path.x.length.toLocaleString("en")} points` : "No moves.";
-  if (!inSpace) drawPlane($("canvas"), paths, $("view").value, at, colours);
-  else drawSpace($("space"), paths, at, colours).catch((error) => say(error.message));
+  $("drawn").textContent = ran.path.x.length ? counted(ran.path.x.length, "point") : "No moves.";
+  if (!inSpace) drawPlane($("canvas"), paths, $("view").value, colours);
+  else drawSpace($("space"), paths, colours).catch((error) => say(error.message));
 }
 
 // ---- keys ----

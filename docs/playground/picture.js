@@ -1,16 +1,17 @@
 // The path on a canvas, or in space by plotly. What it draws are the points that the engine gives.
 "use strict";
 
+const HOLE = 3; // pixels
 const VIEWS = { xy: ["x", "y"], zx: ["z", "x"], yz: ["y", "z"] };
 
-/** The ends of a path's pieces up to the step `until`, of rapid moves or of the others. */
-function* pieces(path, until, isRapid) {
+/** The ends of a path's pieces before the step `until`, of rapid moves or of the others. */
+function* pieces({ path, until }, isRapid) {
   for (let i = 1; i < path.x.length && path.step[i] < until; ++i)
     if (!path.begins[i] && (path.kind[i] === 0) === isRapid) yield i;
 }
 
-/** Draw paths, [{path, rapid, cut}], to the step `until`, in a plane. */
-function drawPlane(canvas, paths, view, until, colours) {
+/** Draw paths, [{path, until, rapid, cut}], each to its step `until`, in a plane. */
+function drawPlane(canvas, paths, view, colours) {
   const scale = window.devicePixelRatio || 1;
   const width = canvas.clientWidth;
   const height = canvas.clientHeight;
@@ -34,19 +35,25 @@ function drawPlane(canvas, paths, view, until, colours) {
   to.font = "12px system-ui";
   to.fillStyle = colours.front;
   to.fillText(`${a.toUpperCase()} ${left.toFixed(3)} to ${right.toFixed(3)}   ${b.toUpperCase()} ${low.toFixed(3)} to ${high.toFixed(3)}`, 8, height - 8);
-  for (const { path, cut, rapid } of paths)
+  for (const one of paths)
     for (const isRapid of [true, false]) {
+      const { path, cut, rapid } = one;
       to.beginPath();
       to.strokeStyle = isRapid ? rapid : cut;
       to.lineWidth = isRapid ? 1 : 1.6;
       to.setLineDash(isRapid ? [4, 3] : []);
-      for (const i of pieces(path, until, isRapid)) {
+      for (const i of pieces(one, isRapid)) {
+        const [x, y] = [px(path[a][i]), py(path[b][i])];
         to.moveTo(px(path[a][i - 1]), py(path[b][i - 1]));
-        to.lineTo(px(path[a][i]), py(path[b][i]));
+        to.lineTo(x, y);
+        const seen = [a, b].some((axis) => path[axis][i] !== path[axis][i - 1]);
+        if (isRapid || seen) continue;
+        to.moveTo(x + HOLE, y); // a cut along the line of sight, such as a hole, is a ring
+        to.arc(x, y, HOLE, 0, 7);
       }
       to.stroke();
     }
-  const path = paths[0].path;
+  const { path, until } = paths[0];
   let tool = -1;
   while (tool + 1 < path.x.length && path.step[tool + 1] < until) ++tool;
   if (tool < 0) return;
@@ -71,11 +78,12 @@ function loadPlotly() {
   return plotly;
 }
 
-async function drawSpace(element, paths, until, colours) {
+async function drawSpace(element, paths, colours) {
   const Plotly = await loadPlotly();
-  const lines = paths.flatMap(({ path, cut, rapid, name }) => [true, false].map((isRapid) => {
+  const lines = paths.flatMap((one) => [true, false].map((isRapid) => {
+    const { path, cut, rapid, name } = one;
     const of = { x: [], y: [], z: [] };
-    for (const i of pieces(path, until, isRapid))
+    for (const i of pieces(one, isRapid))
       for (const axis of ["x", "y", "z"]) of[axis].push(path[axis][i - 1], path[axis][i], null);
     return { type: "scatter3d", mode: "lines", ...of, name: `${name}: ${isRapid ? "rapid" : "feed"}`, hoverinfo: "x+y+z",
       line: { color: isRapid ? rapid : cut, width: isRapid ? 2 : 4 } };

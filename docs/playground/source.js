@@ -14,9 +14,10 @@ function keep() {
   if (isText(files[inField])) files[inField].text = $("text").value;
 }
 
-/** Show files, the first one in the field. */
-function show(of) {
+/** Show files, the first one in the field. `example`: which one of the examples it is. */
+function show(of, example = "") {
   files = of;
+  $("example").value = example;
   $("file").replaceChildren(...files.map(({ name }, i) => new Option(visible(name), String(i))));
   showFile(0);
 }
@@ -133,12 +134,13 @@ function choose(index) {
   const example = PLAYGROUND.examples[index];
   $("control").value = example.control;
   $("main").value = $("start").value = "";
-  show([{ name: example.name, text: example.text }]);
+  show([{ name: example.name, text: example.text }], String(index));
   run();
 }
 
+$("example").append(new Option("none", ""));
 PLAYGROUND.examples.forEach(({ name }, i) => $("example").append(new Option(name, String(i))));
-$("example").onchange = () => choose(Number($("example").value));
+$("example").onchange = () => { if ($("example").value !== "") choose(Number($("example").value)); };
 $("file").onchange = () => {
   const to = Number($("file").value);
   keep();
