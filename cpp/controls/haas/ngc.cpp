@@ -1,5 +1,6 @@
 // Haas mills with the Next Generation Control.
-// The keys of the sources stand in sources.def. What no source says is as in the family.
+// The keys of the sources stand in sources.def. HNGC is the operator's manual. What no source says
+// is as in the family.
 #include "controls/facts.hpp"
 #include "controls/settings.hpp"
 
@@ -14,15 +15,12 @@ constexpr const char* kPolicy = "policy, nobody says";
 constexpr const char* kAlarms = "general knowledge of the Haas alarm list";
 
 void reading(Control& c) {
-  c.reading.max_program_number = {99999, "H96 p.217: O00012, five digits", Secondary};
+  c.reading.max_program_number = {99999, "HNGC p.132: five digits", Manual};
   c.reading.max_sequence_number = {99999, kHaas, Inferred};
   c.reading.block_skip = {BlockSkip::Anywhere, kHaas, Inferred};
-  c.reading.extra_m_codes = {ExtraMCodes::Alarm,
-                             "general knowledge of the Haas mill: one M code a block", Inferred};
-  c.reading.whole_numbers = {WholeNumbers::Increments,
-                             "HEL: without a point the last digit counts thousandths", Secondary};
-  c.reading.missing_end = {MissingEnd::Alarm, "general knowledge of the Haas alarm list: 312",
-                           Inferred};
+  c.reading.extra_m_codes = {ExtraMCodes::Alarm, "HNGC p.345: one M code a block", Manual};
+  c.reading.whole_numbers = {WholeNumbers::Increments, "HNGC p.393, setting 162", Manual};
+  c.reading.missing_end = {MissingEnd::Alarm, "HNGC p.134: without M99 it is alarm 312", Manual};
   c.reading.g_codes = {
       "0 1 2 3 4 9 10 12 13 17 18 19 20 21 28 29 31 35 36 37 40 41 42 43 44 47 49 50 51 52 53 54 "
       "55 56 57 58 59 60 61 64 65 68 69 70 71 72 73 74 76 77 80 81 82 83 84 85 86 87 88 89 90 91 "
@@ -33,66 +31,75 @@ void reading(Control& c) {
 }
 
 void calls_and_returns(Control& c) {
-  c.calls.program_word = {ProgramWord::Number, "H96 p.217: P is the number of the program",
-                          Secondary};
-  c.calls.max_program_digits = {5, "H96 p.217: O00012, five digits", Secondary};
-  c.calls.max_repeats = {99, kHaas, Inferred};
+  c.calls.program_word = {ProgramWord::Number, "HNGC p.359, M98: P is the number of the program",
+                          Manual};
+  c.calls.max_program_digits = {5, "HNGC p.149: Onnnnn", Manual};
+  c.calls.max_repeats = {99, "HNGC p.358, 359: L is 1 to 99", Manual};
   c.calls.zero_repeats = {ZeroRepeats::Once, kPolicy, Inferred};
   c.calls.max_nesting = {9, kHaas, Inferred};
-  c.calls.max_macro_nesting = {9, kHaas, Inferred};
-  c.calls.return_with_p = {ReturnWithP::OwnProgram, "HDIY, M99 P: it does not return to the caller",
-                           Manual};
-  c.calls.main_return = {MainReturn::Restarts, kHaas, Inferred};
-  give_role(c.calls.roles, "M97", Role::LocalCall, "H96 p.217, M97", Secondary);
-  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "H96 p.217, M96; p.91", Secondary);
-  c.calls.conditional_return = {true, "HDIY, N50 [#10000 LT 10] M99 P10", Manual};
+  c.calls.max_macro_nesting = {9, "HNGC p.232: G65 can be nested nine times", Manual};
+  c.calls.return_with_p = {ReturnWithP::OwnProgram,
+                           "HNGC p.224, M99 P: it does not return to the caller", Manual};
+  c.calls.main_return = {MainReturn::Restarts, "HNGC p.360, M99 in the main program", Manual};
+  give_role(c.calls.roles, "M97", Role::LocalCall, "HNGC p.358, M97", Manual);
+  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "HNGC p.357, M96", Manual);
+  c.calls.conditional_return = {true, "HNGC p.227, [#1EQ#2] M99 P5", Manual};
 }
 
 void macros(Control& c) {
-  c.macros.commons = {"10000-10999", "ZAP, Haas system variables", Secondary};
-  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS", kHaas, Inferred};
+  c.macros.commons = {"10000-10999", "HNGC p.199, global variables", Manual};
+  c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS",
+                         "HNGC p.226 to 230; POPEN and PCLOS are general knowledge", Inferred};
+  c.macros.max_loop_number = {3, "HNGC p.229: DO 1 to 3", Manual};
+  c.macros.max_loops = {3, "HNGC p.229: three nested loops", Manual};
+  c.macros.loops_count_across_calls = {false, "HNGC p.229: three levels in each subprogram",
+                                       Manual};
   c.macros.if_form = {
       IfForm::Words,
-      "VBH, 9000.nc: IF[#10001 EQ 0] M98 P9004; H96 p.159: IF [ #9 EQ #0 ] #9= #4109", Secondary};
-  has(c.macros.conditions, {Condition::Values}, "HDIY: 0 is false, what is not 0 is true", Manual);
-  has(c.macros.conditions, {Condition::Joined}, "HDIY: Boolean operators in conditions", Manual);
+      "HNGC p.228, THEN G01 X#24 and THEN #101=0.0 M99; without THEN VBH, 9000.nc: IF[#10001 EQ 0] "
+      "M98 P9004; H96 p.159: IF [ #9 EQ #0 ] #9= #4109",
+      Secondary};
+  has(c.macros.conditions, {Condition::Values}, "HNGC p.227: IF [#1] GOTO5", Manual);
+  has(c.macros.conditions, {Condition::Joined}, "HNGC p.223: IF [[..] AND [..]] GOTO1", Manual);
   c.macros.short_functions = {false, kPolicy, Inferred};
-  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX MOD", kHaas, Inferred};
-  c.macros.vacant_address = {VacantAddress::Ignored, "HDIY, address substitution: no Z movement",
-                             Manual};
-  c.macros.vacant_comparison = {VacantComparison::Distinguished, "H96 p.118: IF [#2 NE #0]",
-                                Secondary};
-  lacks(c.common.reset_clears, {Cleared::Commons}, "ZAP, Haas system variables: saved at power-off",
-        Secondary);
+  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX MOD",
+                        "HNGC p.220, functions; p.223, MOD", Manual};
+  c.macros.vacant_address = {VacantAddress::Ignored, "HNGC p.220: no Y movement", Manual};
+  c.macros.vacant_comparison = {VacantComparison::Distinguished, "HNGC p.228: IF [#9NE#0] GOTO3",
+                                Manual};
+  lacks(c.common.reset_clears, {Cleared::Commons}, "HNGC p.199: they stay at power-off", Manual);
   no_role(c.calls.roles, {"G66", "G67"}, kHaas, Inferred);
-  c.macros.max_macro_digits = {5, "H96 p.217: O00012, five digits", Secondary};
+  c.macros.max_macro_digits = {5, "HNGC p.232: G65 Pnnnnn", Manual};
   c.macros.words_before_macro_call = {WordsBeforeMacroCall::Alarm, "general knowledge: 528",
                                       Inferred};
-  c.macros.user_alarm_offset = {1000, kHaas, Inferred};
-  c.macros.user_alarm_last = {999, kHaas, Inferred};
+  c.macros.user_alarm_offset = {1000, "HNGC p.210, #3000", Manual};
+  c.macros.user_alarm_last = {999, "HNGC p.210, #3000", Manual};
 }
 
 void motion(Control& c) {
-  leave_out(c, RuleGroup::TurningRules, "H96 p", Manual);  // of mills
+  leave_out(c, RuleGroup::TurningRules, "HNGC p.237", Manual);  // of mills
   c.motion.g_meanings = {
-      "47=not-computed 87=not-computed 88=not-computed 103=look-ahead-limit "
+      "47=not-computed 87=not-computed 88=not-computed "
+      "103=look-ahead-limit "
       "110=extra-system-1 111=extra-system-2 112=extra-system-3 113=extra-system-4 "
       "114=extra-system-5 115=extra-system-6 116=extra-system-7 117=extra-system-8 "
       "118=extra-system-9 119=extra-system-10 120=extra-system-11 121=extra-system-12 "
       "122=extra-system-13 123=extra-system-14 124=extra-system-15 125=extra-system-16 "
       "126=extra-system-17 127=extra-system-18 128=extra-system-19 129=extra-system-20 "
       "150=not-computed 154=extra-system 187=neutral",
-      "H96 p.113: G110 to G129; the others general knowledge of the Haas mill", Inferred};
-  c.motion.max_extra_systems = {99, "general knowledge of the Haas mill: G154 P1 to P99", Inferred};
-  c.motion.max_offset_number = {200, "HEL, D: 0 to 200", Secondary};
-  c.motion.dwell_words = {"P", kHaas, Inferred};
+      "HNGC p.308, 323: G110 to G129, G154; the others general knowledge of the Haas mill",
+      Inferred};
+  c.motion.max_extra_systems = {99, "HNGC p.323, G154 P1 to P99", Manual};
+  c.motion.max_offset_number = {200, "HNGC p.220: D is 0 to 200", Manual};
+  c.motion.dwell_words = {"P", "HNGC p.258, G04", Manual};
   c.motion.dwell_point = {DwellPoint::CyclesToo,
-                          "H96 p.91: G04 P1. waits a second; in cycles every post processor of the "
-                          "Haas writes it so",
-                          Secondary};
-  c.motion.cycle_repeats = {"L", kHaas, Inferred};
+                          "HNGC p.258: G04 P10. is ten seconds, P10 ten milliseconds; p.295: G82 "
+                          "P0.3; p.296: G83 P1.5",
+                          Manual};
+  c.motion.cycle_repeats = {"L", "HNGC p.293, L", Manual};
+  c.motion.max_rotation = {360, "HNGC p.282: R is -360. to 360.", Manual};
   c.motion.computed_lengths = {ComputedLengths::Rounded,
-                               "HVF p.374: G0 X[#1+#1] with 1.00333 goes to 2.0067", Secondary};
+                               "HNGC p.221: G00 X[#1+#1] with 1.00333 goes to 2.0067", Manual};
   c.motion.scale_unit = {ScaleUnit::AsWritten,
                          "HML p.136: G51 P2. and G51 P2; H96 p.159: G51 P [ #5 * 1000 ]",
                          Secondary};
@@ -102,73 +109,116 @@ using Kind = VariableKind;
 constexpr Access kReadWrite = Access::ReadWrite;
 constexpr Access kReadOnly = Access::ReadOnly;
 constexpr Access kWriteOnly = Access::WriteOnly;
-constexpr const char* kZap = "ZAP, Haas system variables";
+constexpr const char* kTable = "HNGC p.200 to 208, macro variables";
 
-/// Add the inputs, outputs, tools and counters.
-void system_variables(Control& c) {
-  const std::string zap = kZap;
+/// Add the inputs, the outputs, and what the machine counts.
+void signals(Control& c) {
+  const std::string table = kTable;
   c.variables.insert(
       c.variables.end(),
       {
-          {1000, 1063, Kind::Input, kReadOnly, 0, kHaas, Inferred},
+          // The numbers of older controls: the manual's example of a computed jump reads them.
+          {1000, 1063, Kind::InputWord, kReadOnly, 0, "HNGC p.227, #1030", Secondary},
           // Loads, analog inputs, flutes, vibrations and timers: the machine supplies their values.
-          {1064, 1068, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {1080, 1087, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {1090, 1098, Kind::InputWord, kReadOnly, 0, zap, Secondary},
+          {1064, 1068, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {1080, 1087, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {1090, 1098, Kind::InputWord, kReadOnly, 0, table, Manual},
           {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
-          {1264, 1268, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {1601, 2000, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, zap, Secondary},
-          {2201, 2400, Kind::LengthWear, kReadWrite, 0, zap, Secondary},
-          {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, zap, Secondary},
-          {2601, 2800, Kind::RadiusWear, kReadWrite, 0, zap, Secondary},
-          {3000, 3000, Kind::UserAlarm, kWriteOnly, 0, zap, Secondary},
-          {3001, 3001, Kind::Milliseconds, kReadWrite, 0, zap, Secondary},
-          {3002, 3002, Kind::Hours, kReadWrite, 0, zap, Secondary},
-          {3003, 3004, Kind::Control1, kReadWrite, 0, zap, Secondary},
-          {3006, 3006, Kind::Message, kWriteOnly, 0, zap, Secondary},
-          {3011, 3011, Kind::Date, kReadOnly, 0, zap, Secondary},
-          {3012, 3012, Kind::Time, kReadOnly, 0, zap, Secondary},
-          {3020, 3025, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', kHaas, Inferred},
-          {3027, 3028, Kind::InputWord, kReadOnly, 0, zap, Secondary},
-          {3901, 3902, Kind::PartsCount, kReadWrite, 0, kHaas, Inferred},
+          {1264, 1268, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {1601, 2000, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3020, 3025, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3027, 3028, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3030, 3030, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3032, 3033, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3196, 3196, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3201, 3600, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {3901, 3902, Kind::PartsCount, kReadWrite, 0, table, Manual},
+          {5401, 5600, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {5601, 5699, Kind::PartsCount, kReadWrite, 0, table, Manual},
+          {5701, 5800, Kind::PartsCount, kReadWrite, 0, table, Manual},
+          {5801, 5900, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {5901, 6000, Kind::PartsCount, kReadWrite, 0, table, Manual},
+          {11000, 11255, Kind::Input, kReadOnly, 0, "HNGC p.208, discrete inputs", Manual},
+          {12000, 12255, Kind::Output, kReadWrite, 0, "HNGC p.218, discrete outputs", Manual},
+          {13000, 13063, Kind::InputWord, kReadOnly, 0, "HNGC p.205, analog inputs", Manual},
+      });
+}
+
+/// Add the tools, what stops and what is told, and the settings.
+void system_variables(Control& c) {
+  const std::string table = kTable;
+  c.variables.insert(
+      c.variables.end(),
+      {
+          {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, table, Manual},
+          {2201, 2400, Kind::LengthWear, kReadWrite, 0, table, Manual},
+          {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, table, Manual},
+          {2601, 2800, Kind::RadiusWear, kReadWrite, 0, table, Manual},
+          {3000, 3000, Kind::UserAlarm, kWriteOnly, 0, "HNGC p.210, #3000", Manual},
+          {3001, 3001, Kind::Milliseconds, kReadWrite, 0, "HNGC p.211, #3001", Manual},
+          {3002, 3002, Kind::Hours, kReadWrite, 0, "HNGC p.211, #3002", Manual},
+          {3003, 3004, Kind::Control1, kReadWrite, 0, "HNGC p.211, #3003, #3004", Manual},
+          {3006, 3006, Kind::Message, kWriteOnly, 0, "HNGC p.212, #3006", Manual},
+          {3011, 3011, Kind::Date, kReadOnly, 0, table, Manual},
+          {3012, 3012, Kind::Time, kReadOnly, 0, table, Manual},
+          {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', table, Manual},
+          {7501, 7506, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
+          {7601, 7606, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
+          {7701, 7706, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
+          {7801, 7806, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
+          // A program writes the number of a group or a tool, and reads what the machine knows.
+          {8500, 8500, Kind::OutputWord, kReadWrite, 0, "HNGC p.216, tool management", Manual},
+          {8501, 8515, Kind::InputWord, kReadOnly, 0, "HNGC p.216, tool management", Manual},
+          {8550, 8550, Kind::OutputWord, kReadWrite, 0, "HNGC p.217, tool management", Manual},
+          {8551, 8567, Kind::InputWord, kReadOnly, 0, "HNGC p.217, tool management", Manual},
+          {9000, 9031, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {30000, 39999, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {50001, 50400, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {50601, 51000, Kind::InputWord, kReadOnly, 0, table, Manual},
+          {51301, 52800, Kind::InputWord, kReadOnly, 0, table, Manual},
       });
 }
 
 /// Add the modal codes, positions and work offsets.
 void system_positions(Control& c) {
-  const std::string manual = "H96 p.113, work offsets";
+  const std::string table = kTable;
+  const char* const offsets = "HNGC p.214, work offsets";
   c.variables.insert(
       c.variables.end(),
       {
-          {4001, 4021, Kind::ModalCode, kReadOnly, 0, kHaas, Inferred},
-          {5001, 5006, Kind::BlockEnd, kReadOnly, 0, kHaas, Inferred},
-          {5021, 5026, Kind::MachinePosition, kReadOnly, 0, kHaas, Inferred},
-          {5041, 5046, Kind::WorkPosition, kReadOnly, 0, kHaas, Inferred},
-          {5061, 5066, Kind::SkipPosition, kReadOnly, 0, kHaas, Inferred},
-          {5081, 5086, Kind::ActiveLength, kReadOnly, 0, kHaas, Inferred},
-          // #5201 to #5206, the offset of G52 and G92, is no external offset and is not held here.
-          {5221, 5326, Kind::WorkOffset, kReadWrite, 0, manual, Secondary, 20},
-          {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, manual, Secondary},
-          {11000, 11063, Kind::Input, kReadOnly, 0, kZap, Secondary},
-          {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, kHaas, Inferred},
+          {4001, 4021, Kind::ModalCode, kReadOnly, 0, "HNGC p.212, #4001 to #4021", Manual},
+          {5001, 5006, Kind::BlockEnd, kReadOnly, 0, "HNGC p.213, #5001 to #5006", Manual},
+          {5021, 5026, Kind::MachinePosition, kReadOnly, 0, "HNGC p.213, #5021", Manual},
+          {5041, 5046, Kind::WorkPosition, kReadOnly, 0, "HNGC p.213, #5041", Manual},
+          {5061, 5069, Kind::SkipPosition, kReadOnly, 0, "HNGC p.214, #5061 to #5069", Manual},
+          {5081, 5086, Kind::ActiveLength, kReadOnly, 0, "HNGC p.214, #5081", Manual},
+          // #5201 to #5206, the offset of G52, is no external offset and is not held here.
+          {5221, 5326, Kind::WorkOffset, kReadWrite, 0, offsets, Manual, 20},
+          {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, offsets, Manual},
+          {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, table, Manual},
       });
 }
 
 void variables(Control& c) {
-  const std::string zap = kZap;
+  const std::string table = kTable;
   c.variables = {
-      {0, 0, Kind::Vacant, kReadOnly, 0, "H96 p.113", Secondary},
-      {1, 33, Kind::Local, kReadWrite, 0, "HAA", Secondary},
-      {700, 749, Kind::Kept, kReadWrite, 0, zap, Secondary},  // of the control's own programs
+      {0, 0, Kind::Vacant, kReadOnly, 0, table, Manual},
+      {1, 33, Kind::Local, kReadWrite, 0, "HNGC p.198, local variables", Manual},
+      {700, 749, Kind::Kept, kReadWrite, 0, table, Manual},  // of the control's own programs
   };
+  signals(c);
   system_variables(c);
   system_positions(c);
   // The numbers of older Haas controls are other names of these.
   for (const auto& [first, last] : {std::pair{100, 199}, {500, 699}, {800, 999}})
-    c.variables.push_back({first, last, Kind::Kept, kReadWrite, 0, zap, Secondary, 10000 + first});
-  for (const char address : {'B', 'D', 'F', 'H', 'M', 'N', 'O', 'S', 'T'}) {
+    c.variables.push_back({first, last, Kind::Kept, kReadWrite, 0, "HNGC p.199, legacy ranges",
+                           Manual, 10000 + first});
+  for (const char address : {'B', 'D', 'F', 'H', 'M', 'S', 'T'}) {
+    const std::int32_t number = modal_word_number(address);
+    c.variables.push_back({number, number, Kind::ModalWord, kReadOnly, address,
+                           "HNGC p.213, #4101 to #4126", Manual});
+  }
+  for (const char address : {'N', 'O'}) {
     const std::int32_t number = modal_word_number(address);
     c.variables.push_back({number, number, Kind::ModalWord, kReadOnly, address, kUnsure, Inferred});
   }
@@ -183,37 +233,49 @@ void settings(Control& c) {
     apply(c, c.parameters.back(), "setting " + std::string(name) + " as delivered: " + kHaas,
           Inferred);
   };
-  add("9", 0, "the unit before G20 or G21: 0 = mm, 1 = inch", {entry(rule::power_on, PowerOn::G20)},
-      "H96 p.152, G20 and G21", Secondary);
-  add("33", 0, "what M02 and M30 do to G52: 0 = FANUC, they end it, 1 = HAAS, it stays",
-      {entry_while_zero(rule::reset_clears, Cleared::LocalSystem)});
-  add("40", 0, "an offset of D is 0 = a radius, 1 = a diameter",
-      {bit(rule::radius_offset_diameter)}, "HEL, D: setting 40; its values are general knowledge",
-      Inferred);
-  add("43", 0, "the start-up of cutter compensation: 0 = type A, 1 = type B",
-      {bit(rule::start_up, StartUp::TypeA, StartUp::TypeB)});
-  add("52", 0, "how far above R a peck of G83 draws back, mm", {micrometres(rule::peck_above)},
-      "HVF p.192, setting 52", Secondary);
-  add("56", 0, "M30 brings back the G codes of power-on: 0 = no, 1 = yes",
-      {entry(rule::reset_clears, Cleared::Codes)});
-  add("85", 0.05, "how far a corner may be rounded, mm; no path is drawn otherwise for it", {});
-  add("162", 0, "a number without a point counts 0 = least increments, 1 = mm, inches or degrees",
-      {bit(rule::whole_numbers, WholeNumbers::Increments, WholeNumbers::Millimetres)});
+  const auto told = [&add](const char* name, double value, const char* meaning,
+                           std::vector<Setting> sets, const char* source) {
+    add(name, value, meaning, std::move(sets), source, Manual);
+  };
+  told("9", 0, "the unit, which G20 or G21 must be too: 0 = mm, 1 = inch",
+       {entry(rule::power_on, PowerOn::G20)}, "HNGC p.375, setting 9");
+  told("22", 0.5, "how far a peck draws back, mm",
+       {micrometres(rule::peck_retract), micrometres(rule::peck_clearance)},
+       "HNGC p.377, setting 22, and the pictures of G73 and G83");
+  told("33", 0, "what M02 and M30 do to G52: 0 = FANUC, they end it, 1 = HAAS, it stays",
+       {entry_while_zero(rule::reset_clears, Cleared::LocalSystem)}, "HNGC p.379, setting 33");
+  told("40", 0, "an offset of D is 0 = a radius, 1 = a diameter",
+       {bit(rule::radius_offset_diameter)}, "HNGC p.380, setting 40");
+  told("43", 0, "the start-up of cutter compensation: 0 = type A, 1 = type B",
+       {bit(rule::start_up, StartUp::TypeA, StartUp::TypeB)}, "HNGC p.380, setting 43");
+  told("52", 0, "how far above R a peck draws back that clears chips, mm",
+       {micrometres(rule::peck_above)}, "HNGC p.382, setting 52");
+  told("56", 0, "M30 brings back the G codes of power-on: 0 = no, 1 = yes",
+       {entry(rule::reset_clears, Cleared::Codes)}, "HNGC p.382, setting 56");
+  told("57", 0, "X and Y stop exactly before a hole; the path is the same", {},
+       "HNGC p.382, setting 57");
+  told("85", 0.635, "how far a corner may be rounded, mm; no path is drawn otherwise for it", {},
+       "HNGC p.387, setting 85: 0.0250 inch");
+  told("88", 0, "reset takes back the overrides; no path is drawn otherwise for it", {},
+       "HNGC p.388, setting 88");
+  told("162", 0, "a number without a point counts 0 = least increments, 1 = mm, inches or degrees",
+       {bit(rule::whole_numbers, WholeNumbers::Increments, WholeNumbers::Millimetres)},
+       "HNGC p.393, setting 162");
   using Form = CodeCall::Form;
-  c.code_calls = {
-      {Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 999, "", kHaas,
-       Inferred},
-      {Form::List, 'G', CodeCallKind::Macro, 9010, 9010, 10, "", 0, 1, 999, "", kHaas, Inferred}};
+  c.code_calls = {{Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 255, "",
+                   "HNGC p.233, aliasing", Manual},
+                  {Form::List, 'G', CodeCallKind::Macro, 9010, 9010, 10, "", 0, 1, 255, "65 66 67",
+                   "HNGC p.233, aliasing", Manual}};
   for (int program = 9000; program < 9020; ++program)
     c.parameters.push_back({std::to_string(program), 0,
                             std::string("the ") + (program < 9010 ? "M" : "G") +
                                 " code that is an alias of O" + std::to_string(program) +
                                 ", 0 = none",
-                            kHaas, Inferred});
+                            "HNGC p.233, aliasing", Manual});
 }
 
-/// Set the alarms from memory, since no printed list was found. A cause that is not listed shows no
-/// number.
+/// Set the alarms: those that the manual names, and others from memory, since no printed list was
+/// found. A cause that is not listed shows no number.
 void alarms(Control& c) {
   struct Row {
     const char* number;
@@ -224,9 +286,7 @@ void alarms(Control& c) {
   const Row rows[] = {
       {"307", "SUBROUTINE NESTING TOO DEEP", {NestingTooDeep}},
       {"310", "INVALID G CODE", {GCodeNotAvailable}},
-      {"312", "PROGRAM END", {EndOfRecord}},
       {"313", "NO P CODE IN M97, M98, OR G65", {ProgramNumberMissing}},
-      {"314", "SUBPROGRAM OR MACRO NOT IN MEMORY", {ProgramNotFound}},
       {"315", "INVALID P CODE IN M97, M98 OR M99", {StartNotFound, ReturnTargetNotFound}},
       {"503", "ILLEGAL MACRO VARIABLE REFERENCE", {IllegalVariable}},
       {"504", "UNBAL. PAREN. IN EXPRESSION", {BracketNotClosed, BracketNotOpened}},
@@ -243,6 +303,8 @@ void alarms(Control& c) {
   for (const Row& row : rows)
     for (const Cause cause : row.causes)
       c.alarms[cause] = {row.number, row.text, kAlarms, Inferred};
+  c.alarms[EndOfRecord] = {"312", "Program End", "HNGC p.134", Manual, true};
+  c.alarms[ProgramNotFound] = {"314", "Subprogram Not In Memory", "HNGC p.314, G150", Manual, true};
 }
 
 }  // namespace

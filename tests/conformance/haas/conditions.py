@@ -85,9 +85,9 @@ case(
     runs="N10 N20 N30 N40 N50", vars={9: 250, 8: None, 7: 500},
 )
 case(
-    "after the condition of IF without THEN stands nothing else after the statement",
+    "after the condition of IF without THEN words may follow the statement too",
     **FONT | {"evidence": "inferred"},
-    program="O1\nN10 IF [1] #1=2 X5.\nN20 M30", runs="", alarm="if-format", number="516", at="O1 N10",
+    program="O1\nN10 IF [1] #1=2 G0 X5.\nN20 M30", runs="N10 N20", vars={1: 2}, moves_x=[5],
 )
 case(
     "after the condition of IF without THEN stands no loop", **FONT | {"evidence": "inferred"},

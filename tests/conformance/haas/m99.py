@@ -4,6 +4,7 @@ from conformance import case
 
 HAAS = "haas-ngc"
 M99 = {"control": HAAS, "source": "HDIY, M99 P", "evidence": "maker's manual"}
+WORDS = {"control": HAAS, "source": "HNGC p.227, G00 X0 Y0 [#1EQ#2] M99 P5", "evidence": "maker's manual"}
 KNOWN = {"control": HAAS, "source": "general knowledge of the Haas mill", "evidence": "inferred"}
 
 case(
@@ -30,9 +31,9 @@ case(
     runs="N10 N30 N40 N50 N30 N40 N20",
 )
 case(
-    "the words beside a conditional M99 wait for the condition", **M99,
+    "the condition of M99 is that of M99 alone: the words beside it are executed in any case", **WORDS | {"evidence": "inferred"},
     program="O1\nN10 [#1 EQ 2] G0 X5. M99 P30\nN20 [1] G0 X6. M99 P40\nN30 G0 X7.\nN40 M30",
-    runs="N10 N20 N40", moves_x=[6],
+    runs="N10 N20 N40", moves_x=[5, 6],
 )
 case(
     "a conditional M99 whose block is missing alarms only where it holds", **M99,

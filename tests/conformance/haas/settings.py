@@ -3,11 +3,11 @@
 from conformance import case
 
 HAAS = "haas-ngc"
-M96 = {"control": HAAS, "source": "H96 p.217, M96; p.91", "evidence": "secondary"}
+M96 = {"control": HAAS, "source": "HNGC p.357, M96", "evidence": "maker's manual"}
 KNOWN = {"control": HAAS, "source": "general knowledge of the Haas mill", "evidence": "inferred"}
 
 case(
-    "setting 9 is the unit before G20 or G21", control=HAAS, source="H96 p.152, G20 and G21", evidence="secondary",
+    "setting 9 is the unit before G20 or G21", control=HAAS, source="HNGC p.375, setting 9", evidence="maker's manual",
     params={"9": 1}, program="O1\nN10 G0 X1.\nN20 M30", moves_x=[25.4],
 )
 case(
@@ -15,7 +15,7 @@ case(
 )
 case(
     "setting 40 makes the offset of D a diameter",
-    control=HAAS, source="HEL, D: setting 40", evidence="inferred",
+    control=HAAS, source="HNGC p.380, setting 40", evidence="maker's manual",
     params={"40": 1}, setup={"radius_offsets": {1: 10}},
     program="O1\nN10 G41 D1 G1 X10. F100.\nN20 Y10.\nN30 Y20.\nN40 M30", final_machine="X5 Y20",
 )
@@ -25,7 +25,7 @@ case(
 )
 case(
     "setting 52 is how far above R a peck of G83 draws back",
-    control=HAAS, source="HVF p.192, setting 52", evidence="secondary",
+    control=HAAS, source="HNGC p.382, setting 52", evidence="maker's manual",
     params={"52": 2},
     program="O1\nN10 G0 Z10.\nN20 G83 G99 Z-4. R1. Q3. F100.\nN30 G80\nN40 M30",
     moves="R Z10\nR Z1\nF Z-2\nR Z3\nR Z-1.5\nF Z-4\nR Z1",
@@ -40,7 +40,7 @@ case(
     program="O1\nN10 M96 P40 Q8\nN20 #100=1\nN30 M30\nN40 #100=2\nN50 M30", runs="N10 N40 N50",
 )
 case(
-    "and on to the next block while it is 1", **M96, inputs={"signals": {1008: 1}},
+    "and on to the next block while it is 1", **M96, inputs={"signals": {11008: 1}},
     program="O1\nN10 M96 P40 Q8\nN20 #100=1\nN30 M30\nN40 #100=2\nN50 M30", runs="N10 N20 N30",
 )
 case(
@@ -64,8 +64,8 @@ case(
     program="O1\nN10 M96 P40\nN40 M30", runs="", alarm="statement-format", at="O1 N10", word="M96",
 )
 case(
-    "there are 64 inputs", **KNOWN,
-    program="O1\nN10 M96 P40 Q64\nN40 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10", word="Q64",
+    "there are 256 inputs", **KNOWN,
+    program="O1\nN10 M96 P40 Q256\nN40 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10", word="Q256",
 )
 case(
     "an input of a computed number is not read", control=HAAS, source="policy, nobody says", evidence="inferred",

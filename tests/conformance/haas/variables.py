@@ -79,11 +79,11 @@ case(
     runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
-    "a user's alarm is 1000 and its number", pins="user_alarm_offset", **KNOWN,
+    "a user's alarm is 1000 and its number", pins="user_alarm_offset", control=HAAS, source="HNGC p.210, #3000", evidence="maker's manual",
     program="O1\nN10 #3000=12 (NO TOOL)\nN20 M30", runs="N10", alarm="user-alarm", number="1012", at="O1 N10",
 )
 case(
-    "a user's alarm goes to 999", pins="user_alarm_last", **KNOWN,
+    "a user's alarm goes to 999", pins="user_alarm_last", control=HAAS, source="HNGC p.210, #3000", evidence="maker's manual",
     program="O1\nN10 #3000=1000\nN20 M30", runs="", alarm="illegal-user-alarm", at="O1 N10",
 )
 case(
@@ -105,7 +105,7 @@ case(
     program="O1\nN10 #7001=5.\nN20 #1=#14001\nN30 #14021=3.\nN40 #2=#7021\nN50 M30", vars={1: 5, 2: 3},
 )
 case(
-    "G154 P99 is the last work system", pins="max_extra_systems", **KNOWN,
+    "G154 P99 is the last work system", pins="max_extra_systems", control=HAAS, source="HNGC p.323, G154", evidence="maker's manual",
     program="O1\nN10 #15961=5.\nN20 G0 G154 P99 X1.\nN30 #1=#5021\nN40 M30", vars={1: 6},
 )
 case(
@@ -124,11 +124,11 @@ case(
 
 # Settings, codes
 case(
-    "setting 33 as FANUC: M30 ends G52", pins="reset_clears:local-system", **KNOWN, setup={"machine": "mill"},
+    "setting 33 as FANUC: M30 ends G52", pins="reset_clears:local-system", control=HAAS, source="HNGC p.379, setting 33", evidence="maker's manual", setup={"machine": "mill"},
     program="O1\nN10 G52 X10.\nN20 G0 X0\nN30 M30", work_after_reset="X10",
 )
 case(
-    "setting 33 as HAAS: G52 stays", **KNOWN, setup={"machine": "mill"}, params={"33": 1},
+    "setting 33 as HAAS: G52 stays", control=HAAS, source="HNGC p.379, setting 33", evidence="maker's manual", setup={"machine": "mill"}, params={"33": 1},
     program="O1\nN10 G52 X10.\nN20 G0 X0\nN30 M30", work_after_reset="X0",
 )
 case(
@@ -203,7 +203,7 @@ for number in (1064, 1080, 1090, 1264, 1601, 1801, 3020, 3028):
         f"#{number} is read only", **TOLD,
         program=f"O1\nN10 #{number}=1\nN20 M30", runs="", alarm="variable-write-protected", at="O1 N10",
     )
-for number in (1069, 1079, 1088, 1099, 1263, 1269, 1600, 3019, 3029, 11064):
+for number in (1069, 1079, 1088, 1099, 1263, 1269, 1600, 3019, 3029, 11256):
     case(
         f"#{number} is no variable", **KNOWN,
         program=f"O1\nN10 #1=#{number}\nN20 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10",
@@ -271,7 +271,7 @@ case(
     runs="N10 N40 N20 N50 N60 N30", vars={10100: 5}, calls="M-code:O9000 G-code:O9010",
 )
 case(
-    "an alias whose program is missing is 314", **KNOWN, params={"9001": 33},
+    "an alias whose program is missing is 314", control=HAAS, source="HNGC p.233, aliasing; p.314, alarm 314", evidence="maker's manual", params={"9001": 33},
     program="O1\nN10 M33\nN20 M30", runs="", alarm="program-not-found", number="314", at="O1 N10",
 )
 case(
@@ -390,8 +390,9 @@ case(
     program="O1\nN10 G2 X0 Y0 R5. F100.\nN20 M30", runs="N10 N20",
 )
 case(
-    "R turns a rotation by any angle on the Haas", **KNOWN, pins="max_rotation rotation_words",
-    program="O1\nN10 G68 X0 Y0 R90.\nN20 G0 X5.\nN30 #1=#5022\nN40 M30", vars={1: 5},
+    "R turns a rotation by up to 360 degrees on the Haas", control=HAAS, source="HNGC p.282, G68", evidence="maker's manual",
+    pins="max_rotation rotation_words",
+    program="O1\nN5 G68 X0 Y0 R360.\nN10 G68 X0 Y0 R90.\nN20 G0 X5.\nN30 #1=#5022\nN40 M30", vars={1: 5},
 )
 case(
     "a variable's number takes no point on the Haas", **KNOWN, pins="variable_forms:point",

@@ -46,3 +46,39 @@ case(
     program="O00001\nM98 P2\nN100 G0 X99\nM30\nO00002\nM97 P100\nG0 X2\nM99\nN100 G0 X3\nM99",
     moves_x=[3, 2, 99], tree="M98:O00002(M97:O00002)",
 )
+
+
+# Edges: the programs as they were handed over, with the point that their numbers have.
+def edge(page: str) -> dict[str, str]:
+    return {"control": HAAS, "source": f"HNGC p.{page}", "evidence": "maker's manual"}
+
+
+case(
+    "G51 P2. doubles the lengths (HAAS3-01)", control=HAAS, source="HML p.136: G51 P2.", evidence="secondary",
+    program="O1\nN10 G51 X0 Y0 P2.\nN20 G0 X10.\nN30 G50\nN40 M30", runs="N10 N20 N30 N40", moves_x=[20],
+)
+case(
+    "P0.5 of G82 waits half a second (HAAS3-02)", **edge("295, G82"),
+    program="O1\nN10 G0 X1. Z5.\nN20 G82 X2. R1. Z-2. P0.5 F100.\nN30 G80\nN40 M30",
+    moves="R X1 Z5\nR X2\nR Z1\nF Z-2\nW 0.5\nR Z5",
+)
+case(
+    "#11000 is an input that is 0 where nothing says otherwise (HAAS3-04)", **edge("208, discrete inputs"),
+    program="O1\nN10 #1=#11000\nN20 G0 X1.\nN30 M30", vars={1: 0}, moves_x=[1],
+)
+case(
+    "an array is filled through #[#2+#19] (HAAS3-06)", **edge("225, O0300"),
+    program="O1\nG65 P300 B501. S5 V1.\nG0 X#505\nM30\nO300\nN3 WHILE [#19 GT 0] DO1\n#19=#19-1\n#[#2+#19]=#22\nEND1\nM99", moves_x=[1],
+)
+case(
+    "an empty variable leaves its word out (HAAS3-08)", **edge("220, undefined variables"),
+    program="O1\nN10 G0 X1. Z#1\nN20 M30", moves="R X1",
+)
+case(
+    "M97 L runs its part that often (HAAS3-09)", **edge("358, M97"),
+    program="O1\nG0\nM97 P1000 L5\nX9.\nM30\nN1000 G91 X1.\nG90\nM99", moves_x=[1, 2, 3, 4, 5, 9],
+)
+case(
+    "a conditional M99 P goes on in the running program (HAAS3-11)", **edge("227, conditional branching"),
+    program="O1\nM98 P2\nG0 X9.\nM30\nO2\n#101=0\nN10 #101=#101+1\nG0 X#101\n[#101 LT 3] M99 P10\nM99", moves_x=[1, 2, 3, 9],
+)

@@ -150,6 +150,14 @@ case(
     "reset makes the locals vacant and leaves what is kept", pins="reset_clears:locals reset_clears:commons", **MAKER,
     program="O1\nN10 #1=5\nN20 #401=6\nN30 M30", vars={1: 5, 401: 6}, vars_after_reset={1: None, 401: 6},
 )
+case(
+    "M99 P goes on at N200 of the main program (SYN3-07)", **MAKER,
+    program="O1\nN10 G0\nN20 M98 P7002\nN30 X9.\nN40 M30\nN200 X1.\nN210 M30\nO7002\nN50 M99 P200", runs="N10 N20 N50 N200 N210", moves_x=[1],
+)
+case(
+    "L0 calls nothing (SYN3-09)", **MAKER,
+    program="O1\nN10 G0\nN20 M98 P2 L0\nN30 X1.\nN40 M30\nO2\nN50 X9.\nN60 M99", runs="N10 N20 N30 N40", moves_x=[1],
+)
 inert("user_alarm_offset user_alarm_last modal_groups refuses:illegal-variable-value", control=SYNTEC, reason="nothing is known of its system variables")
 inert("variable_options", control=SYNTEC, reason="no source tells of variables that are bought")
 inert("code_cascade", control=SYNTEC, reason="nothing is known of codes that call a program there")

@@ -30,7 +30,10 @@ class BlockReader {
  private:
   void read_any(Scanner& s, Block& block);
   void conditional_return(Scanner& s, Block& block);
-  std::optional<Block> words_behind(Scanner& s, Block& block);
+  void words_or_more(Scanner& s, Block& block);
+  Tokens without_return(const Tokens& tokens) const;
+  std::optional<Block> words_behind(Scanner& s, Block& block,
+                                    const std::optional<Statement>& assigned);
   void write(Block& block, const Tokens& tokens, bool calls);
   void write_slash(Block& block, const Tokens& tokens, std::size_t slash, bool calls);
 

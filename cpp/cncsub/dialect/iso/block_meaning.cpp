@@ -85,6 +85,8 @@ std::optional<Fault> MeaningReader::sort_g(const Token& token) {
   const double code = token.operand.value;
   if (may_call_ && !meaning_.calls())
     if (const RegisteredCall* found = rules_.calling.find('G', code)) {
+      if (found->refused)
+        return fault_of(token, Cause::CodeMayNotCall, "G" + spell(code) + " cannot call a program");
       call(token, CallKind::GCode, found->kind, found);
       return std::nullopt;
     }

@@ -163,7 +163,8 @@ void StatementReader::assignment(bool bracketed) {
   if (!value) return refuse(expressions_.fault());
   const std::uint32_t end = s_.offset();
   block_.op = Op::Assign;
-  if (!at_end(Cause::NcAndMacroInBlock)) return;
+  const bool words_follow = takes_words();
+  if (!words_follow && !at_end(Cause::NcAndMacroInBlock)) return;
   Assigned assigned = assigned_by(expressions_.rules(), *variable, *value);
   assigned.at = at - block_.text;
   assigned.width = width;
@@ -171,13 +172,24 @@ void StatementReader::assignment(bool bracketed) {
   const char* const behind = s_.file + code_.expression(*value).at();
   const std::string_view comment =
       kept ? std::string_view() : comment_in({behind, static_cast<std::size_t>(s_.end - behind)});
-  if (comment.empty() && assigned.fits() && !code_.general_only)
+  if (!words_follow && comment.empty() && assigned.fits() && !code_.general_only)
     return set(block_, assigned, *value);
   Statement statement = assigned.statement(*value, block_.text);
   statement.width = std::max<std::uint32_t>(1, end - at);
   if (!comment.empty()) statement.text = static_cast<std::uint32_t>(comment.data() - s_.file);
   statement.text_length = static_cast<std::uint32_t>(comment.size());
-  to_.become(block_, Op::Assign, statement);
+  if (words_follow)
+    assigned_ = statement;
+  else
+    to_.become(block_, Op::Assign, statement);
+}
+
+/// Return whether words may follow an assignment, and do: after a condition, where the control
+/// takes words there.
+bool StatementReader::takes_words() {
+  s_.blanks();
+  return thens_ == 1 && code_.control->macros.if_form.value == IfForm::Words &&
+         is_letter(s_.peek());
 }
 
 /// Read a statement that consists of its keyword only.
@@ -229,6 +241,11 @@ void StatementReader::then_statement(Statement& statement) {
   const bool read = thens_ <= kDeepestThen && inner.read();
   if (!read && thens_ == 0 && code_.control->macros.if_form.value == IfForm::Words &&
       is_letter(s_.peek())) {
+    before_words_ = statement;
+    return;
+  }
+  if (inner.assigned_) {
+    assigned_ = inner.assigned_;
     before_words_ = statement;
     return;
   }

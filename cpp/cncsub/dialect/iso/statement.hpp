@@ -28,6 +28,8 @@ class StatementReader {
   }
   /// Return the IF whose condition was read and whose words, which begin here, were not.
   const std::optional<Statement>& before_words() const { return before_words_; }
+  /// Return the assignment that stands between that condition and the words.
+  const std::optional<Statement>& assigned() const { return assigned_; }
 
  private:
   /// A word that begins a statement.
@@ -47,6 +49,7 @@ class StatementReader {
   bool refuses(StatementKind kind, std::uint32_t at, std::string_view name);
   bool named_assignment();
   void assignment(bool bracketed);
+  bool takes_words();
 
   // Each reads the text after a keyword; `statement` has the keyword's place.
   void bare(const Keyword& keyword, Statement& statement);
@@ -72,7 +75,7 @@ class StatementReader {
   Scanner& s_;
   Block& block_;
   int thens_;
-  std::optional<Statement> before_words_;
+  std::optional<Statement> before_words_, assigned_;
 };
 
 }  // namespace cncsub

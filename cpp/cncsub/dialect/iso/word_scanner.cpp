@@ -81,11 +81,17 @@ bool WordScanner::sequence_number(const Lexeme& read) {
 bool WordScanner::words(Tokens& tokens) {
   slashes_ = block_.skip;
   for (;;) {
+    if (!tokens.empty() && ends_here()) return true;
     const Lexeme read = read_lexeme(s_, axes_);
     if (read.kind == Lexeme::Kind::End) return true;
     if (to_.interrupt().requested(1)) return false;
     if (!lexeme(read, tokens)) return false;
   }
+}
+
+/// Return whether a condition begins here that may end the words: M99 is after it.
+bool WordScanner::ends_here() const {
+  return control_.calls.conditional_return.value && s_.at != s_.end && s_.peek() == '[';
 }
 
 bool WordScanner::lexeme(const Lexeme& read, Tokens& tokens) {

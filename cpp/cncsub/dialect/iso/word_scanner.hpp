@@ -61,6 +61,7 @@ class WordScanner {
   bool words(Tokens& tokens);
 
  private:
+  bool ends_here() const;
   bool lexeme(const Lexeme& read, Tokens& tokens);
   bool other(const Lexeme& read, Tokens& tokens);
   bool sequence_number(const Lexeme& read);

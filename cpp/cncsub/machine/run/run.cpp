@@ -112,7 +112,9 @@ bool run_together(Run& run, const Block& block) {
   run.block.parallel_assign = &all;
   bool done = false;
   if (all.words != OWord::kNone) {
-    done = dispatch(run, run.code->variants[all.words]);
+    const Block& words = run.code->variants[all.words];
+    const bool together = words.op == Op::Words || words.op == Op::EndProgram;
+    done = (together || assign_in_parallel(run)) && dispatch(run, words);
   } else if (assign_in_parallel(run)) {
     if (block.n >= 0) run.state.last_n = block.n;
     record_step(run);
