@@ -11,7 +11,24 @@ import cncsub
 from cncsub import _core
 from cncsub.controls import EVIDENCE, alias_named, aliases_of
 
-ASKED = ["fanuc-31i", "fanuc-32i", "fanuc-35i", "fanuc-18i", "fanuc-21i", "fanuc-0i-mate", "fanuc-0i-mf", "fanuc-0i-tf", "mitsubishi-m80", "mitsubishi-e80", "mitsubishi-c80", "sinumerik-one", "sinumerik-840d-sl", "siemens-840dsl", "hnc-22m", "emc2"]
+ASKED = [
+    "fanuc-31i",
+    "fanuc-32i",
+    "fanuc-35i",
+    "fanuc-18i",
+    "fanuc-21i",
+    "fanuc-0i-mate",
+    "fanuc-0i-mf",
+    "fanuc-0i-tf",
+    "mitsubishi-m80",
+    "mitsubishi-e80",
+    "mitsubishi-c80",
+    "sinumerik-one",
+    "sinumerik-840d-sl",
+    "siemens-840dsl",
+    "hnc-22m",
+    "emc2",
+]
 
 
 def test_an_alias_is_of_a_control_and_no_control_itself() -> None:

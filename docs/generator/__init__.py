@@ -16,6 +16,7 @@ from generator import (
     commands,
     control_pages,
     house,
+    question_pages,
     source_pages,
     table_keys,
 )
@@ -25,11 +26,12 @@ ROOT = Path(__file__).resolve().parents[2]
 # What a written page leaves open: `<!-- made at the build: WHAT -->`.
 OPEN: dict[str, Callable[[], str]] = {
     "the table of controls": control_pages.table_of_controls,
+    "the other names": control_pages.table_of_aliases,
     "the drawing of the rooms": house.drawing,
     "the keys of tables of cases": table_keys.keys,
 }
 
-_PARTS = (control_pages, cause_pages, source_pages, checks, commands, api)
+_PARTS = (control_pages, question_pages, cause_pages, source_pages, checks, commands, api)
 GENERATED = sorted(name for part in _PARTS for name in part.names())
 
 

@@ -8,8 +8,9 @@ from collections.abc import Iterator
 
 import cncsub
 from cncsub import _core
-from cncsub.controls import EVIDENCE, sources_of
+from cncsub.controls import EVIDENCE, aliases, evidence_words, inferred_rules, sources_of
 from cncsub.reports.facts import effect_of
+from generator.evidence import weighted
 from generator.markdown import cited, code, source_anchor, table, words
 
 _GROUPS = {
@@ -44,6 +45,7 @@ def table_of_controls() -> str:
         "macros",
         "M198",
         "rules",
+        "inferred",
     )
     return table(heads, map(_row, cncsub.controls.values()))
 
@@ -81,7 +83,21 @@ def _row(control: cncsub.Control) -> list[str]:
         **_OWN_LANGUAGE.get(control.name, {}),
     }
     name = f"[`{control.name}`]({control.name}.md)"
-    return [name, words(control.title), *told.values(), " / ".join(map(str, worth(control)))]
+    share = f"{100 * inferred_rules(control) / len(control.rules):.0f} %"
+    kinds = " / ".join(map(str, worth(control)))
+    return [name, words(control.title), *told.values(), kinds, share]
+
+
+def table_of_aliases() -> str:
+    rows = (
+        [
+            code(alias.name),
+            f"[`{alias.control}`]({alias.control}.md)",
+            f"{cited(alias.source, '../')}; *{alias.evidence}*",
+        ]
+        for alias in aliases.values()
+    )
+    return table(("name", "taken as", "who says so"), rows)
 
 
 def _names(rules: dict[str, object]) -> str:
@@ -170,8 +186,21 @@ def _head(control: cncsub.Control) -> str:
         "## How far to trust it\n\n"
         "How many of its rules, and of their entries, have which evidence:\n\n"
         + table(("evidence", "count", "share"), rows)
+        + f"\nOf its rules alone {evidence_words(control)} are inferred. {_weighted(control)}\n"
         + "\n[What each is worth](../reference/sources.md). A rule that is inferred is general"
         " knowledge or our choice: try it on the machine before you rely on it.\n\n" + absent
+    )
+
+
+def _weighted(control: cncsub.Control) -> str:
+    """How much of what programs depend on is inferred."""
+    found = weighted(control.name)
+    return (
+        f"Another value of {len(found.touched)} of them changes what one of {found.programs}"
+        f" programs does (the examples of its maker, and rows of real programs): of these"
+        f" {len(found.inferred)} are inferred ({100 * found.share:.0f} %)."
+        f" [The open questions](../questions/{control.name}.md) are what the owner of a machine can"
+        " settle."
     )
 
 

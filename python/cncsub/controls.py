@@ -174,7 +174,18 @@ def inferred_rules(control: Control) -> int:
     >>> inferred_rules(control) < len(control.rules)
     True
     """
-    return sum(rule.evidence == EVIDENCE[-1] for rule in control.rules)
+    return sum(evidence_of(rule) == EVIDENCE[-1] for rule in control.rules)
+
+
+def evidence_of(rule: _core.Rule) -> str:
+    """Return how far a rule may be trusted: a list as far as the weakest of the entries that it
+    has, where each of them has a source of its own.
+    """
+    entries = (entry.partition("=")[0] for entry in str(rule.value).split())
+    told = [rule.sources.get(entry) for entry in entries]
+    if not told or None in told:
+        return rule.evidence
+    return max((how for _, how in filter(None, told)), key=EVIDENCE.index)
 
 
 def evidence_words(control: Control) -> str:

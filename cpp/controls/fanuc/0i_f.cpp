@@ -30,6 +30,7 @@ Control fanuc_0i_f() {
   c.macros.functions = {
       "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM MOD",
       cite({kAli, "POW, ADP, PRM and MOD general knowledge"}), Inferred};
+  c.macros.functions.tell("POW", cite({kAlm, "1120 names it"}), Secondary);
   domain_alarms(c, Cause::ArgumentOutOfRange);
 
   // The commons of the embedded macro are its own.

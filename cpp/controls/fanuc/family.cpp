@@ -4,6 +4,9 @@
 namespace cncsub::fanuc {
 namespace {
 
+// The list of a SINUMERIK that runs programs for FANUC mills.
+constexpr const char* kIsoM = "802DM p.44, list of M commands";
+
 void reading(Control& c) {
   c.reading.semicolon = {Semicolon::EndOfBlock,
                          cite({kPb155, "that a typed one ends the block is policy"}), Inferred};
@@ -68,6 +71,16 @@ void calls_and_returns(Control& c) {
   c.calls.mdi_calls = {MdiCalls::Allowed,
                        "general knowledge; source 003 says no, for older controls", Inferred};
   give_role(c.calls.roles, "M198", Role::ExternalCall, kCl198, Secondary);
+  give_role(c.calls.roles, "M98", Role::Call, "source 003, M98 P", SourceDocument);
+  give_role(c.calls.roles, "M99", Role::Return, "source 003, M99", SourceDocument);
+  give_role(c.calls.roles, "M30", Role::End, "source 003, end of the program", SourceDocument);
+  give_role(c.calls.roles, "M03", Role::SpindleForward, "source 003, M03", SourceDocument);
+  give_role(c.calls.roles, "M05", Role::SpindleStop, "source 003, M05", SourceDocument);
+  give_role(c.calls.roles, "M00", Role::Stop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M01", Role::OptionalStop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M02", Role::End, kIsoM, Secondary);
+  give_role(c.calls.roles, "M04", Role::SpindleBackward, kIsoM, Secondary);
+  give_role(c.calls.roles, "M06", Role::ToolChange, kIsoM, Secondary);
   c.calls.device_word = {false, kKnown, Inferred};
   c.calls.return_search = {ReturnSearch::FromHead, cite({"policy", kFin}), Inferred};
   c.calls.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};
@@ -121,6 +134,8 @@ void macro_calls(Control& c) {
   c.macros.codes_not_with_modal_call = {
       "", "general knowledge: G as an argument is illegal-argument", Inferred};
   give_role(c.calls.roles, "G65", Role::MacroCall, cite({kSource002, kPb304}), SourceDocument);
+  give_role(c.calls.roles, "G66", Role::ModalCall, kPb304, Manual);
+  give_role(c.calls.roles, "G67", Role::CancelModal, "CW-A", Secondary);
   no_role(c.calls.roles, {"G66.1"}, kKnown, Inferred);
   c.macros.h_codes = {false, kKnown, Inferred};
   c.macros.max_macro_digits = {8, cite({kKnown, "a number that no program has is not found"}),

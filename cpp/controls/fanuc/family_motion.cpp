@@ -226,9 +226,16 @@ void add_family_motion(Control& c) {
   c.motion.acute_corner = {AcuteCorner::Lines, kKnown, Inferred};
   c.turning.chamfer_ik = {true, kKnown, Inferred};
   c.motion.angle_words = {",A", "ALM 056 to 058: direct drawing dimension programming", Secondary};
-  c.motion.cycle_repeats = {"K", kKnown, Inferred};
+  c.motion.cycle_repeats = {"K", "WEIC: K is the number of repeats", Secondary};
+  c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Store, "CCI: L0 sets a cycle up, no hole",
+                                 Secondary};
+  c.motion.peck_words = {c.motion.peck_words.value, "30iM p.73: d is a parameter, Q the peck",
+                         Manual};
+  c.motion.dwell_words = {"PXU", "GCP: P in milliseconds, X and U in seconds", Secondary};
+  c.motion.unit_change = {UnitChange::Anywhere, "30i p.226: a warning, no alarm", Manual};
   has(c.common.power_on, {PowerOn::G95}, "general knowledge: 3402#4", Inferred);
-  c.motion.max_rotation = {360, kKnown, Inferred};
+  c.motion.max_rotation = {360, "0iA p.618: 5410 from -360 to 360 degrees", Manual};
+  c.motion.rotation_words = {"R", "0iA p.618; 16MC p.375; 15iM p.492", Manual};
   add_parameters(c, kParameters);
 }
 

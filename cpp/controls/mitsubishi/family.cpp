@@ -121,7 +121,8 @@ void expressions(Control& c) {
       Inferred};
   c.macros.word_arithmetic = {true, kM7 + "p.326: G0 X#1 + 10 Y1000", Manual};
   c.macros.vacant_address = {VacantAddress::Ignored, kGeneral, Inferred};
-  c.macros.vacant_comparison = {VacantComparison::Distinguished, kGeneral, Inferred};
+  c.macros.vacant_comparison = {VacantComparison::Distinguished,
+                                kM7 + "p.326: EQ and NE tell a vacant variable from 0", Manual};
   has(c.macros.variable_forms, {VariableForm::Point},
       "real programs: #504. in a macro of the maker", Secondary);
   lacks(c.macros.variable_forms, {VariableForm::Indirect}, kGeneral, Inferred);
@@ -150,9 +151,10 @@ void macros(Control& c) {
   c.macros.words_before_macro_call = {WordsBeforeMacroCall::Ordinary, kGeneral, Inferred};
   c.macros.repeated_argument = {RepeatedAddress::LastWins, kGeneral, Inferred};
   c.macros.modal_locals = {ModalLocals::Rewritten, kPolicy, Inferred};
-  c.macros.modal_trigger = {ModalTrigger::Move, kGeneral + ": after every block with axis movement",
-                            Inferred};
-  c.macros.second_modal_call = {SecondModal::Stacks, kGeneral, Inferred};
+  c.macros.modal_trigger = {ModalTrigger::Move, kM7 + "p.320: after each block that moves an axis",
+                            Manual};
+  c.macros.second_modal_call = {SecondModal::Stacks, kM7 + "p.320, note 2: the last one first",
+                                Manual};
   c.macros.max_modal_calls = {4, kSM + "difference (6): four levels of G65, G66, G66.1", Manual};
   c.macros.cancel_alone = {CancelAlone::Alarm, kMZ + "857", Secondary};
   c.macros.h_codes = {false, kGeneral, Inferred};

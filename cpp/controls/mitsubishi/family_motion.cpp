@@ -37,6 +37,8 @@ const Parameter kParameters[] = {
 
 void add_family_motion(Control& c) {
   c.motion.longer_words = {"DH", "M7 p.241", Manual};
+  c.motion.max_rotation = {0, "M7 p.460 (4): beyond 360 degrees the remainder counts", Manual};
+  c.motion.rotation_words = {"R", "M7 p.460", Manual};
   c.motion.angle_words = {",A", "general knowledge, linear angle command", Inferred};
   c.motion.angles_on_mills = {true, "general knowledge, linear angle command", Inferred};
   c.motion.modal_groups = {"work=12 path=13 macro=14 rotation=16 surface=17 polar=18 mirror=19",

@@ -10,6 +10,8 @@ namespace {
 using enum Evidence;
 
 using siemens::kKnown;
+// The list of M commands in the ISO dialect of a sister, which names those of both languages.
+constexpr const char* kIsoM = "802DM p.44, list of M commands";
 constexpr const char* kManual = "SONE p.45, the words that end a program";
 
 void calls_and_returns(Control& c) {
@@ -23,7 +25,12 @@ void calls_and_returns(Control& c) {
       EndInSubprogram::Returns,
       "MD840, MD 20800: M17 and M2, M30 are the M functions of a subprogram's end", Secondary};
   give_role(c.calls.roles, "M17", Role::Return, kManual, Manual);
-  give_role(c.calls.roles, "M6", Role::ToolChange, kKnown, Inferred);
+  give_role(c.calls.roles, "M0", Role::Stop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M1", Role::OptionalStop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M3", Role::SpindleForward, kIsoM, Secondary);
+  give_role(c.calls.roles, "M4", Role::SpindleBackward, kIsoM, Secondary);
+  give_role(c.calls.roles, "M5", Role::SpindleStop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M6", Role::ToolChange, kIsoM, Secondary);
   give_role(c.calls.roles, "M2", Role::End, kManual, Manual);
   give_role(c.calls.roles, "M30", Role::End, kManual, Manual);
   no_role(c.calls.roles, {"M29", "M98", "M99", "M198", "G65", "G66", "G66.1", "G67"},

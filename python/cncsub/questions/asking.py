@@ -59,8 +59,7 @@ def open_words(control: Control) -> list[str]:
     for rule in control.rules:
         entries = entries_of(rule)
         for entry in entries:
-            _, evidence = rule.sources.get(entry, (rule.source, rule.evidence))
-            if evidence == _INFERRED:
+            if _source_of(rule, entry)[1] == _INFERRED:
                 words.append(f"{rule.name}:{entry}")
         if not entries and rule.evidence == _INFERRED:
             words.append(rule.name)
@@ -79,25 +78,29 @@ def questions(control: Control, words: tuple[str, ...] = ()) -> Iterator[Questio
 
 def question(control: Control, name: str) -> Question:
     """Return the question about a rule, or about an entry of a set, with the program that tells the
-    most of its values apart; of several the shortest.
+    most of its values apart; of several the shortest. Those of rows come before those of examples.
     """
     rule_name, _, entry = name.partition(":")
     rule = rule_named(control, rule_name)
     values = _values(control, name)
-    asked = Question(rule_name, entry, rule.meaning, values[0][0], *_source_of(rule, entry))
+    meaning = f"{rule.meaning}: {example}" if (example := _example(rule, entry)) else rule.meaning
+    asked = Question(rule_name, entry, meaning, values[0][0], _source_of(rule, entry)[0])
     best: tuple[tuple[int, int, int], Short, list[tuple[Seen, list[int]]]] | None = None
-    for program in candidates(control, rule, name):
-        groups = _groups(program, [of for _, of in values])
-        worth = (len(groups), -program.lines, -len(program.text))
-        if len(groups) > 1 and (best is None or worth > best[0]):
-            best = worth, program, groups
+    for programs in (_of_rows(name), _of_examples(control, rule, name)):
+        for program in programs:
+            groups = _groups(program, [of for _, of in values])
+            worth = (len(groups), -program.lines, -len(program.text))
+            if len(groups) > 1 and (best is None or worth > best[0]):
+                best = worth, program, groups
+        if best is not None:
+            break
     if best is None:
         return asked
     _, program, groups = best
     return Question(
         rule_name,
         entry,
-        rule.meaning,
+        meaning,
         asked.value,
         asked.source,
         program.text,
@@ -115,8 +118,15 @@ def unsettled(asked: Iterable[Question]) -> list[str]:
     return [f"{rule} ({', '.join(entries)})" if entries else rule for rule, entries in left.items()]
 
 
-def _source_of(rule: Any, entry: str) -> tuple[str]:
-    return (rule.sources.get(entry, (rule.source, ""))[0],)
+def _example(rule: Any, entry: str) -> str:
+    """Return the example of an entry of a set."""
+    return dict(zip(rule.entries, rule.examples, strict=True)).get(entry, "") if entry else ""
+
+
+def _source_of(rule: Any, entry: str) -> tuple[str, str]:
+    """Return the source and the evidence of a rule, or of an entry of it: of M98 for `M98=call`."""
+    told: tuple[str, str] = rule.sources.get(entry.partition("=")[0], (rule.source, rule.evidence))
+    return told
 
 
 def _values(control: Control, name: str) -> list[tuple[str, Control]]:
@@ -189,12 +199,13 @@ def _kinds(groups: list[tuple[Seen, list[int]]], shown: list[str]) -> int:
 # ---- the programs that are tried ----
 
 
-def candidates(control: Control, rule: Any, name: str) -> Iterator[Short]:
-    """Yield the programs that may tell the values of a rule apart: those that tools/questions.py
-    found among the conformance rows, and those made of the examples of the rule.
-    """
-    for text, machine in stored().get(name, ()):
-        yield Short(text, machine)
+def _of_rows(name: str) -> Iterator[Short]:
+    """Yield what tools/questions.py made of the conformance rows."""
+    yield from (Short(text, machine) for text, machine in stored().get(name, ()))
+
+
+def _of_examples(control: Control, rule: Any, name: str) -> Iterator[Short]:
+    """Yield programs made of the examples of the rule, which are of the ISO family."""
     if control.dialect == "iso":
         for span in dict.fromkeys(_spans(rule, name)):
             for form in _FORMS:
