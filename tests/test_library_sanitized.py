@@ -74,7 +74,7 @@ def test_every_function_of_the_c_face(installed: Path, tmp_path: Path) -> None:
     ("example", "arguments", "status"),
     [
         ("run_files", "", 1),
-        ("single_step", "O2 50 100", 0),
+        ("single_step", "O2 50 100", 1),
         ("moves", "", 0),
     ],
 )

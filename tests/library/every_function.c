@@ -91,7 +91,7 @@ static cncsub_options* odd_options(int which) {
   cncsub_options* const options = cncsub_options_new();
   static const char* const kNames[] = {"start", "max_blocks", "max_cycles", "max_seconds", "optional_stop", "record",
                                        "block_skip", "", "speed", NULL};
-  const double value = which < ODD ? kOdd[which] : which == ODD ? NAN : INFINITY;
+  const double value = which < 0 ? 0 : which < ODD ? kOdd[which] : which == ODD ? NAN : INFINITY;
   EXPECT(cncsub_options_number(options, "max_blocks", 500));
   if (which >= 0) {
     cncsub_options_number(options, kNames[which % 10], value);

@@ -13,6 +13,11 @@ if TYPE_CHECKING:
 NEAR = 1e-9  # mm, degrees, mm/min: values that differ by less are alike
 
 
+def alike(a: float | None, b: float | None) -> bool:
+    """Return whether two values of a variable are the same."""
+    return a == b or (a is not None and b is not None and abs(a - b) < NEAR)
+
+
 def column_of(table: Any, name: str) -> Column:
     """Return a column with its texts written out; NaN where the table has no such column."""
     import numpy as np
