@@ -93,7 +93,8 @@ void MentionReader::sequence_number(const Block& block) {
   std::optional<WrittenWord> n;
   bool others = false;
   for (auto word = code_.read_word(whole, from); word; word = code_.read_word(whole, from)) {
-    if (!n && word->address == "N" && word->known && word->value == block.n)
+    const bool numbers = word->address == "N" || word->address == ":";  // :10 of a main block
+    if (!n && numbers && word->known && word->value == block.n)
       n = std::move(word);
     else
       others = others || word->address != "/";
@@ -123,7 +124,8 @@ void MentionReader::profile(const Block& block) {
   }
 }
 
-/// Report P and Q that name blocks of the program, beside a code whose meaning is not known here.
+/// Report P and Q that may name blocks of the program, beside a code whose meaning is not known
+/// here: each is computed, and has a number.
 void MentionReader::unknown_profile(const Block& block) {
   const std::uint32_t both = bit('P') | bit('Q');
   if ((block.mask & both) != both || block.g_count == 0) return;
@@ -138,7 +140,11 @@ void MentionReader::unknown_profile(const Block& block) {
   if (known || code_.first_of(own(), named.p) == kNowhere ||
       code_.first_of(own(), named.q) == kNowhere)
     return;
-  computed(Mention::Kind::Number, {block.text, block.length}, program_);
+  for (const auto& [address, n] : {std::pair("P", named.p), std::pair("Q", named.q)}) {
+    const auto place = word(address, static_cast<double>(n));
+    computed(Mention::Kind::Number, place.value_or(TextPlace{block.text, block.length}), program_);
+    found_.back().number = n;
+  }
 }
 
 /// Add what a jump or a part names: a block number or a label.
