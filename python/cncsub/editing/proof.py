@@ -67,7 +67,14 @@ class _EditedPair(Pair):
         for n in sorted(held.keys() | other.keys()):
             if not alike(held.get(n), other.get(n)):
                 at = (len(a.steps), len(b.steps))
-                yield self._say((a, b), at, ("", f"#{n} differs at the end"))
+                yield self._say(
+                    (a, b),
+                    at,
+                    (
+                        "",
+                        f"{_core.variable_name(self._edits.library.control, n)} differs at the end",
+                    ),
+                )
                 return
 
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:
