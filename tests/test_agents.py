@@ -53,6 +53,8 @@ async def refusal(client: Any, tool: str, **given: Any) -> str:
 def test_an_agent_tries_a_program_on_the_control() -> None:
     async def ask(client: Any) -> None:
         tools = {each.name for each in (await client.list_tools()).tools}
+        for each in (await client.list_tools()).tools:
+            assert each.input_schema["additionalProperties"] is False
         assert tools == {
             "run", "check", "explain", "compare", "flatten", "tree", "listing", "controls", "rules",
         }  # fmt: skip
@@ -117,6 +119,16 @@ def test_files_are_read_below_the_folders_alone(tmp_path: Path) -> None:
             )
 
     talk(ask, inside)
+    (outside / "O3.nc").write_text("O3\nG4 P1\nM30\n")
+
+    async def second(client: Any) -> None:
+        ran = await answer(client, "run", control=CONTROL, paths=["O3.nc"])
+        assert ran["blocks"] == 2
+        assert "there is no O4.nc in" in await refusal(
+            client, "run", control=CONTROL, paths=["O4.nc"]
+        )
+
+    talk(second, inside, outside)
 
     async def none(client: Any) -> None:
         told = await refusal(client, "run", control=CONTROL, paths=["O1.nc"])
@@ -139,6 +151,12 @@ def test_wrong_questions_are_refused_with_the_reason() -> None:
             ("check", {"control": CONTROL, "programs": PROGRAMS, "rules": ["CS999"]}, "no rule"),
             ("rules", {"control": "nothing"}, "no control"),
             ("compare", {"controls": [CONTROL], "programs": PROGRAMS}, "2"),
+            (
+                "run",
+                {"control": CONTROL, "programs": PROGRAMS, "maxblocks": 5},
+                "run has no argument 'maxblocks'; did you mean max_blocks?",
+            ),
+            ("controls", {"name": "x"}, "controls has no argument 'name'; it has none"),
         ]
         for tool, given, reason in wrong:
             assert reason in await refusal(client, tool, **given), (tool, given)

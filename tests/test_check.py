@@ -115,7 +115,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "M99 P of a main program that leads nowhere": ("", "O1\nN10 G4 P1\nN20 M99 P15\n", "CS203 N20"),
     "two blocks of a number": ("", "O1\nN10 GOTO 50\nN50 G4 P1\nN50 G4 P2\n" + END, "CS204 N10"),
     "two blocks of a number that nobody asks for": ("", "O1\nN50 G4 P1\nN50 G4 P2\n" + END, ""),
-    "two programs of a number": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\nO2\nN40 M99\n", "CS205 N40"),
+    "two programs of a number": ("", "O1\nN10 M98 P2\nN20 M30\nO2\nN30 M99\nO2\nN40 M99\n", "CS205 :6"),
     "a jump inside a loop": ("", "O1\nN5 #1=0\nN10 WHILE[#1 LT 3]DO1\nN20 #1=#1+1\nN30 IF[#1 EQ 2]GOTO 50\nN40 G4 P1\nN50 END1\n" + END, ""),
     "a jump out of a loop, and to its head": ("", "O1\nN5 #1=0\nN6 IF[#500 EQ 1]GOTO 10\nN10 WHILE[#1 LT 3]DO1\nN20 #1=#1+1\nN30 IF[#1 EQ 2]GOTO 90\nN50 END1\n" + END, ""),
     "a jump into the inner loop from the outer one": (

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pickle
+
 import pytest
 
 import cncsub
@@ -345,6 +347,81 @@ def test_points_are_added_only_where_they_mean_nothing() -> None:
     stays = format(loaded(text, kinds["increments"]), points=True)
     assert after(stays) == "O1\nG0 X10 Y-5\nG4 X1\nM30\n"
     assert "no point is added" in stays.notes[0]
+
+
+LITERAL = [
+    ("O1\nPOPEN\ndprnt[x#100[53]y  #101[53]abc]\nPCLOS\nM30\n", MILL, "[x#100[53]y  #101[53]abc]"),
+    ("O1\nPOPEN\nbprnt [c**x#100[3]y  z]\nPCLOS\nM30\n", MILL, "[c**x#100[3]y  z]"),
+    ("O1\nPOPEN\nif[#1EQ#0]then dprnt[a  b]\nPCLOS\nM30\n", MILL, "[a  b]"),
+    ("o1\ndprnt[x  #1[32]]\nm30\n", "haas-ngc", "[x  #1[32]]"),
+    ("o1\ndprnt[x  #1[32]]\nm30\n", "mitsubishi-m800", "[x  #1[32]]"),
+    ("o1\n#3006=1(check  the tool)\nm30\n", MILL, "(check  the tool)"),
+    ("(msg, hello  there)\n(debug,x is  #1)\ng0x1\nm2\n", "linuxcnc", "(debug,x is  #1)"),
+    ('msg("hello  x1")\ng0x1\nm30\n', "siemens-one", '"hello  x1"'),
+]
+
+
+@pytest.mark.parametrize("row", LITERAL, ids=lambda row: f"{row[1]}: {row[2]}")
+def test_what_a_block_prints_stays_as_it_is_written(row: tuple[str, str, str]) -> None:
+    text, control, literal = row
+    made = format(loaded(text, control))
+    assert literal in after(made)
+    assert after(made) != text
+    made.prove()
+
+
+def test_the_number_of_a_main_block_is_laid_out_and_renumbered() -> None:
+    text = "g0x1\n:20 g1x2f100\nn30 m30\n"
+    made = format(loaded(text, "siemens-840d-sl"))
+    assert after(made) == "G0 X1\n:20 G1 X2 F100\nN30 M30\n"
+    assert made.prove().ran == ("MAIN",)
+    made = renumber(loaded(text, "siemens-840d-sl"), start=100)
+    assert after(made) == "g0x1\n:100 g1x2f100\nn110 m30\n"
+    text = ":20 G0 X1\nN30 GOTOF 50\nN40 G0 X9\n:50 M30\n"
+    made = rename(loaded(text, "siemens-one"), "N50", 70)
+    assert after(made) == text.replace("50", "70")
+
+
+def test_files_that_nobody_read_are_told() -> None:
+    for edit in (format, renumber):
+        with pytest.raises(KeyError, match="no file 'O9.nc' was read"):
+            edit(loaded("O1\nM30\n"), files=["O9.nc"])
+        with pytest.raises(TypeError, match="a list of names"):
+            edit(loaded("O1\nM30\n"), files="<text>")
+
+
+PROFILE = "O1\nN1 G0 X9. Z5.\nN3 G71 P4 Q6 U0.5 W0.1 F0.2\nN4 G0 X2.\nN6 X9.\nN8 M30\n"
+
+
+def test_a_cycle_that_a_mill_has_not_may_name_blocks() -> None:
+    with pytest.raises(EditError, match=r"P4 may name a block: .* lathe") as told:
+        renumber(loaded(PROFILE))
+    assert "known only when" not in str(told.value)
+    with pytest.raises(EditError, match="P4 may name N4"):
+        rename(loaded(PROFILE), "N4", 5)
+    assert "N9 M30" in after(rename(loaded(PROFILE), "N8", 9))
+    assert after(rename(loaded(PROFILE), "N4", 5, machine="lathe-a")) == PROFILE.replace("4", "5")
+
+
+def test_a_place_is_read_for_the_kind_of_machine() -> None:
+    at = ("<text>", 3, PROFILE.splitlines()[2].index("P4") + 2)
+    found = rename(loaded(PROFILE), at, 5, machine="lathe-a")
+    assert after(found) == PROFILE.replace("4", "5")
+
+
+def test_an_error_goes_to_another_process_and_back() -> None:
+    with pytest.raises(EditError) as told:
+        renumber(loaded("O1\nN1 GOTO#1\nN2 GOTO#2\nM30\n"))
+    again = pickle.loads(pickle.dumps(told.value))
+    assert (str(again), again.reasons) == (str(told.value), told.value.reasons)
+    assert len(again.reasons) == 2
+
+
+def test_a_variable_is_called_as_the_control_writes_it() -> None:
+    found = mentions(loaded("R5=1\nG0 X=R5\nM30\n", "siemens-one"), "variable")
+    assert [m.shown for m in found] == ["R5", "R5"]
+    with pytest.raises(EditError, match="R5 is .* and R90000 is no variable"):
+        rename(loaded("R5=1\nM30\n", "siemens-one"), "R5", 90000)
 
 
 def test_every_mention_is_where_it_says() -> None:

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from itertools import islice
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -15,7 +16,7 @@ from makers import CONTROLS
 import cncsub
 from cncsub import testing
 from cncsub.editing import EditError, Edits, Mention, format, mentions, rename, renumber
-from cncsub.editing.mentions import thing
+from cncsub.editing.mentions import mentions_in_line, mentions_of, thing
 from conformance import rows
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -174,6 +175,47 @@ def test_a_generated_program_does_the_same(text: str, control: str) -> None:
         assert len(made.after.code.sources[0][2].split(b"\n")) == len(text.split("\n"))
 
 
+SINUMERIK_WORDS = st.sampled_from(
+    ["g0", "G1", "X10", "y=r1", "f100", "M8", 'msg("a  b")', "Z=(R2+1)", "R2=R1*2", "LAB"]
+)
+LINUXCNC_WORDS = st.sampled_from(
+    ["g0", "G1", "x10", "y[#1 + 1]", "f100", "m8", "(msg,a  B)", "#2=[#1*2]", "(debug, #1  x)"]
+)
+SYNTEC_WORDS = st.sampled_from(["g0", "G1", "x10.", "Y#1", "f100", "M8", "(note)", "#2 := #1*2;"])
+
+
+@st.composite
+def other_programs(draw: st.DrawFn) -> tuple[str, str]:
+    """Return a program of another language than those above, with its jumps, and the control."""
+    control = draw(st.sampled_from(["siemens-one", "siemens-840d-sl", "linuxcnc", "syntec-22ma"]))
+    words, jump, end = {
+        "s": (SINUMERIK_WORDS, ["R1=R1+1", "if r1<3 gotob {}", "IF R1==2 GOTOF {}", ""], "M30"),
+        "l": (LINUXCNC_WORDS, ["#1=[#1+1]", "o1 if [#1 gt 2]\no1 endif", ""], "m2"),
+        "y": (SYNTEC_WORDS, ["#1:=#1+1;", "IF #1<3 THEN GOTO {}; END_IF;", ""], "M30"),
+    }["y" if control.startswith("syn") else control[0]]
+    signs = ["N", ":", "n"] if control.startswith("siemens") else ["N"]
+    lines = []
+    for n in draw(st.lists(st.integers(1, 12), min_size=1, max_size=8)):
+        body = draw(st.sampled_from([" ", "  "])).join(draw(st.lists(words, max_size=3)))
+        number = f"{draw(st.sampled_from(signs))}{n} " if draw(st.booleans()) else ""
+        lines += [number + body, draw(st.sampled_from(jump)).format(draw(st.integers(1, 12)))]
+    return "\n".join([*lines, end]) + "\n", control
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(other_programs())
+def test_a_generated_program_of_another_language_does_the_same(of: tuple[str, str]) -> None:
+    text, control = of
+    library = cncsub.loads(text, control=control)
+    for edits_of in EDITS.values():
+        try:
+            made = edits_of(library, "")
+        except EditError:
+            continue
+        made.prove(max_blocks=500)
+        assert edits_of(made.after, "").empty
+
+
 def test_a_long_program_is_edited_at_once() -> None:
     blocks = 100_000
     body = "".join(f"N{n} G1 X{n % 97}. Y{n % 89}. (cut)\n" for n in range(1, blocks))
@@ -187,3 +229,34 @@ def test_a_long_program_is_edited_at_once() -> None:
         made = edits_of()
         assert len(made.texts["<text>"]) > blocks
         assert time.perf_counter() - began < 12  # a second or two where nothing else runs
+
+
+def test_mentions_that_are_asked_for_are_those_of_all() -> None:
+    """Those of a line and of a thing are found without the others; they are the same."""
+    for _, library, _ in libraries():
+        every = mentions(library)
+        lines: dict[tuple[str, int], list[Mention]] = {}
+        things: dict[tuple[object, ...], list[Mention]] = {}
+        for m in every:
+            lines.setdefault((m.file, m.line), []).append(m)
+            key = named(m)
+            if key is not None:
+                things.setdefault(key, []).append(m)
+        for (file, line), found in list(lines.items())[:20]:
+            assert mentions_in_line(library, file, line) == found
+        for (kind, program, block, variable), found in list(things.items())[:20]:
+            assert mentions_of(library, kind, program, block, variable) == found
+
+
+def named(m: Mention) -> tuple[Any, ...] | None:
+    """Return what a mention names, as `mentions_of` is asked for it."""
+    if m.computed:
+        return None
+    if m.kind == "variable":
+        called = m.name.upper() if m.number is None else m.number
+        return ("variable", m.to_program, None, called)
+    if m.to_program is None:
+        return None
+    if m.kind == "program":
+        return ("program", m.to_program, None, "")
+    return None if m.to_block is None else ("block", m.to_program, m.to_block, "")

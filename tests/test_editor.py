@@ -12,6 +12,7 @@ from cncsub.editor import completing, explaining, navigation, rewriting, shown, 
 from cncsub.editor.diagnostics import actions, diagnostics
 from cncsub.editor.documents import Document, character_of, split, units_before
 from cncsub.editor.memory import Memories, Settings
+from cncsub.editor.project_names import names_at
 from cncsub.editor.snapshot import Snapshot
 
 CONTROL = "fanuc-0i-f"
@@ -194,6 +195,88 @@ def test_codes_and_variables_are_completed() -> None:
     assert labels(2, "N10 (a comment ") == []
 
 
+def completed(line: int, before: str, label: str, text: str = TEXT, control: str = CONTROL) -> str:
+    """Return a line as it is after an item was taken."""
+    lines = text.splitlines()
+    lines[line] = before
+    snap = snapshot("\n".join(lines) + "\n", control)
+    for each in completing.completions(snap, PATH, line, len(before)):
+        if each.label == label:
+            at = each.text_edit.range
+            assert (at.start.line, at.end.character) == (line, len(before))
+            return before[: at.start.character] + each.text_edit.new_text
+    return ""
+
+
+def test_an_item_goes_on_with_what_was_begun() -> None:
+    assert completed(5, "N30 #100=#10", "#100") == "N30 #100=#100"
+    assert completed(6, "IF[#100LT3]GOTO4", "40") == "IF[#100LT3]GOTO40"
+    assert completed(8, "N50 M98P", "P2") == "N50 M98P2"
+    assert completed(2, "N10G5", "G54") == "N10G54"
+    assert completed(2, "N10 g5", "G54") == "N10 G54"
+    assert labels(2, "N10 G5") == [label for label in labels(2, "N10 ") if label.startswith("G5")]
+
+
+def test_the_variables_of_the_control_are_completed() -> None:
+    assert {"#3000", "#5201", "#5041"} <= set(labels(5, "N30 #100=#"))
+    assert set(labels(5, "#522")) == {f"#{number}" for number in range(5220, 5230)}
+
+
+@pytest.mark.parametrize(
+    ("control", "text", "before", "label"),
+    [
+        ("siemens-one", "R5=1\nG0 X=\nM30\n", "G0 X=R", "R5"),
+        ("siemens-one", "DEF REAL DEPTH\nG0 X=\nM30\n", "G0 X=DE", "DEPTH"),
+        ("siemens-one", "R5=1\nG0 X=\nM30\n", "R1=$P_AXN", ""),
+        ("linuxcnc", "#<depth>=1\nG0\nM2\n", "G0 X#<d", "#<depth>"),
+        ("fanuc-30i", "[#DEPTH]=3\nG0\nM30\n", "G0 X[#D", "#DEPTH"),
+    ],
+)
+def test_variables_are_completed_as_the_language_writes_them(
+    control: str, text: str, before: str, label: str
+) -> None:
+    if label:
+        assert label in labels(1, before, text, control)
+        assert completed(1, before, label, text, control).endswith(label)
+    else:
+        assert all(each.startswith("$P_") for each in labels(1, before[:-3], text, control))
+
+
+def test_the_parameters_that_a_program_sets_are_completed() -> None:
+    text = "O1\nG10 L52\nN\nG11\nN\nM30\n"
+    found = labels(2, "N60", text, "fanuc-30i")
+    assert "N6001" in found
+    assert labels(4, "N60", text, "fanuc-30i") == []
+    lines = snapshot(text, "fanuc-30i")
+    [item] = [i for i in completing.completions(lines, PATH, 2, 1) if i.label == "N6001"]
+    assert "bit 5: TCS" in item.documentation
+
+
+def test_controls_and_parameters_are_completed_where_a_project_names_them() -> None:
+    def names(text: str, path: str) -> list[str]:
+        line = text.splitlines()[-1]
+        return [
+            each.label for each in names_at(Document.of(text), path, text.count("\n"), len(line))
+        ]
+
+    assert names("(cncsub: control=fanuc-0", PATH) == ["fanuc-0i-d", "fanuc-0i-f"]
+    assert "linuxcnc" in names("; cncsub: control=", PATH)
+    assert names("G1 X1 F", PATH) == []
+    assert names('control = "haas', "/p/cncsub.toml") == ["haas-ngc"]
+    assert names("setup = ", "/p/cncsub.toml") == []
+    told = names('control = "fanuc-30i"\n[parameters]\n"6001#', "/p/cncsub.toml")
+    assert "6001#5" in told
+
+
+def test_the_signature_of_a_code_is_its_words() -> None:
+    snap = snapshot("O1\nG81 X1. Z-5. R2. F100\nM30\n")
+    found = completing.signature(snap, PATH, 1, len("G81 X1. Z-5. R"))
+    assert found is not None
+    [told] = found.signatures
+    assert told.label.startswith("G81 ")
+    assert told.parameters[found.active_parameter].label.startswith("R: ")
+
+
 def test_the_signature_of_a_macro_is_what_it_reads() -> None:
     snap = snapshot()
     found = completing.signature(snap, PATH, 3, len("N20 G65 P2 A5. B"))
@@ -201,6 +284,10 @@ def test_the_signature_of_a_macro_is_what_it_reads() -> None:
     assert found.signatures[0].label == "G65 O2 (MACRO): A=#1 DEPTH, B=#2 WIDTH"
     assert found.active_parameter == 1
     assert completing.signature(snap, PATH, 4, 5) is None
+
+
+def test_a_variable_is_told_as_the_control_writes_it() -> None:
+    assert "**R5**" in told(0, "R5", "R5=1\nM30\n", "siemens-one")
 
 
 # ---- what is shown ----
@@ -357,6 +444,17 @@ def test_blocks_are_laid_out_and_numbered_anew() -> None:
         "N10g91g1x10f100(\U0001f600)",
         "N20GOTO10",
     ]
+
+
+def test_only_the_file_at_hand_is_numbered_anew(tmp_path: Path) -> None:
+    for name in ("a.nc", "b.nc"):
+        (tmp_path / name).write_text("O1\nN3 G4 P1\nM30\n")
+    memories = Memories(folders=(str(tmp_path),), settings=Settings(CONTROL))
+    path = str(tmp_path / "b.nc")
+    memories.put(path, Document.of((tmp_path / "b.nc").read_text()))
+    snap = memories.snapshot(path)
+    assert snap is not None
+    assert list(rewriting.renumbered(snap, path).changes) == [f"file://{path}"]
 
 
 # ---- memories ----

@@ -18,8 +18,9 @@ from typer.testing import CliRunner, Result
 
 import cncsub
 from cncsub.archive.gate import Allowed, gate, read_allow_list
-from cncsub.archive.gating import RULES, gated
+from cncsub.archive.gating import gated
 from cncsub.cli.commands import app
+from cncsub.gate_rules import RULES
 
 GOOD = "%\nO1 (PART)\nG21 G90 G17\nT1 M6\nG0 X10. Y10. S1000 M3\nG1 Z-1. F100\nG0 Z10.\nM30\n%\n"
 MILL = "fanuc-0i-f"
@@ -146,10 +147,26 @@ def test_findings_are_told_to_other_tools(output: Path) -> None:
 
 
 def test_a_file_that_cannot_be_read_does_not_pass(output: Path) -> None:
-    done = call("out/nosuch.nc")
+    (output / "gone.nc").symlink_to(output / "nosuch.nc")
+    done = call("out/gone.nc")
     assert done.exit_code == 1
-    assert done.stdout.startswith("FAILED out/nosuch.nc: unreadable: no such file or folder")
+    assert done.stdout.startswith("FAILED out/gone.nc: unreadable: a broken link")
+
+
+def test_a_path_that_leads_nowhere_is_wrong_use(output: Path) -> None:
+    done = call("out/good.nc", "out/nosuch.nc")
+    assert done.exit_code == 2
+    assert "nosuch.nc" in done.stderr
     assert call().exit_code == 2
+    with pytest.raises(FileNotFoundError, match="nosuch"):
+        gate(["out/nosuch.nc"], MILL)
+
+
+def test_an_entry_for_a_file_means_the_file_in_a_folder_that_is_one_memory(output: Path) -> None:
+    for pattern, left in (("code.nc", 0), ("*/out/code.nc", 0), ("arc.nc", 1), ("out", 1)):
+        allow = [Allowed("G987", pattern, 1)]
+        [done] = gate([output], MILL, each="folder", allow=allow).files
+        assert sum(f.name == "code-not-available" for f in done.findings) == left, pattern
 
 
 @pytest.mark.parametrize("rule", [rule for rule in RULES if rule.example], ids=lambda r: r.name)
@@ -203,18 +220,53 @@ def test_the_inputs_of_the_action_are_those_of_its_page() -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the action runs bash")
-@pytest.mark.parametrize(("strict", "status"), [("false", 1), ("true", 1)])
-def test_the_action_marks_lines_and_fails(output: Path, strict: str, status: int) -> None:
+def test_the_action_marks_lines_and_fails(output: Path) -> None:
+    (output / "with blank.nc").write_text(GOOD)
+    files = ("out/with blank.nc", "out/head.nc", "out/code.nc")
+    done, lines = acted(output, *files, allow="head-missing\n")
+    assert done.returncode == 1, done.stderr
+    assert "::error file=out/code.nc,line=7" in done.stdout
+    assert lines[0] == "passed out/with blank.nc"
+    assert lines[1] == "passed out/head.nc"
+    assert lines[2].startswith("FAILED out/code.nc")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the action runs bash")
+@pytest.mark.parametrize(
+    ("file", "more", "status"),
+    [
+        ("good.nc", {}, 0),
+        ("warns.nc", {}, 0),
+        ("warns.nc", {"strict": "true"}, 1),
+        ("far.nc", {}, 0),
+        ("far.nc", {"setup": "[limits]\nZ = [-600, 100]\n"}, 1),
+        ("head.nc", {}, 1),
+        ("head.nc", {"allow": "head-missing\n"}, 0),
+        ("nosuch.nc", {}, 2),
+    ],
+)
+def test_each_input_of_the_action_counts(
+    output: Path, file: str, more: dict[str, str], status: int
+) -> None:
+    (output / "warns.nc").write_text(GOOD.strip("%\n") + "\n")  # no %, which is a warning
+    done, _ = acted(output, f"out/{file}", **more)
+    assert done.returncode == status, (done.stdout, done.stderr)
+
+
+def acted(
+    output: Path, *files: str, strict: str = "false", allow: str = "", setup: str = ""
+) -> tuple[subprocess.CompletedProcess[str], list[str]]:
+    """Run the script of the action, and return what it says and the lines of its summary."""
     script, names = script_of_the_action()
     assert set(names.values()) == {"paths", "control", "allow", "setup", "strict"}
-    (output / "with blank.nc").write_text(GOOD)
-    (output.parent / "allow.txt").write_text("head-missing\n")
+    for name, text in (("allow.txt", allow), ("machine.toml", setup)):
+        (output.parent / name).write_text(text)
     summary = output.parent / "summary"
     given = {
-        "PATHS": "out/with blank.nc\nout/head.nc\nout/code.nc\n",
+        "PATHS": "".join(f"{file}\n" for file in files),
         "CNCSUB_CONTROL": MILL,
-        "ALLOW": "allow.txt",
-        "SETUP": "",
+        "ALLOW": "allow.txt" if allow else "",
+        "SETUP": "machine.toml" if setup else "",
         "STRICT": strict,
         "GITHUB_STEP_SUMMARY": str(summary),
         "PATH": path_with_cncsub(output.parent / "bin"),
@@ -227,9 +279,4 @@ def test_the_action_marks_lines_and_fails(output: Path, strict: str, status: int
         check=False,
         timeout=120,
     )
-    assert done.returncode == status, done.stderr
-    assert "::error file=out/code.nc,line=7" in done.stdout
-    lines = summary.read_text().splitlines()
-    assert lines[0] == "passed out/with blank.nc"
-    assert lines[1] == "passed out/head.nc"
-    assert lines[2].startswith("FAILED out/code.nc")
+    return done, summary.read_text().splitlines()

@@ -132,7 +132,7 @@ def test_a_client_gets_its_answers(tmp_path: Path) -> None:
         words = await client.text_document_completion_async(
             lsp.CompletionParams(shown, lsp.Position(1, 9))
         )
-        assert [each.label for each in words] == ["P1", "P2"]
+        assert [each.label for each in words.items] == ["P1", "P2"]
         symbols = await client.workspace_symbol_async(lsp.WorkspaceSymbolParams("sub"))
         assert [each.name for each in symbols] == ["O2 SUB"]
 

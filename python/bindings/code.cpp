@@ -156,6 +156,19 @@ py::list tokens(ReadWord read, std::string_view block) {
   return rows;
 }
 
+/// Return the variables of the control itself: the first and the last number of each range, and
+/// what they hold.
+std::vector<std::tuple<std::int32_t, std::int32_t, std::string>> system_variables(
+    const Code& code) {
+  std::vector<std::tuple<std::int32_t, std::int32_t, std::string>> found;
+  for (const VariableRange& of : code.control->variables) {
+    const bool of_programs = of.kind == VariableKind::Local || of.kind == VariableKind::Common ||
+                             of.kind == VariableKind::Kept;
+    if (!of_programs) found.emplace_back(of.first, of.last, what_it_holds(of.kind));
+  }
+  return found;
+}
+
 /// Return "local", "common" or "kept" for a variable of programs, "control" for one of the control;
 /// empty where there is none.
 std::string variable_kind(const Code& code, std::int64_t number) {
@@ -264,6 +277,7 @@ void add_code(py::module_& m) {
       .def("places", &places, py::arg("external") = false)
       .def_property_readonly("duplicates", &duplicates)
       .def("variable_facts", &variable_facts, py::arg("number"))
+      .def_property_readonly("system_variables", &system_variables)
       .def("__len__", [](const Code& c) { return c.programs.size(); })
       .def_property_readonly("main", &main_of_memory)
       .def_property_readonly("sources",

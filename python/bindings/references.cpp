@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -179,14 +180,41 @@ std::vector<std::size_t> by_place(const Code& code, const std::vector<Mention>& 
   return order;
 }
 
-py::list mentions(const Code& code, const std::string& machine, const std::string& kinds) {
+/// The place of a line: the name of its file, and its number from 1.
+using LineAsked = std::pair<std::string, std::uint32_t>;
+/// A program, a block of it, or a variable: its program, its block there, its number, its name.
+using NameAsked = std::tuple<std::int32_t, std::optional<std::uint32_t>, std::int64_t, std::string>;
+
+/// Return the part of a file that a line is; nothing where there is no such line.
+std::optional<MentionsAsked::Part> part_of(const Code& code, const LineAsked& line) {
+  for (std::size_t i = 0; i < code.files.size(); ++i) {
+    if (code.files[i].name != line.first) continue;
+    const std::string_view text = code.files[i].text.view();
+    std::size_t from = 0;
+    for (std::uint32_t n = 1; n < line.second && from < text.size(); ++n)
+      from = std::min(text.find('\n', from), text.size() - 1) + 1;
+    const std::size_t to = std::min(text.find('\n', from), text.size());
+    return MentionsAsked::Part{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(from),
+                               static_cast<std::uint32_t>(to)};
+  }
+  return std::nullopt;
+}
+
+MentionsAsked::Named named_by(const Code& code, const NameAsked& asked) {
+  const auto& [program, block, number, name] = asked;
+  MentionsAsked::Named named{program, kNowhere, number, name};
+  if (block) named.block = code.programs.at(static_cast<std::size_t>(program)).first + *block;
+  return named;
+}
+
+py::list mentions(const Code& code, const std::string& machine, const std::string& kinds,
+                  const std::optional<LineAsked>& line, const std::optional<NameAsked>& name) {
   const auto asked = [&](std::string_view kind) { return kinds.find(kind) != std::string::npos; };
   std::vector<Mention> all;
-  work_away([&](InterruptCheck& interrupt) {
-    const MentionsAsked of{asked("block"), asked("program"), asked("variable"),
-                           asked("unnumbered")};
-    all = mentions_of(code, machine, of, interrupt);
-  });
+  MentionsAsked of{asked("block"), asked("program"), asked("variable"), asked("unnumbered")};
+  if (line && !(of.part = part_of(code, *line))) return py::list();
+  if (name) of.named = named_by(code, *name);
+  work_away([&](InterruptCheck& interrupt) { all = mentions_of(code, machine, of, interrupt); });
   py::list rows;
   std::uint32_t file = 0;
   std::optional<Columns> columns;
@@ -254,7 +282,8 @@ void add_references(py::module_& m) {
   m.def("formatted", &formatted, py::arg("code"), py::arg("name"), py::arg("blanks"),
         py::arg("indent"), py::arg("capitals"), py::arg("points"));
   m.def("refused_blocks", &refused_blocks, py::arg("code"));
-  m.def("mentions", &mentions, py::arg("code"), py::arg("machine"), py::arg("kinds"));
+  m.def("mentions", &mentions, py::arg("code"), py::arg("machine"), py::arg("kinds"),
+        py::arg("line") = py::none(), py::arg("name") = py::none());
   m.def("each_call", &each_call, py::arg("code"), py::arg("take"));
 }
 

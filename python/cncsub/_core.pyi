@@ -283,9 +283,17 @@ _MentionRow = tuple[
     str, bool, bool, bool, bool, int, int | None, int, int, str, int, str, int, int | None, str, int
 ]
 
-def mentions(code: Code, machine: str, kinds: str) -> list[_MentionRow]:
+def mentions(
+    code: Code,
+    machine: str,
+    kinds: str,
+    line: tuple[str, int] | None = None,
+    name: tuple[int, int | None, int, str] | None = None,
+) -> list[_MentionRow]:
     """Return every piece of text that names a block, a program or a variable, by its place.
-    `kinds`: block, program, variable, unnumbered.
+    `kinds`: block, program, variable, unnumbered. `line`: only those in a line of a file. `name`:
+    only those that name one thing: its program (-1: of all), its block there, its number (-1:
+    none), its name in capitals; nothing that is computed.
     """
 
 def formatted(
@@ -387,6 +395,8 @@ class Code:
         """Return the group in which a variable is shown, such as `locals` or `work offsets`, and
         whether it can be read and written; None where the control has no such variable.
         """
+    @property
+    def system_variables(self) -> list[tuple[int, int, str]]: ...  # first, last, what they hold
     @property
     def variable_sign(self) -> str: ...  # what stands before the number of a variable
     @property

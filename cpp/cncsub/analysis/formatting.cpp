@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "cncsub/analysis/checker.hpp"
 #include "cncsub/analysis/nesting_depth.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -41,10 +42,27 @@ std::string outside_comments(const Spelling& spelling, std::string_view text,
   return written;
 }
 
+/// Return where the text of a block begins that it prints as it is written, as that of
+/// DPRNT[...]; the end of the block where it prints none. A text between quotes is not meant.
+std::size_t printed_from(const Code& code, const Block& block, std::string_view text) {
+  std::size_t from = text.size();
+  each_variant(code, block, [&](const Block& of) {
+    if (of.op != Op::Print) return;
+    std::size_t at = code.prints[of.aux].at - block.text;
+    while (at < text.size() && is_blank(text[at])) ++at;
+    if (at < text.size() && text[at] == '[') from = std::min(from, at);
+  });
+  return from;
+}
+
 class BlockLayout {
  public:
   BlockLayout(const Code& code, const Layout& layout, std::string_view text, const Block& block)
-      : code_(code), layout_(layout), text_(text), block_(block) {}
+      : code_(code),
+        layout_(layout),
+        text_(text),
+        block_(block),
+        printed_(printed_from(code, block, text)) {}
 
   /// Return the changes of the block, as places in it; nothing where it would be read otherwise.
   std::optional<std::vector<LayoutChange>> changes();
@@ -63,6 +81,7 @@ class BlockLayout {
   const Layout& layout_;
   std::string_view text_;
   const Block& block_;
+  std::size_t printed_;  // where a text begins that is printed
   std::vector<BlockToken> tokens_;
 };
 
@@ -78,7 +97,9 @@ bool BlockLayout::takes_point(const WrittenWord& word) const {
 
 /// Return a word as it is written by the layout.
 std::string BlockLayout::word(const BlockToken& token) const {
-  const std::string_view own = text_.substr(token.at, token.width);
+  const std::size_t width =
+      std::clamp<std::size_t>(printed_, token.at, token.at + token.width) - token.at;
+  const std::string_view own = text_.substr(token.at, width);
   const bool plain =
       token.word.known && !token.word.address.empty() && own.find('(') == std::string_view::npos;
   const auto change = [&](std::string& to, char c) {
@@ -86,6 +107,7 @@ std::string BlockLayout::word(const BlockToken& token) const {
     to += layout_.capitals ? upper(c) : c;
   };
   std::string written = outside_comments(*code_.spelling, own, change);
+  written += text_.substr(token.at + width, token.width - width);
   if (takes_point(token.word)) written += '.';
   return written;
 }

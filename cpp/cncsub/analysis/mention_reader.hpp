@@ -37,6 +37,9 @@ class MentionReader {
 
   void collect_calls(InterruptCheck& interrupt);
   void collect_labels();
+  bool is_asked(const Mention& mention) const;
+  bool may_be_asked(const Block& block) const;
+  void drop_unasked(std::size_t from);
   void program(std::int32_t index, InterruptCheck& interrupt);
   void head();
   void block(const Block& block);
@@ -67,6 +70,7 @@ class MentionReader {
 
   /// Return whether a variable is defined by this name in the program, or in all.
   bool is_defined(std::string_view name) const;
+  bool may_name_variable(const Block& block, std::string_view text) const;
   void variables(const Block& block);
   void variable(const NamePiece& piece, std::string_view text, std::uint32_t at);
   void arguments(const Block& block, const References& references);

@@ -81,8 +81,21 @@ void MentionReader::arguments(const Block& block, const References& references) 
   });
 }
 
+/// Return whether a block may name the variable that is asked for: by its sign, or by the letter of
+/// an argument.
+bool MentionReader::may_name_variable(const Block& block, std::string_view text) const {
+  if (!asked_.named || asked_.named->number < 0 || code_.spelling->variable != "#") return true;
+  if (text.find_first_of("#@") != std::string_view::npos) return true;
+  bool hands_over = false;
+  each_variant(code_, block, [&](const Block& of) {
+    hands_over = hands_over || of.op == Op::MacroCall || of.op == Op::ModalCall;
+  });
+  return hands_over;
+}
+
 void MentionReader::variables(const Block& block) {
   const std::string_view whole = code_.text_of(block, own());
+  if (!may_name_variable(block, whole)) return;
   const std::vector<NamePiece> pieces = name_pieces(*code_.spelling, whole);
   const bool names_them = block.op == Op::NameVariables;  // SETVN 500[ABC, DEF]
   for (const NamePiece& piece : pieces) {

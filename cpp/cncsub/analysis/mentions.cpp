@@ -93,7 +93,8 @@ void MentionReader::sequence_number(const Block& block) {
   std::optional<WrittenWord> n;
   bool others = false;
   for (auto word = code_.read_word(whole, from); word; word = code_.read_word(whole, from)) {
-    if (!n && word->address == "N" && word->known && word->value == block.n)
+    const bool numbers = word->address == "N" || word->address == ":";  // :10 of a main block
+    if (!n && numbers && word->known && word->value == block.n)
       n = std::move(word);
     else
       others = others || word->address != "/";
@@ -123,7 +124,8 @@ void MentionReader::profile(const Block& block) {
   }
 }
 
-/// Report P and Q that name blocks of the program, beside a code whose meaning is not known here.
+/// Report P and Q that may name blocks of the program, beside a code whose meaning is not known
+/// here: each is computed, and has a number.
 void MentionReader::unknown_profile(const Block& block) {
   const std::uint32_t both = bit('P') | bit('Q');
   if ((block.mask & both) != both || block.g_count == 0) return;
@@ -138,7 +140,11 @@ void MentionReader::unknown_profile(const Block& block) {
   if (known || code_.first_of(own(), named.p) == kNowhere ||
       code_.first_of(own(), named.q) == kNowhere)
     return;
-  computed(Mention::Kind::Number, {block.text, block.length}, program_);
+  for (const auto& [address, n] : {std::pair("P", named.p), std::pair("Q", named.q)}) {
+    const auto place = word(address, static_cast<double>(n));
+    computed(Mention::Kind::Number, place.value_or(TextPlace{block.text, block.length}), program_);
+    found_.back().number = n;
+  }
 }
 
 /// Add what a jump or a part names: a block number or a label.
@@ -243,8 +249,36 @@ void MentionReader::block(const Block& block) {
   }
 }
 
+/// Return whether a mention stands where it is asked for, and names what is asked for.
+bool MentionReader::is_asked(const Mention& mention) const {
+  const auto& [part, named] = std::tie(asked_.part, asked_.named);
+  if (part && (mention.place.at < part->from || mention.place.at > part->to)) return false;
+  if (!named) return true;
+  if (mention.computed || mention.to_program != named->program) return false;
+  if (mention.kind == Mention::Kind::Program) return true;
+  if (mention.kind != Mention::Kind::Variable) return mention.to == named->block;
+  return mention.number == named->number &&
+         (mention.number >= 0 || capitals(mention.name) == named->name);
+}
+
+/// Return whether it is worth reading a block.
+bool MentionReader::may_be_asked(const Block& block) const {
+  if (!asked_.part) return true;
+  return block.text <= asked_.part->to && block.text + block.length >= asked_.part->from;
+}
+
+/// Drop the mentions from `from` on that nobody asks for.
+void MentionReader::drop_unasked(std::size_t from) {
+  if (!asked_.part && !asked_.named) return;
+  const auto first = found_.begin() + static_cast<std::ptrdiff_t>(from);
+  found_.erase(
+      std::remove_if(first, found_.end(), [this](const Mention& of) { return !is_asked(of); }),
+      found_.end());
+}
+
 /// Add what a block gives a name to.
 void MentionReader::definitions(const Block& block) {
+  if (asked_.named && asked_.named->block != at_) return;
   if (block.n >= 0)
     sequence_number(block);
   else if (asked_.unnumbered)
@@ -263,16 +297,20 @@ void MentionReader::references(const Block& block) {
 
 void MentionReader::program(std::int32_t index, InterruptCheck& interrupt) {
   program_ = index;
+  if (asked_.part && own().file != asked_.part->file) return;
   head();
+  drop_unasked(0);
   for (at_ = own().first; at_ < own().last; ++at_) {
     const Block& block = code_.blocks[at_];
     if (interrupt.requested(block.length + InterruptCheck::kBlock)) return;
-    if (code_.program_at(at_) != program_) continue;
+    if (!may_be_asked(block) || code_.program_at(at_) != program_) continue;
+    const std::size_t before = found_.size();
     if (asked_.blocks) definitions(block);
     each_variant(code_, block, [this](const Block& of) { this->block(of); });
     if (may_name(block.op)) references(block);
     if (asked_.programs && code_.spelling->program_name.before.empty()) declared(block);
     if (asked_.variables) variables(block);
+    drop_unasked(before);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,22 @@ struct MentionsAsked {
   bool programs = true, variables = true;
   bool unnumbered = false;  // the first character of the first word of each block without a number,
                             // as a mention that defines none
+
+  /// A part of a file, both ends included: only what stands there is returned.
+  struct Part {
+    std::uint32_t file = 0, from = 0, to = 0;
+  };
+  std::optional<Part> part{};
+
+  /// A program, a block of a program (`block`), or a variable by its number or its name in
+  /// capitals: only what names it is returned, and nothing that is computed.
+  struct Named {
+    std::int32_t program = kNoProgram;
+    Address block = kNowhere;
+    std::int64_t number = -1;
+    std::string name{};
+  };
+  std::optional<Named> named{};
 };
 
 /// A block that the control refuses when it is reached: its program, and its address.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cncsub/analysis/checker.hpp"
+#include "cncsub/text/scan.hpp"
 
 namespace cncsub {
 
@@ -253,6 +254,16 @@ void TargetCheck::returns() {
   }
 }
 
+/// Return the head of a program, or its first block where its file names it.
+TextPlace head_of(const Code& code, const Program& program) {
+  const Block& block = code.blocks[program.first];
+  if (program.name_length == Program::kOfFile) return {block.text, block.length};
+  const std::string_view text = code.files[program.file].text.view();
+  std::uint32_t at = program.name_at;
+  if (at > 0 && (is_letter(text[at - 1]) || text[at - 1] == ':')) --at;  // the O of O2
+  return {at, program.name_at + program.name_length - at};
+}
+
 }  // namespace
 
 void check_targets(Checker& c) {
@@ -267,11 +278,11 @@ void check_targets(Checker& c) {
     const Program& program = c.program(flow.program());
     if (program.duplicate_of == kNoProgram || program.first >= program.last) continue;
     const Program& first = c.program(program.duplicate_of);
-    const Block& block = c.code.blocks[program.first];
+    const TextPlace head = head_of(c.code, program);
     const std::string files = std::to_string(program.file) + " " + std::to_string(first.file);
-    if (c.known(Check::Duplicate, files, program.first, {block.text, block.length}))
+    if (c.known(Check::Duplicate, files, program.first, head))
       continue;  // another file has the same contents
-    c.found(Check::Duplicate, program.first, {block.text, block.length},
+    c.found(Check::Duplicate, program.first, head,
             c.code.name_of(program) + " is also in " + c.code.files[first.file].name + ", line " +
                 std::to_string(first.line) + ", and that one runs");
   }

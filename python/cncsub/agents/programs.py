@@ -27,17 +27,20 @@ class Folders:
     roots: tuple[str, ...] = ()
 
     def path(self, path: str) -> str:
-        """Return where a path leads, which is below one of the folders. `RefusedError` where it is
-        not, and where there is nothing.
+        """Return where a path leads, which is below one of the folders: a relative one below the
+        first that has it. `RefusedError` where it is below none, and where there is nothing.
         """
         if "\0" in path:
             raise RefusedError("a path has no NUL")
+        missing = []
         for root in self.roots:
             real = os.path.realpath(Path(root) / path)
             if Path(real).is_relative_to(os.path.realpath(root)):
-                if not os.path.exists(real):  # noqa: PTH110
-                    raise RefusedError(f"there is no {path} in {root}")
-                return real
+                if os.path.exists(real):  # noqa: PTH110
+                    return real
+                missing.append(root)
+        if missing:
+            raise RefusedError(f"there is no {path} in {', '.join(missing)}")
         if not self.roots:
             raise RefusedError("no files are read here: give the texts as programs={name: text}")
         raise RefusedError(f"{path} is not below {', '.join(self.roots)}, and is not read")

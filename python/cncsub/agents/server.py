@@ -8,11 +8,13 @@ from typing import Any
 
 from mcp.server.mcpserver import MCPServer
 from mcp.server.mcpserver.exceptions import ToolError
+from mcp.server.mcpserver.tools import Tool
 from mcp_types import ToolAnnotations
 
 from cncsub._core import __version__
 from cncsub.agents.programs import Folders
 from cncsub.agents.tools import tools_on
+from cncsub.controls import did_you_mean
 
 INSTRUCTIONS = """\
 cncsub runs NC programs (G code with subprograms and macros) block by block as a named CNC control \
@@ -24,11 +26,32 @@ whose number no source gives has none: do not invent one."""
 
 def server_for(folders: Sequence[str]) -> MCPServer:
     """Return the server whose tools read files below these folders."""
-    server: MCPServer = MCPServer("cncsub", instructions=INSTRUCTIONS, version=__version__)
+    tools = [_tool(each) for each in tools_on(Folders(tuple(folders)))]
+    return MCPServer("cncsub", instructions=INSTRUCTIONS, version=__version__, tools=tools)
+
+
+class _StrictTool(Tool):
+    """A tool that refuses arguments it has not: an option that is dropped in silence would leave
+    its agent with another answer than it asked for.
+    """
+
+    async def run(self, arguments: dict[str, Any], *given: Any, **more: Any) -> Any:
+        known = self.parameters["properties"]
+        for name in arguments:
+            if name not in known:
+                there = f"; it has {', '.join(known)}" if known else "; it has none"
+                told = did_you_mean(name, known, there)
+                raise ToolError(f"{self.name} has no argument {name!r}{told}")
+        return await super().run(arguments, *given, **more)
+
+
+def _tool(answer: Callable[..., Any]) -> Tool:
     reads_only = ToolAnnotations(read_only_hint=True, idempotent_hint=True, open_world_hint=False)
-    for tool in tools_on(Folders(tuple(folders))):
-        server.add_tool(_answered(tool), annotations=reads_only, structured_output=True)
-    return server
+    tool = _StrictTool.from_function(
+        _answered(answer), annotations=reads_only, structured_output=True
+    )
+    tool.parameters["additionalProperties"] = False
+    return tool
 
 
 def _answered(tool: Callable[..., Any]) -> Callable[..., Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
@@ -12,7 +13,7 @@ from typing import Any, NamedTuple
 
 from cncsub._core import Control
 from cncsub.archive.gating import Allowed, gate_finding, options_of_run
-from cncsub.archive.many import LIMITS, Crew, Paths, jobs_of, task_of
+from cncsub.archive.many import LIMITS, Crew, Paths, jobs_of, listed_paths, task_of
 from cncsub.archive.work import do_chunk
 from cncsub.checking import Finding
 from cncsub.files import StrPath
@@ -96,8 +97,8 @@ def gate(
     `limits` are options of `Library.run`, without which a run may take 1,000,000 blocks, 10 seconds
     and 512 MiB. What `check` tells as not computed is an error here.
 
-    Raises `ValueError` and `TypeError` for wrong options. A file that cannot be read is one that
-    does not pass.
+    Raises `ValueError` and `TypeError` for wrong options, `FileNotFoundError` for a path that leads
+    nowhere. A file that is there and cannot be read is one that does not pass.
 
     >>> import pathlib, tempfile
     >>> from cncsub.archive.gate import gate
@@ -106,6 +107,10 @@ def gate(
     >>> [(found.rule, found.word) for found in gate([file], "fanuc-0i-f").files[0].findings]
     [('CS102', 'G987')]
     """
+    given = listed_paths(paths)
+    for path in given:
+        if not os.path.lexists(path):
+            raise FileNotFoundError(errno.ENOENT, os.strerror(errno.ENOENT), os.fspath(path))
     options: dict[str, Any] = {**LIMITS, **limits}
     entries = read_allow_list(allow) if isinstance(allow, str | os.PathLike) else tuple(allow)
     asked = {
@@ -122,7 +127,7 @@ def gate(
     skipped: dict[str, int] = {}
     rows: dict[int, list[tuple[str, list[Any]]]] = {}
     with contextlib.closing(Crew(executor, jobs)) as crew:
-        for number, chunk, done in crew.done(do_chunk, task, jobs_of(paths, each, skipped)):
+        for number, chunk, done in crew.done(do_chunk, task, jobs_of(given, each, skipped)):
             rows[number] = [(job.path, found) for job, found in zip(chunk, done, strict=True)]
     used: set[Allowed] = set()
     files = [_file(path, found, entries, used) for n in sorted(rows) for path, found in rows[n]]
@@ -141,7 +146,7 @@ def _file(
             fault = f"{row[2]}: {row[-1]}"
             findings.append(gate_finding("unreadable", "", 1, path, "", message=fault))
             continue
-        letting = [entry for entry in entries if entry.allows(path, row[-1])]
+        letting = [entry for entry in entries if entry.allows(row[-1].file, row[-1])]
         used.update(letting)
         (allowed if letting else findings).append(row[-1])
     return GatedFile(path, tuple(findings), tuple(allowed), fault)

@@ -176,8 +176,9 @@ def _batch(
 # ---- what is to be done ----
 
 
-def _listed(paths: Paths) -> Iterable[StrPath]:
-    return [paths] if isinstance(paths, str | os.PathLike) else paths
+def listed_paths(paths: Paths) -> list[StrPath]:
+    """Return one path or several as a list."""
+    return [paths] if isinstance(paths, str | os.PathLike) else list(paths)
 
 
 def jobs_of(
@@ -185,7 +186,7 @@ def jobs_of(
 ) -> Iterator[Job]:
     """Yield the jobs in the order of the paths, each file and folder once."""
     reading = Reading()
-    for given in _listed(paths):
+    for given in listed_paths(paths):
         path = Path(given)
         if not path.is_dir():
             if first_time(os.path.realpath(path.parent), path.name, reading):

@@ -97,7 +97,7 @@ def _gated(options: Mapping[str, Any], project: Project) -> Gate:
 
 
 def _write(found: Gate, fails: tuple[str, ...], format: FindingFormat, output: Path | None) -> None:
-    from cncsub.archive.gating import RULES
+    from cncsub.gate_rules import RULES
     from cncsub.reports import findings
 
     every = [finding for file in found.files for finding in file.findings]

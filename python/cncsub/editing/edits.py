@@ -119,6 +119,18 @@ class Edits:
         return prove(self, main, options)
 
 
+def known_files(library: Library, files: Iterable[str]) -> frozenset[str]:
+    """Return the names of some files of a library. Raises `KeyError` for one that was not read,
+    `TypeError` for a text in place of a list.
+    """
+    if isinstance(files, str):
+        raise TypeError(f"files must be a list of names, not the text {files!r}")
+    known = frozenset(files)
+    for name in known - set(library.files):
+        raise KeyError(f"no file {name!r} was read")
+    return known
+
+
 def listed(things: Sequence[object]) -> str:
     """Return the first of some lines or names, such as `4, 7, 9, 12, 20, ...`."""
     return ", ".join(map(str, things[:_LISTED])) + (", ..." if len(things) > _LISTED else "")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from cncsub.analysis.block_errors import BlockError
 from cncsub.library import Library
@@ -24,6 +25,9 @@ class EditError(BlockError):
     ) -> None:
         super().__init__(reason, program, n, line)
         self.reasons = reasons or (str(self),)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (self.reason, self.program, self.n, self.line, self.reasons)
 
 
 def place_of(library: Library, program: int, block: int | None) -> tuple[str, int | None, int]:

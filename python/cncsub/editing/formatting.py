@@ -8,7 +8,7 @@ from typing import Literal
 from cncsub import _core
 from cncsub.checking import Edit
 from cncsub.controls import rule_value
-from cncsub.editing.edits import Edits, listed
+from cncsub.editing.edits import Edits, known_files, listed
 from cncsub.library import Library
 from cncsub.option_errors import carrying
 
@@ -29,6 +29,8 @@ def format(
     """Return the edits that lay out the blocks of programs alike. The order of words, the comments,
     the texts between quotes and the lines stay as they are, and so do blocks that the control
     refuses.
+
+    What a block prints as it is written, as `DPRNT[...]`, stays too.
 
     `files`: names as in `library.files`; all without it. `spacing`: `"one"` blank between two
     words, `"none"`, or `"keep"`. `indent`: so many blanks before a block for each loop, branch and
@@ -52,7 +54,7 @@ def format(
     M30
     """
     _check(spacing, indent)
-    known = None if files is None else _known(library, files)
+    known = None if files is None else known_files(library, files)
     edits: list[Edit] = []
     notes: list[str] = []
     blanks = -1 if indent is None else indent
@@ -84,12 +86,3 @@ def _check(spacing: str, indent: int | None) -> None:
         raise carrying("indent", TypeError(f"indent must be a whole number, not {indent!r}"))
     if not 0 <= indent <= MOST_INDENT:
         raise carrying("indent", ValueError(f"indent must be 0 to {MOST_INDENT}, not {indent}"))
-
-
-def _known(library: Library, files: Iterable[str]) -> frozenset[str]:
-    if isinstance(files, str):
-        raise TypeError(f"files must be a list of names, not the text {files!r}")
-    known = frozenset(files)
-    for name in known - set(library.files):
-        raise KeyError(f"no file {name!r} was read")
-    return known

@@ -22,7 +22,7 @@ class Mention(NamedTuple):
     `name`: of the others. `to_program`, `to_block`: the program and the block that it names; `None`
     where there is none, where it is computed, and for a variable that all programs share. `word`,
     `word_column`: of a block's own number, its word with the blanks after it; empty where the block
-    has no other.
+    has no other. `called`: of a numbered variable, as programs of the control write it: `R5`.
     """
 
     kind: str
@@ -42,6 +42,7 @@ class Mention(NamedTuple):
     to_block: int | None
     word: str
     word_column: int
+    called: str = ""
 
     @property
     def end(self) -> int:
@@ -50,12 +51,12 @@ class Mention(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """The thing as it is called: `N10`, `O2`, `#100`, `AGAIN`; of one that is computed, its
-        text.
+        """The thing as it is called: `N10`, `O2`, `#100`, `R5`, `AGAIN`; of one that is computed,
+        its text.
         """
         if self.computed or self.number is None:
             return self.text if self.computed else self.name
-        return f"{_BEFORE[self.kind]}{self.number}"
+        return self.called or f"{_BEFORE[self.kind]}{self.number}"
 
 
 _BEFORE = {"number": "N", "label": "", "program": "O", "variable": "#"}
@@ -79,8 +80,48 @@ def mentions(
     >>> [(m.kind, m.shown, m.defines, m.line, m.column) for m in mentions(library, "block")]
     [('number', 'N10', True, 2, 2), ('number', 'N20', False, 2, 10), ('number', 'N20', True, 3, 2)]
     """
-    code = library.code
+    return _made(library.code, _core.mentions(library.code, machine, kinds))
+
+
+def mentions_in_line(library: Library, file: str, line: int, *, machine: str = "") -> list[Mention]:
+    """Return the mentions that stand in a line of a file, as `mentions` does of all."""
+    rows = _core.mentions(library.code, machine, _ALL, (file, line))
+    return [mention for mention in _made(library.code, rows) if mention.line == line]
+
+
+def mentions_of(
+    library: Library,
+    kind: str,
+    program: int | None,
+    block: int | None = None,
+    variable: int | str = "",
+    *,
+    machine: str = "",
+) -> list[Mention]:
+    """Return the mentions of one thing, as `mentions` does of all, but for those that are computed.
+
+    `kind`: `"block"`, `"program"` or `"variable"`. `program`: the place of its program, `None` for
+    a variable of all; `block`: its place there; `variable`: its number, or its name in capitals.
+    """
+    number, name = (variable, "") if isinstance(variable, int) else (-1, variable)
+    asked = (-1 if program is None else program, block, number, name)
+    return _made(library.code, _core.mentions(library.code, machine, kind, None, asked))
+
+
+_ALL = "block program variable"
+
+
+def _made(code: _core.Code, rows: Iterable[_core._MentionRow]) -> list[Mention]:
     files = [code.program(index).file for index in range(len(code))]
+    called: dict[int, str] = {}
+
+    def called_of(kind: str, number: int) -> str:
+        if kind != "variable" or number < 0:
+            return ""
+        if number not in called:
+            called[number] = _core.variable_name(code.control, number)
+        return called[number]
+
     return [
         Mention(
             kind,
@@ -100,6 +141,7 @@ def mentions(
             to_block,
             word,
             column - before,
+            called_of(kind, number),
         )
         for (
             kind,
@@ -118,7 +160,7 @@ def mentions(
             to_block,
             word,
             before,
-        ) in _core.mentions(code, machine, kinds)
+        ) in rows
     ]
 
 
@@ -133,16 +175,15 @@ def mention_at(
     >>> mention_at(library, "<text>", 2, 11).shown
     'N20'
     """
-    return mention_among(mentions(library, machine=machine), file, line, column)
+    return mention_among(mentions_in_line(library, file, line, machine=machine), line, column)
 
 
-def mention_among(every: Iterable[Mention], file: str, line: int, column: int) -> Mention | None:
-    """Return, of these mentions, the one at a place as `mention_at` does."""
+def mention_among(every: Iterable[Mention], line: int, column: int) -> Mention | None:
+    """Return, of the mentions of a file, the one at a place as `mention_at` does."""
     found = [
         mention
         for mention in every
-        if mention.file == file
-        and mention.line == line
+        if mention.line == line
         and min(mention.column, mention.word_column) <= column <= mention.end
     ]
     return min(found, key=lambda mention: (column == mention.end, mention.computed), default=None)

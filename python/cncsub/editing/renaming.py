@@ -46,7 +46,7 @@ def rename(
     [(2, 11, '0002', '0007'), (4, 2, '2', '7')]
     """
     every = mentions(library, machine=machine)
-    found = _mentioned(library, every, what, program)
+    found = _mentioned(library, every, what, program, machine)
     job = _Renaming(library, every, found, _plain(library, found, new))
     return replace(job.edits(), machine=machine)
 
@@ -56,12 +56,13 @@ def _mentioned(
     every: Sequence[Mention],
     what: Mention | tuple[str, int, int] | str,
     program: str | int | None,
+    machine: str,
 ) -> Mention:
     """Return a mention of the thing that is meant."""
     if isinstance(what, Mention):
         return what
     if isinstance(what, tuple):
-        found = mention_at(library, *what)
+        found = mention_at(library, *what, machine=machine)
         if found is None:
             file, line, column = what
             raise KeyError(f"nothing at {file}:{line}:{column} can be renamed")
@@ -237,9 +238,9 @@ class _Renaming:
         assert old is not None
         kinds = [self._library.code.variable_kind(n) for n in (old, new)]
         if kinds[0] != kinds[1] or kinds[0] not in _OF_USERS:
-            sign = _sign(self._library)
+            control = self._library.control
             told = [
-                f"{sign}{n} is {kind or 'no variable'}"
+                f"{_core.variable_name(control, n)} is {kind or 'no variable'}"
                 for n, kind in zip((old, new), kinds, strict=True)
             ]
             raise self._refused(self._found, " and ".join(told))
@@ -255,7 +256,13 @@ class _Renaming:
                 continue
             if m.kind == "variable" and found.number is None:
                 continue
-            causes.append((m.program, m.block, f"{m.text} is computed, and may name {found.shown}"))
+            if m.number is None:
+                why = f"{m.text} is computed, and may name {found.shown}"
+            elif m.number == found.number:
+                why = f"{m.text} may name {found.shown}: what the code beside it means is not known"
+            else:
+                continue
+            causes.append((m.program, m.block, why))
         if causes:
             raise refusal(self._library, causes)
 

@@ -9,7 +9,7 @@ from typing import Literal
 from cncsub import _core
 from cncsub.checking import Edit
 from cncsub.controls import rule_value
-from cncsub.editing.edits import Edits, listed
+from cncsub.editing.edits import Edits, known_files, listed
 from cncsub.editing.errors import refusal
 from cncsub.editing.mentions import Mention, mentions
 from cncsub.library import Library
@@ -64,7 +64,7 @@ def renumber(
     kinds = "block unnumbered" if which == "all" else "block"
     chosen = _chosen(library, programs)
     if files is not None:
-        known = frozenset(files)
+        known = known_files(library, files)
         chosen = frozenset(i for i in chosen if library.code.program(i).file in known)
     return _Renumbering(library, chosen, kinds, machine).edits(start, step, which)
 
@@ -137,9 +137,13 @@ class _Renumbering:
         for m in self._uses:
             if not m.computed or (m.to_program is not None and m.to_program not in self._chosen):
                 continue
-            causes.append(
-                (m.program, m.block, f"{m.text} names a block that is known only when it runs")
-            )
+            why = f"{m.text} names a block that is known only when it runs"
+            if m.number is not None:
+                why = (
+                    f"{m.text} may name a block: what the code beside it means on this kind of"
+                    f" machine is not known{_LATHE if not self._machine else ''}"
+                )
+            causes.append((m.program, m.block, why))
         if causes:
             raise refusal(self._library, causes)
 
@@ -285,6 +289,9 @@ class _Renumbering:
         count = len(made.edits) - len(kept)
         note = f"{count} block{'' if count == 1 else 's'} can have no number on this control"
         return replace(made, edits=kept, notes=(*made.notes, note))
+
+
+_LATHE = '; for a lathe give machine="lathe-a" (or the setup of the machine)'
 
 
 def _like(old: str, n: int) -> str:

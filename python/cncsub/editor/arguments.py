@@ -51,7 +51,8 @@ def arguments_of(snap: Snapshot, program: Program, code: str | None = None) -> l
         _, _, reads, writes = _core.references(program.data, place)
         for number, _, computed, _, _ in reads:
             if number in of_variable and not computed and number not in written:
-                told = f"#{number} {_comment(program.data, place)}".rstrip()
+                shown = _core.variable_name(snap.control, number)
+                told = f"{shown} {_comment(program.data, place)}".rstrip()
                 found.setdefault(number, Argument(of_variable[number], number, told))
         written |= {row[0] for row in writes if not row[2]}
     return list(found.values())

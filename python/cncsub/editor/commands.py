@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import tempfile
+import hashlib
 from pathlib import Path
 
 from cncsub.editor.last_run import options_of
@@ -32,8 +32,10 @@ def run_program(snap: Snapshot, path: str, name: str | None) -> str:
     return run if isinstance(run, str) else f"{name or ''} {run}".strip()
 
 
-def plot_program(snap: Snapshot, path: str, name: str | None) -> str:
-    """Draw the path of a program as a page, and return the file; or why there is none."""
+def plot_program(snap: Snapshot, path: str, name: str | None, folder: Path) -> str:
+    """Draw the path of a program as a page in a folder, and return the file; or why there is none.
+    The page of a program takes the place of the one before.
+    """
     run = _run(snap, path, name)
     if isinstance(run, str):
         return run
@@ -41,6 +43,7 @@ def plot_program(snap: Snapshot, path: str, name: str | None) -> str:
         figure = run.plot()
     except ImportError as error:
         return str(error)
-    page = Path(tempfile.mkdtemp(prefix="cncsub-")) / f"{Path(path).stem}.html"
+    mark = hashlib.sha256(f"{path} {name}".encode("utf-8", "surrogatepass")).hexdigest()[:12]
+    page = folder / f"{Path(path).stem[:40]}-{mark}.html"
     figure.write_html(page)
     return str(page)

@@ -6,29 +6,35 @@ import functools
 from collections.abc import Iterator
 from typing import Any
 
+import attrs
 from lsprotocol.types import (
     CompletionItem,
     CompletionItemKind,
     ParameterInformation,
     SignatureHelp,
     SignatureInformation,
+    TextEdit,
 )
 
 from cncsub import _core
 from cncsub._core import Control
 from cncsub.editor.arguments import arguments_of, macro_call_at
+from cncsub.editor.explaining import keywords_of
 from cncsub.editor.names import label_of
 from cncsub.editor.snapshot import Snapshot
 from cncsub.files import clean
 from cncsub.program import Program, Token, find_program, tokens_of
 
 MOST_ITEMS = 500
+MOST_DATA_LINES = 500  # between G10 and its G11
 LARGEST_M_CODE = 200
 _PASSED_OVER = "passed-over"
 
 
 def completions(snap: Snapshot, path: str, line: int, character: int) -> list[CompletionItem]:
-    """Return what may be written at a place, by the words that stand before it on its line."""
+    """Return what may be written at a place, by the words that stand before it on its line. Each
+    item says which characters it replaces.
+    """
     before = snap.document(path).line(line)[:character]
     tokens = [token for token in _tokens(snap, before) if token.kind != "blank"]
     if tokens and tokens[-1].kind == "comment" and tokens[-1].end > len(before):
@@ -36,20 +42,63 @@ def completions(snap: Snapshot, path: str, line: int, character: int) -> list[Co
     at_word = bool(before) and not before[-1].isspace() and bool(tokens)
     last = tokens[-1] if at_word else None
     program = snap.program_at(path, line)
-    found = list(_items(snap, program, tokens, last, before))
-    return found[:MOST_ITEMS]
+    begin = _begin_of(before, last)
+    found = _items(snap, path, line, program, tokens, last, before[begin:])
+    return _fitting(snap, path, line, found, before, begin)
 
 
 def _tokens(snap: Snapshot, text: str) -> list[Token]:
     return tokens_of(_core.tokens(snap.control, clean(text)), 1)
 
 
+def _begin_of(before: str, last: Token | None) -> int:
+    """Return where the name begins that is being written: within a statement, which is one word,
+    after its last sign.
+    """
+    at = len(before)
+    while at > 0 and (before[at - 1].isalnum() or before[at - 1] in "_."):
+        at -= 1
+    if last is not None:
+        at = max(at, last.column - 1)
+    for sign in ("#<", "#", "$", ":"):
+        if before[:at].endswith(sign):
+            return at - len(sign)
+    return at
+
+
+def _fitting(
+    snap: Snapshot, path: str, line: int, found: Iterator[CompletionItem], before: str, begin: int
+) -> list[CompletionItem]:
+    """Return the items that go on with what was begun, each with the edit that it is."""
+    fitting = []
+    for item in found:
+        start = begin
+        if item.label[:1].isdigit():  # after the letters of a word, as in GOTO10
+            start = max(begin, len(before.rstrip("0123456789")))
+        if not item.label.upper().startswith(before[start:].upper()):
+            continue
+        place = snap.range(path, line + 1, start + 1, len(before) - start)
+        fitting.append(attrs.evolve(item, text_edit=TextEdit(place, item.label)))
+        if len(fitting) == MOST_ITEMS:
+            break
+    return fitting
+
+
 def _items(
-    snap: Snapshot, program: Program | None, tokens: list[Token], last: Token | None, before: str
+    snap: Snapshot,
+    path: str,
+    line: int,
+    program: Program | None,
+    tokens: list[Token],
+    last: Token | None,
+    begun: str,
 ) -> Iterator[CompletionItem]:
     typed = "" if last is None else last.text.upper()
     roles = _roles_of(snap.control, tokens[:-1] if last is not None else tokens)
     address = last.word.address if last is not None and last.word is not None else ""
+    if address == "N" and data_code_before(snap, path, line):
+        yield from _parameters(snap.control, address)
+        return
     if address and address in roles:
         role = roles[address]
         if "program" in role:
@@ -62,14 +111,33 @@ def _items(
         if program is not None:
             yield from _targets(program, "")
         return
-    if before.rstrip()[-1:] == "#" or typed.startswith("#"):
-        yield from _variables(snap, program)
-        return
-    if program is not None:
+    sign = snap.code.variable_sign.upper()
+    if begun.startswith(("#", "$")) or (sign.isalpha() and begun[:1].upper() == sign):
+        yield from _variables(snap, program, begun)
+        yield from _named_variables(program)
+        if begun.startswith("#"):
+            return
+    elif program is not None:
         yield from _arguments(snap, tokens)
     yield from codes_of(snap.control)
     yield from _words(snap.control)
     yield from _called_by_name(snap)
+    if not begun.startswith("$") and snap.code.variable_sign != "#":
+        yield from _named_variables(program)
+
+
+def data_code_before(snap: Snapshot, path: str, line: int) -> bool:
+    """Return whether a line stands between the block that begins to set parameters, as G10 L52, and
+    the one that ends it, as G11.
+    """
+    for above in range(line, max(-1, line - MOST_DATA_LINES), -1):
+        words = [t.word for t in _tokens(snap, snap.document(path).line(above)) if t.word]
+        codes = {word.text.upper() for word in words}
+        if "G11" in codes:
+            return False
+        if "G10" in codes:
+            return bool(codes & {"L50", "L52"})
+    return False
 
 
 def _roles_of(control: Control, tokens: list[Token]) -> dict[str, str]:
@@ -89,10 +157,11 @@ def _facts(control: Control, word: str) -> dict[str, Any] | None:
 
 def _jumps(control: Control, typed: str) -> bool:
     """Return whether a statement that was begun goes on with the block that it jumps to."""
-    for name, _, does in _core.keywords(control):
-        if does.startswith("goes to") and typed.rstrip("0123456789").endswith(name.upper()):
-            return True
-    return False
+    begun = typed.rstrip("0123456789").rstrip()
+    return any(
+        does.startswith("goes to") and begun.endswith(name.upper())
+        for name, _, does in keywords_of(control)
+    )
 
 
 # ---- the items ----
@@ -119,7 +188,7 @@ def codes_of(control: Control) -> tuple[CompletionItem, ...]:
 def _words(control: Control) -> tuple[CompletionItem, ...]:
     return tuple(
         CompletionItem(name, kind=CompletionItemKind.Keyword, detail=does)
-        for name, treatment, does in _core.keywords(control)
+        for name, treatment, does in keywords_of(control)
         if treatment not in ("not-known", "refused")
     )
 
@@ -159,31 +228,88 @@ def _may_be_label(program: Program, place: int) -> bool:
     return ":" in program.data.block(place)[2]
 
 
-def _variables(snap: Snapshot, program: Program | None) -> Iterator[CompletionItem]:
-    """Yield the variables that the program uses, then the system variables and options that the
-    control lists.
+def _variables(snap: Snapshot, program: Program | None, begun: str) -> Iterator[CompletionItem]:
+    """Yield the numbered variables that the program uses, then those of the control, then those of
+    options that a shop may buy. Of a range of the control the first stands for all, until some
+    digits tell which are meant.
     """
-    seen: set[int | str] = set()
-    for place in range(0 if program is None else program.data.blocks):
-        assert program is not None
-        _, _, reads, writes = _core.references(program.data, place)
-        for number, name, computed, _, _ in (*writes, *reads):
-            key = name if name is not None else number
-            if computed or key is None or key in seen:
-                continue
-            seen.add(key)
-            detail = program.blocks[place].text.strip()[:80]
-            shown = f"#{key}" if name is None else name
-            yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
+    digits = begun.lstrip("#RrFf")
+    seen: set[int] = set()
+    for number, name, _, detail in _references(program):
+        if number is None or name is not None or number in seen:
+            continue
+        seen.add(number)
+        shown = _core.variable_name(snap.control, number)
+        yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
+    for first, last, holds in snap.code.system_variables:
+        if first in seen:
+            continue
+        seen.add(first)
+        shown = _core.variable_name(snap.control, first)
+        more = "" if first == last else f" (to {_core.variable_name(snap.control, last)})"
+        yield CompletionItem(shown, kind=CompletionItemKind.Constant, detail=holds + more)
+        for number in _going_on(digits, first, last) if len(digits) > 1 else ():
+            if number not in seen:
+                seen.add(number)
+                shown = _core.variable_name(snap.control, number)
+                yield CompletionItem(shown, kind=CompletionItemKind.Constant, detail=holds)
     for option in snap.control.variable_options.values():
-        first = option.numbers.replace("-", " ").split()[:1]
-        if first and first[0].isdecimal() and int(first[0]) not in seen:
-            seen.add(int(first[0]))
+        numbers = option.numbers.replace("-", " ").split()[:1]
+        if numbers and numbers[0].isdecimal() and int(numbers[0]) not in seen:
+            seen.add(int(numbers[0]))
             yield CompletionItem(
-                f"#{first[0]}",
+                _core.variable_name(snap.control, int(numbers[0])),
                 kind=CompletionItemKind.Constant,
                 detail=f"{option.meaning} ({option.numbers})",
             )
+
+
+def _going_on(digits: str, first: int, last: int) -> Iterator[int]:
+    """Yield the numbers of a range that begin with some digits."""
+    power = 1
+    while digits.isdecimal() and int(digits) * power <= last:
+        low, high = int(digits) * power, (int(digits) + 1) * power - 1
+        yield from range(max(low, first), min(high, last) + 1)
+        power *= 10
+
+
+def _references(program: Program | None) -> Iterator[tuple[int | None, str | None, str, str]]:
+    """Yield the variables of a program: number, name, how the block writes it, the block."""
+    for place in range(0 if program is None else program.data.blocks):
+        assert program is not None
+        _, _, reads, writes = _core.references(program.data, place)
+        for number, name, computed, text, _ in (*writes, *reads):
+            if not computed:
+                yield number, name, text, program.data.block(place)[2].strip()[:80]
+
+
+def _named_variables(program: Program | None) -> Iterator[CompletionItem]:
+    """Yield the variables of a program that have names, as it writes them."""
+    seen: set[str] = set()
+    for _, name, text, detail in _references(program):
+        if name is None or name.upper() in seen:
+            continue
+        seen.add(name.upper())
+        forms = (f"#<{name}>", f"#{name}")
+        shown = next((form for form in forms if form.upper() in text.upper()), name)
+        yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
+
+
+def _parameters(control: Control, address: str) -> Iterator[CompletionItem]:
+    """Yield the numbers of the parameters of a control, each with what it means; bits together."""
+    of_number: dict[str, list[str]] = {}
+    for parameter in control.parameters.values():
+        number, _, bit = parameter.name.partition("#")
+        if number.isdecimal():
+            meaning = f"bit {bit}: {parameter.meaning}" if bit else parameter.meaning
+            of_number.setdefault(number.lstrip("0") or "0", []).append(meaning)
+    for number, meanings in of_number.items():
+        yield CompletionItem(
+            f"{address}{number}",
+            kind=CompletionItemKind.Constant,
+            detail=meanings[0][:80],
+            documentation="\n".join(meanings),
+        )
 
 
 def _arguments(snap: Snapshot, tokens: list[Token]) -> Iterator[CompletionItem]:
@@ -220,28 +346,43 @@ def _called(snap: Snapshot, tokens: list[Token]) -> tuple[Program, str] | None:
 
 
 def signature(snap: Snapshot, path: str, line: int, character: int) -> SignatureHelp | None:
-    """Return the arguments of the macro that a line calls, the one that is being written active."""
-    text = snap.document(path).line(line)
-    tokens = _tokens(snap, text)
+    """Return the arguments of the macro that a line calls, else the words of its last code before a
+    place; the one that is being written is active.
+    """
+    tokens = _tokens(snap, snap.document(path).line(line))
+    begun = [t.word.address for t in tokens if t.word is not None and t.column <= character]
     called = _called(snap, tokens)
     if called is None:
-        return None
+        before = [token for token in tokens if token.end <= character + 1]
+        return _of_code(snap.control, before, begun)
     program, code = called
-    arguments = arguments_of(snap, program, code) or None
-    if arguments is None:
-        return None
+    arguments = arguments_of(snap, program, code)
     labels = [f"{each.letter}={each.told}" for each in arguments]
     title = f" ({program.comment})" if program.comment else ""
-    begun = [t.word.address for t in tokens if t.word is not None and t.column <= character]
     letters = [each.letter for each in arguments]
-    active = letters.index(begun[-1]) if begun and begun[-1] in letters else None
+    return _help(f"{code} {program.name}{title}", letters, labels, begun)
+
+
+def _of_code(control: Control, tokens: list[Token], begun: list[str]) -> SignatureHelp | None:
+    """Return the words that the last code of some words is given."""
+    for token in reversed(tokens):
+        facts = None if token.word is None else _facts(control, token.word.text.upper())
+        if facts is not None and facts["words"] and token.word is not None:
+            letters = [letters for letters, *_ in facts["words"]]
+            labels = [f"{letters}: {says}" for letters, says, _ in facts["words"]]
+            title = f"{token.word.text.upper()} {facts['does'].replace('`', '')}"
+            return _help(title, letters, labels, begun)
+    return None
+
+
+def _help(
+    title: str, letters: list[str], labels: list[str], begun: list[str]
+) -> SignatureHelp | None:
+    if not labels:
+        return None
+    active = [i for i, of in enumerate(letters) if begun and begun[-1] in of.split()]
+    parameters = [ParameterInformation(label) for label in labels]
+    information = SignatureInformation(f"{title}: {', '.join(labels)}", parameters=parameters)
     return SignatureHelp(
-        [
-            SignatureInformation(
-                f"{code} {program.name}{title}: {', '.join(labels)}",
-                parameters=[ParameterInformation(label) for label in labels],
-            )
-        ],
-        active_signature=0,
-        active_parameter=active,
+        [information], active_signature=0, active_parameter=next(iter(active), None)
     )

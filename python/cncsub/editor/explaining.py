@@ -83,12 +83,13 @@ def keywords_in(control: Control, text: str) -> list[str]:
     the longest first.
     """
     capitals = text.upper()
-    known = [name for name, _, _ in _keywords(control) if name.upper() in capitals]
+    known = [name for name, _, _ in keywords_of(control) if name.upper() in capitals]
     return sorted(known, key=lambda name: (not capitals.startswith(name.upper()), -len(name)))
 
 
 @functools.lru_cache(maxsize=8)
-def _keywords(control: Control) -> list[tuple[str, str, str]]:
+def keywords_of(control: Control) -> list[tuple[str, str, str]]:
+    """Return the words of a control's language: name, how it is treated, what it does."""
     return _core.keywords(control)
 
 
@@ -158,8 +159,9 @@ def told_call(program: object, repeats: object) -> str:
 
 
 def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name) -> Iterator[str]:
-    shown = f"#{name.key}" if isinstance(name.key, int) else str(name.key)
+    shown = str(name.key)
     if isinstance(name.key, int):
+        shown = _core.variable_name(snap.control, name.key)
         scope = "a variable of all programs" if name.program is None else "a local variable"
         yield f"**{shown}**, {scope}"
         values = [] if run is None else run.values_of(name.key)

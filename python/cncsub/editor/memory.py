@@ -100,7 +100,7 @@ class Memories:
         """
         with self._lock:
             document = self.documents.get(path)
-            if document is None:
+            if document is None or is_project(path):
                 return None
             try:
                 project = self._project(path)
@@ -223,6 +223,8 @@ class Memories:
 
     def _belongs(self, path: str, key: _Key) -> bool:
         """Return whether an open document is of a memory, though no file of it is there yet."""
+        if is_project(path):
+            return False
         if path in key.paths:
             return True
         try:
@@ -247,6 +249,11 @@ class Memories:
 def _compiled(control: Control, sources: Sequence[Source], *, device: bool) -> _core.Code:
     rows = [(name, stem, [text], outside) for name, stem, text, outside in sources]
     return _core.compile(control, rows, device)
+
+
+def is_project(path: str) -> bool:
+    """Return whether a document is the settings of a project, and no program."""
+    return Path(path).name == "cncsub.toml"
 
 
 def named_in(document: Document) -> str | None:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import NamedTuple
 
 from lsprotocol.types import Location
 
 from cncsub import _core
 from cncsub.editing import Mention
-from cncsub.editing.mentions import mention_among
+from cncsub.editing.mentions import mention_among, mentions_in_line, mentions_of
 from cncsub.editor.snapshot import Snapshot, place_of, token_at
 from cncsub.program import Block, Token
 
@@ -56,8 +55,19 @@ def at_of(mention: Mention) -> At:
 
 
 def mention_at(snap: Snapshot, path: str, line: int, character: int) -> Mention | None:
-    """Return the mention at a place, both from 0, or the one that ends there."""
-    return mention_among(snap.mentions, path, line + 1, character + 1)
+    """Return the mention at a place, both from 0, or the one that ends there; else the one after
+    the letter or the sign at the place. A program that its file names is where no word stands.
+    """
+    every = mentions_in_line(snap.library, path, line + 1, machine=snap.machine)
+    block = snap.block_at(path, line, character)
+    token = None if block is None else token_at(block, character)
+    if token is None or token.kind != "word":
+        return mention_among(every, line + 1, character + 1)
+    every = [mention for mention in every if mention.text]
+    found = mention_among(every, line + 1, character + 1)
+    if found is None and character + 2 < token.end:
+        found = mention_among(every, line + 1, character + 2)
+    return found
 
 
 def name_at(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name, At] | None:
@@ -75,10 +85,7 @@ def name_at(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name,
         return name, At(path, block.line, token.column, len(token.text.rstrip()))
     if not any(_core.references(block.program.data, place_of(block))):
         return None
-    # The sign of a variable, and the letter of a word, stand before the name alone.
-    after = character + 1 if character + 2 < token.end else character
-    found = _mentioned(snap, path, line, character) or _mentioned(snap, path, line, after)
-    return found or _led_to(block, token)
+    return _mentioned(snap, path, line, character) or _led_to(block, token)
 
 
 def _mentioned(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name, At] | None:
@@ -107,9 +114,16 @@ def _led_to(block: Block, token: Token) -> tuple[Name, At] | None:
     return Name("program", before[-1][2]), here
 
 
-def mentions(snap: Snapshot, name: Name) -> Iterator[Mention]:
-    """Yield every piece of text that names the same."""
-    return (mention for mention in snap.mentions if name_of(mention) == name)
+def mentions(snap: Snapshot, name: Name) -> list[Mention]:
+    """Return every piece of text that names the same."""
+    program = name.program
+    if name.kind == "variable":
+        return mentions_of(
+            snap.library, name.kind, program, variable=name.key, machine=snap.machine
+        )
+    if name.kind == "program":
+        return mentions_of(snap.library, name.kind, int(name.key), machine=snap.machine)
+    return mentions_of(snap.library, name.kind, program, int(name.key), machine=snap.machine)
 
 
 def writes(snap: Snapshot, mention: Mention) -> bool:
@@ -126,11 +140,14 @@ def writes(snap: Snapshot, mention: Mention) -> bool:
 def label_of(block: Block) -> Token | None:
     """Return the word that names a block: N and its number, or a label before all other words."""
     words = [token for token in block.tokens if token.word is not None]
-    numbered = next((t for t in words if t.word is not None and t.word.address == "N"), None)
+    numbered = next((t for t in words if t.word is not None and t.word.address in _NUMBERED), None)
     if block.n is not None and numbered is not None:
         return numbered
     first = next((t for t in words if t.word is not None and t.word.address != "/"), None)
     return first if first is not None and first.text.rstrip().endswith(":") else None
+
+
+_NUMBERED = ("N", ":")  # :10 is a main block of the SINUMERIK
 
 
 def block_of(snap: Snapshot, name: Name) -> Block:

@@ -15,10 +15,14 @@ from cncsub.editor import completing, explaining, navigation, rewriting, shown, 
 from cncsub.editor.commands import plot_program, run_program
 from cncsub.editor.diagnostics import RENUMBER, actions
 from cncsub.editor.documents import UNITS, Document
+from cncsub.editor.memory import is_project
+from cncsub.editor.project_names import names_at
 from cncsub.editor.server import Server, path_of
 from cncsub.editor.snapshot import Snapshot
 
 T = TypeVar("T")
+
+_TRIGGERS = ["#", "$", "P", "O", "N", "=", '"', " "]  # after which a client asks what can follow
 
 
 def server_for(control: str | None) -> Server:
@@ -63,10 +67,19 @@ def _register_life(server: Server) -> None:
         ls.memories.folders = tuple(map(path_of, folders))
         ls.configure(params.initialization_options or {})
 
+    @server.feature(lsp.SHUTDOWN)
+    def shut_down(ls: Server, params: None) -> None:
+        ls.remove_pages()
+
     @server.feature(lsp.WORKSPACE_DID_CHANGE_CONFIGURATION)
-    def configured(ls: Server, params: lsp.DidChangeConfigurationParams) -> None:
-        if params.settings:
-            ls.configure(params.settings)
+    async def configured(ls: Server, params: lsp.DidChangeConfigurationParams) -> None:
+        settings = params.settings
+        asked = ls.client_capabilities.workspace
+        if not settings and asked is not None and asked.configuration:
+            items = [lsp.ConfigurationItem(section="cncsub")]
+            [settings] = await ls.workspace_configuration_async(lsp.ConfigurationParams(items))
+        if settings:
+            ls.configure(settings)
         for path in ls.memories.documents:
             ls.checked_soon(path)
 
@@ -170,10 +183,20 @@ def _register_words(server: Server) -> None:
         return _at(ls, params, explaining.hover, None)
 
     @server.feature(
-        lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=["#", "P", "O", " "])
+        lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=_TRIGGERS)
     )
-    def completion(ls: Server, params: lsp.CompletionParams) -> list[lsp.CompletionItem]:
-        return _at(ls, params, completing.completions, [])
+    def completion(ls: Server, params: lsp.CompletionParams) -> lsp.CompletionList:
+        path = path_of(params.text_document.uri)
+        document = ls.memories.documents.get(path)
+        if document is not None:
+            found = names_at(document, path, *document.place(params.position))
+            if found or is_project(path):
+                return lsp.CompletionList(is_incomplete=False, items=found)
+        none: list[lsp.CompletionItem] = []
+        items = _at(ls, params, completing.completions, none)
+        # More digits of a variable tell more of them.
+        more = len(items) >= completing.MOST_ITEMS or any(i.label[:1] == "#" for i in items)
+        return lsp.CompletionList(is_incomplete=more, items=items)
 
     @server.feature(
         lsp.TEXT_DOCUMENT_SIGNATURE_HELP, lsp.SignatureHelpOptions(trigger_characters=[" "])
@@ -295,7 +318,10 @@ def _register_commands(server: Server) -> None:
 
     @server.command("cncsub.plot")
     def plot(ls: Server, path: str, program: str | None = None) -> str:
-        told = _command(ls, path, program, plot_program)
+        def draw(snap: Snapshot, path: str, program: str | None) -> str:
+            return plot_program(snap, path, program, ls.pages)
+
+        told = _command(ls, path, program, draw)
         if Path(told).is_file():
             uri = Path(told).as_uri()
             ls.window_show_document(lsp.ShowDocumentParams(uri, external=True))

@@ -56,8 +56,9 @@ def renumbered(snap: Snapshot, path: str) -> WorkspaceEdit:
     """Return the edits that number the blocks of the programs of a file anew. Raises `EditError`
     where a number cannot be followed.
     """
-    programs = [program.name for program in snap.programs_of(path)]
-    return changed(snap, renumber(snap.library, programs, machine=snap.machine))
+    if path not in snap.library.files:
+        return changed(snap, Edits(snap.library, ()))
+    return changed(snap, renumber(snap.library, files=[path], machine=snap.machine))
 
 
 def changed(snap: Snapshot, edits: Edits) -> WorkspaceEdit:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import tempfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from lsprotocol import types as lsp
@@ -49,13 +51,29 @@ class Server(LanguageServer):
         self.debugs = False  # whether the client has a command that debugs
         self.uris: dict[str, str] = {}  # how the client calls its documents, by path
         self._given = control
+        self._pages: tempfile.TemporaryDirectory[str] | None = None
         self._checking: asyncio.Task[None] | None = None
+
+    @property
+    def pages(self) -> Path:
+        """The folder of drawn pages, which is removed when the client shuts the server down."""
+        if self._pages is None:
+            self._pages = tempfile.TemporaryDirectory(prefix="cncsub-")
+        return Path(self._pages.name)
+
+    def remove_pages(self) -> None:
+        """Remove the drawn pages."""
+        if self._pages is not None:
+            self._pages.cleanup()
+            self._pages = None
 
     def _tell(self, message: str) -> None:
         self.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Warning, message))
 
     def configure(self, told: Any) -> None:
-        """Take the settings of the client: `control`, `run`, `maxBlocks`, `maxSeconds`."""
+        """Take the settings of the client: `control`, `run`, `maxBlocks`, `maxSeconds`, `debug`.
+        Whether it has a command that debugs stays as it was told before, where nothing says it.
+        """
         told = told.get("cncsub", told) if isinstance(told, dict) else {}
         control = told.get("control") or self._given
         blocks, seconds = told.get("maxBlocks"), told.get("maxSeconds")
@@ -68,7 +86,8 @@ class Server(LanguageServer):
             if isinstance(seconds, int | float) and seconds > 0
             else usual.max_seconds,
         )
-        self.debugs = told.get("debug") is True
+        if "debug" in told:
+            self.debugs = told["debug"] is True
         self.memories.read_disk_again()
 
     def checked_soon(self, path: str) -> None:

@@ -14,7 +14,6 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.checking import Finding, check, chosen_rules
 from cncsub.cli.project import Project
-from cncsub.editing import Mention, mentions
 from cncsub.editor.documents import Document
 from cncsub.editor.last_run import LastRun
 from cncsub.library import Library
@@ -95,11 +94,11 @@ class Snapshot:
     def blocks_between(self, path: str, first: int, last: int) -> Iterator[Block]:
         """Yield the blocks of some lines, from 0, both included."""
         for program in self.programs_of(path):
-            blocks = program.blocks
-            at = _first_at(program.data, first + 1)
-            while at < len(blocks) and blocks[at].line <= last + 1:
-                yield blocks[at]
-                at += 1
+            yield from _blocks_of(program, first, last)
+
+    def blocks_on(self, program: Program, line: int) -> Iterator[Block]:
+        """Yield the blocks of a program on a line, from 0."""
+        return _blocks_of(program, line, line)
 
     def block_at(self, path: str, line: int, character: int) -> Block | None:
         """Return the block of a place, both from 0: of several on a line the last that begins
@@ -127,22 +126,6 @@ class Snapshot:
         return self.location(program.file, program.line, 1, len(line))
 
     # ---- what the engine finds ----
-
-    @property
-    def mentions(self) -> list[Mention]:
-        """Every mention of a block, a program or a variable. Those of a large memory are not kept:
-        they would take ten times its text.
-        """
-        if self._mentions:
-            return self._mentions[0]
-        found = mentions(self.library, machine=self.machine)
-        if len(found) <= MANY_LINES:
-            self._mentions.append(found)
-        return found
-
-    @cached_property
-    def _mentions(self) -> list[list[Mention]]:
-        return []
 
     @cached_property
     def setup(self) -> Setup | None:
@@ -214,6 +197,14 @@ class Snapshot:
             seen.add(above)
             program = above
         return program
+
+
+def _blocks_of(program: Program, first: int, last: int) -> Iterator[Block]:
+    blocks = program.blocks
+    at = _first_at(program.data, first + 1)
+    while at < len(blocks) and blocks[at].line <= last + 1:
+        yield blocks[at]
+        at += 1
 
 
 def uri_of(path: str) -> str:

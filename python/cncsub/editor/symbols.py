@@ -41,7 +41,7 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
     last = max(first, end - 1)
     head = document.whole_line(first)
     whole = Range(head.start, document.whole_line(last).end)
-    inner = [*_headings(snap, path, program, last), *_words(snap, path, program)]
+    inner = [*_headings(snap, path, program, last), *_words(snap, path, program, last)]
     inner.sort(key=lambda symbol: (symbol.range.start.line, symbol.range.start.character))
     return DocumentSymbol(
         program.name or "program",
@@ -53,35 +53,31 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
     )
 
 
-def _words(snap: Snapshot, path: str, program: Program) -> Iterator[DocumentSymbol]:
-    data, blocks = program.data, program.blocks
-    few = _named(program) if len(blocks) > MOST_NUMBERS else None
-    for place in range(data.blocks):
-        has_tool = _may_have_tool(data, place)
-        if few is not None and place not in few and not has_tool:
-            continue
-        block = blocks[place]
-        if (few is None or place in few) and (label := label_of(block)) is not None:
-            yield _symbol(snap, path, block, label.column, label.text, SymbolKind.Key)
-        for token in block.tokens if has_tool else ():
+def _words(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
+    blocks = program.blocks
+    numbered = range(len(blocks)) if len(blocks) <= MOST_NUMBERS else sorted(_named(snap, program))
+    for place in numbered:
+        if (label := label_of(blocks[place])) is not None:
+            yield _symbol(snap, path, blocks[place], label.column, label.text, SymbolKind.Key)
+    for block in _with_tools(snap, path, program, last):
+        for token in block.tokens:
             if token.word is not None and token.word.address == "T":
                 yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
 
 
-def _may_have_tool(data: _core.ProgramData, place: int) -> bool:
-    """Return whether it is worth reading the words of a block for a tool."""
-    text = data.block(place)[2]
-    return "T" in text or "t" in text
+def _with_tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[Block]:
+    """Yield the blocks of a program that it is worth reading for a tool, to a line from 0."""
+    lines = snap.document(path).lines
+    for line in range(program.line - 1, min(last + 1, len(lines))):
+        if "T" in lines[line] or "t" in lines[line]:
+            yield from snap.blocks_on(program, line)
 
 
-def _named(program: Program) -> set[int]:
+def _named(snap: Snapshot, program: Program) -> set[int]:
     """Return the places of the blocks that jumps lead to."""
-    found: set[int] = set()
-    for place in range(program.data.blocks):
-        for jump in _core.references(program.data, place)[1]:
-            if jump[4] is not None:
-                found.add(jump[4])
-    return found
+    edges, *_ = _core.flow(snap.flows, program.data)
+    size = len(program.blocks)
+    return {to for _, to, kind in edges if kind == "jump" and to is not None and to < size}
 
 
 def _symbol(
@@ -94,10 +90,10 @@ def _symbol(
 
 def _headings(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
     """Yield the comments that stand alone on a line, each the head of what follows."""
-    document, data = snap.document(path), program.data
-    with_blocks = {data.block(place)[1] - 1 for place in range(data.blocks)}
+    document = snap.document(path)
     for line in range(program.line, min(last + 1, len(document.lines))):
-        if line in with_blocks or document.lines[line].isspace():
+        begin = document.lines[line].lstrip()[:1]
+        if not begin or begin.isalnum() or any(snap.blocks_on(program, line)):
             continue
         if not (comment := comment_alone(snap, document.line(line))):
             continue
@@ -142,7 +138,11 @@ def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
         last = end - 1
         while last >= program.line and not document.line(last).strip():
             last -= 1
-        regions = [(program.line - 1, last), *_loops(snap, program), *_tools(program, last)]
+        regions = [
+            (program.line - 1, last),
+            *_loops(snap, program),
+            *_tools(snap, path, program, last),
+        ]
         for first, to in regions:
             if to > first:
                 found[first, to] = FoldingRange(first, to, kind=FoldingRangeKind.Region)
@@ -158,12 +158,9 @@ def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
             yield program.blocks[to].line - 1, program.blocks[block].line - 1
 
 
-def _tools(program: Program, last: int) -> Iterator[tuple[int, int]]:
-    data, begin = program.data, None
-    for place in range(data.blocks):
-        if not _may_have_tool(data, place):
-            continue
-        block = program.blocks[place]
+def _tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:
+    begin = None
+    for block in _with_tools(snap, path, program, last):
         if any(word.address == "T" for word in block.words):
             if begin is not None:
                 yield begin, block.line - 2

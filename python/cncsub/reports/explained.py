@@ -9,6 +9,7 @@ from typing import Any
 from cncsub._core import Control
 from cncsub.checking import CheckRule, rule_named, rule_names
 from cncsub.escapes import shown
+from cncsub.gate_rules import RULES as GATE_RULES
 from cncsub.reports.code_facts import code_explanations, code_named, example_of
 from cncsub.reports.facts import effect_of, explanations
 from cncsub.reports.nearest import Entry
@@ -25,12 +26,16 @@ SHORT = 60  # letters of a value, where the values of several controls are liste
 def known_facts(
     asked: str, among: list[Control]
 ) -> tuple[list[Facts], list[Facts], CheckRule | None]:
-    """Return what is called so: alarms, then codes, rules and parameters, and the rule of check.
+    """Return what is called so: alarms, then codes, rules and parameters, and the rule of check or
+    of gate.
 
     Raises `KeyError` for a number that no rule of check has.
     """
-    of_check = re.fullmatch(r"CS\d*", asked, re.IGNORECASE) is not None
-    check = rule_named(asked) if of_check or asked.lower() in rule_names() else None
+    of_gate = {name: rule for rule in GATE_RULES for name in (rule.number.lower(), rule.name)}
+    check = of_gate.get(asked.lower())
+    of_check = check is not None or re.fullmatch(r"CS\d*", asked, re.IGNORECASE) is not None
+    if check is None and (of_check or asked.lower() in rule_names()):
+        check = rule_named(asked)
     alarms = [] if of_check else explanations(asked, among)
     others = [*rule_explanations(asked, among), *parameter_explanations(asked, among)]
     if code_named(asked) is not None or not (check or alarms or others):

@@ -12,6 +12,7 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.checking import RULES
 from cncsub.controls import causes
+from cncsub.gate_rules import RULES as GATE_RULES
 
 MOST = 8  # entries that are listed
 _UNKNOWN = 3.0  # the weight of a word that no entry has
@@ -114,6 +115,8 @@ def _entries(among: list[Control]) -> Iterator[Entry]:
         yield Entry(slug, "cause", cause.meaning, (cause.cure, *sorted(texts)))
     for check in RULES:
         yield Entry(f"{check.number} {check.name}", "rule of check", check.meaning, (check.hint,))
+    for rule in GATE_RULES:
+        yield Entry(f"{rule.number} {rule.name}", "rule of gate", rule.meaning, (rule.hint,))
     yield from _once(_rules(among))
     yield from _once(_codes(among))
     yield from _once(_keywords(among))

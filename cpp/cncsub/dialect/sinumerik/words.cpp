@@ -132,6 +132,7 @@ void pass_word(Line& line, WrittenWord& word) {
     if (first == "\"") return line.pass_quoted();
     line.pass(first.size());
     if (first == "/" && is_digit(line.ahead(0))) line.pass(1);
+    if (first == ":" && is_digit(line.ahead(0))) pass_number(line, word);  // :10 of a main block
   }
 }
 
