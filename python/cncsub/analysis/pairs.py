@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from cncsub._core import Alarm, Control
+from cncsub._core import Alarm, Control, variable_name
 from cncsub.analysis.first_difference import alike, column_of, first_difference
 from cncsub.interrupts import uninterrupted
 from cncsub.run_options import FlattenOptions, idle_machine
@@ -246,7 +246,8 @@ class Pair:
             row = rows[at] if at < len(rows) else None
             steps.append(len(run.steps) if row is None or row.step is None else row.step)
             shown = "vacant" if row is None or row.value is None else f"{row.value:g}"
-            does.append("no further change" if row is None else f"#{row.variable} = {shown}")
+            name = "" if row is None else variable_name(run.recorded.control, row.variable)
+            does.append(f"{name} = {shown}" if name else "no further change")
         yield self._say((a, b), (steps[0], steps[1]), (does[0], does[1]))
 
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Unpack
 
-from cncsub._core import Alarm, Control
+from cncsub._core import Alarm, Control, variable_name
 from cncsub.analysis.first_difference import column_of, first_difference
 from cncsub.analysis.pairs import LISTS, OtherControlPair, Pair, Parting, variables_lacking
 from cncsub.comparison.changes import BlockChange, block_changes
@@ -205,7 +205,8 @@ class _OfControls:
         self._options = options
         for each in controls:
             if lacking := variables_lacking(each, options.get("variables") or {}):
-                raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
+                name = variable_name(each, lacking[0])
+                raise wrong_value("variables", f"variables: {each.name} has no {name}")
 
     def compared(self, *, every: bool) -> Comparison:
         """Return the first difference, or every one until none is left or no rule makes it."""

@@ -67,7 +67,8 @@ class _EditedPair(Pair):
         for n in sorted(held.keys() | other.keys()):
             if not alike(held.get(n), other.get(n)):
                 at = (len(a.steps), len(b.steps))
-                yield self._say((a, b), at, ("", f"#{n} differs at the end"))
+                name = _core.variable_name(a.recorded.control, n)
+                yield self._say((a, b), at, ("", f"{name} differs at the end"))
                 return
 
     def _of_stop(self, a: Run, b: Run) -> Iterator[Parting]:

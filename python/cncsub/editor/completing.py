@@ -173,14 +173,14 @@ def _variables(snap: Snapshot, program: Program | None) -> Iterator[CompletionIt
                 continue
             seen.add(key)
             detail = program.blocks[place].text.strip()[:80]
-            shown = f"#{key}" if name is None else name
+            shown = _core.variable_name(snap.control, key) if isinstance(key, int) else key
             yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
     for option in snap.control.variable_options.values():
         first = option.numbers.replace("-", " ").split()[:1]
         if first and first[0].isdecimal() and int(first[0]) not in seen:
             seen.add(int(first[0]))
             yield CompletionItem(
-                f"#{first[0]}",
+                _core.variable_name(snap.control, int(first[0])),
                 kind=CompletionItemKind.Constant,
                 detail=f"{option.meaning} ({option.numbers})",
             )

@@ -158,7 +158,8 @@ def told_call(program: object, repeats: object) -> str:
 
 
 def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name) -> Iterator[str]:
-    shown = f"#{name.key}" if isinstance(name.key, int) else str(name.key)
+    key = name.key
+    shown = _core.variable_name(snap.control, key) if isinstance(key, int) else str(key)
     if isinstance(name.key, int):
         scope = "a variable of all programs" if name.program is None else "a local variable"
         yield f"**{shown}**, {scope}"
