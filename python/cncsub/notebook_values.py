@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from itertools import islice
 from typing import TYPE_CHECKING, Any
 
-from cncsub._core import Alarm, Control, Frame
+from cncsub._core import Alarm, Control, Frame, variable_name
 from cncsub.controls import causes
 from cncsub.escapes import escape
 from cncsub.notebook_pieces import few, line, marked, page, plain, table
@@ -104,9 +104,13 @@ def comparison_html(compared: Comparison) -> str:
     return page([plain(str(compared)) if compared.same else marked(str(compared))])
 
 
-def variables_html(variables: Mapping[int, float | None]) -> str:
+def variables_html(variables: Mapping[int, float | None], control: Control) -> str:
     """Return the variables that have a value."""
-    held = [(f"#{n}", f"{value:.10g}") for n, value in variables.items() if value is not None]
+    held = [
+        (variable_name(control, n), f"{value:.10g}")
+        for n, value in variables.items()
+        if value is not None
+    ]
     parts = [table(("variable", "value"), held[:MOST_VARIABLES])]
     if not held:
         parts = [line("no variable has a value")]

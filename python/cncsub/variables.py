@@ -80,7 +80,13 @@ class Variables(NotPicklable, Mapping[int, float | None]):
     def _repr_html_(self) -> str:
         from cncsub.notebook_values import variables_html
 
-        return variables_html(self)
+        return variables_html(self, self._core.code.control)
+
+    def _name(self, number: object) -> str:
+        try:
+            return _core.variable_name(self._core.code.control, operator.index(number))  # type: ignore[arg-type]
+        except TypeError:  # no whole number, or one that no control has
+            return f"variable {number!r}"
 
     def __repr__(self) -> str:
         numbered = (f"{number}: {self[number]:g}" for number in self)
@@ -91,7 +97,7 @@ class Variables(NotPicklable, Mapping[int, float | None]):
 def _no_variable(number: object, error: Exception) -> KeyError:
     # The engine's own words; for a number beyond its 64 bits it has none.
     known = isinstance(error, LookupError) and error.args
-    return KeyError(error.args[0] if known else f"there is no #{number}")
+    return KeyError(error.args[0] if known else f"there is no variable {number}")
 
 
 class MachineVariables(Variables, MutableMapping[int, float | None]):
@@ -132,9 +138,9 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
 
     def __delitem__(self, number: int) -> None:
         if number not in self:
-            raise KeyError(f"#{number} has no value")
+            raise KeyError(f"{self._name(number)} has no value")
         if not self._core.can_be_vacant(operator.index(number)):
-            raise KeyError(f"#{number} is a system variable and always has a value")
+            raise KeyError(f"{self._name(number)} is a system variable and always has a value")
         self[number] = None
 
     def setdefault(self, number: int, default: float | None = None) -> float | None:

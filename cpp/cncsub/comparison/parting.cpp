@@ -30,6 +30,11 @@ std::string short_text(double value) {
   return text.data();
 }
 
+/// Return a variable as the programs write it.
+std::string variable_name(const Code& code, std::int32_t number) {
+  return code.spelling->name_of_variable(*code.control, number);
+}
+
 bool has(const Machine& machine, std::int32_t number) {
   double value = 0;
   return !machine.read(number, 0, value);
@@ -251,7 +256,7 @@ void Pair::of_variables() {
     const Trace::Change& row = rows[side][at];
     if (row.step >= 0) where[side] = row.step;
     const double beside = in_both ? rows[1 - side][at].value : row.value;
-    does[side] = "#" + std::to_string(row.variable) + " = " +
+    does[side] = variable_name(code(side), row.variable) + " = " +
                  (is_vacant(row.value) ? "vacant" : texts_of(row.value, beside)[0]);
   }
   say(where, does);
@@ -270,7 +275,7 @@ void Pair::of_renumbered_variables() {
     for (const auto& [number, held] : *values) numbers.insert(number);
   for (const std::int32_t number : numbers) {
     if (alike(value(before, number), value(after, number))) continue;
-    say({steps(0), steps(1)}, {"", "#" + std::to_string(number) + " is another value"});
+    say({steps(0), steps(1)}, {"", variable_name(code(1), number) + " is another value"});
     return;
   }
 }

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import difflib
+import functools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from cncsub import _core
 from cncsub.analysis.first_difference import column_of, first_difference
 
 if TYPE_CHECKING:
@@ -19,6 +21,7 @@ _CALLS = ("kind", "program", "start_n", "repeats")
 _NOT_SHOWN = ("move", "step", "length", "time", "program", "n", "line")
 _MOST_ALIGNED = 20_000  # blocks between the first and the last change that are looked at closely
 _MOST_TOLD = 3  # values of a list
+_Controls = tuple[_core.Control, _core.Control]
 
 
 class Place(NamedTuple):
@@ -97,6 +100,7 @@ class _Did:
             (names[key >> 32], key & 0xFFFFFFFF): i for i, key in enumerate(keys.tolist())
         }
         self._counts = counts.tolist()
+        self.control = run.recorded.control
 
         def rows(table: Any, made_by: Column, columns: list[str]) -> _Rows:
             return _Rows(table, made_by, of_step, len(keys), columns)
@@ -199,7 +203,7 @@ def _changes(
     for what, tell in (("calls", _calls), ("moves", _moves), ("variables", _values)):
         table = "values" if what == "variables" else what
         old, new = (getattr(of, table).of(place) for of, place in zip(did, places, strict=True))
-        if (texts := tell(old, new)) is not None:
+        if (texts := tell(old, new, (did[0].control, did[1].control))) is not None:
             yield BlockChange(what, before, after, *texts)
     codes = [_codes(side) for side in sides]
     if codes[0] != codes[1] and all(counts):
@@ -229,7 +233,9 @@ def _parting(old: Mapping[str, Column], new: Mapping[str, Column]) -> int | None
     return first_difference([(old[name], new[name]) for name in shared]) if shared else None
 
 
-def _calls(old: Mapping[str, Column], new: Mapping[str, Column]) -> tuple[str, str] | None:
+def _calls(
+    old: Mapping[str, Column], new: Mapping[str, Column], of: _Controls
+) -> tuple[str, str] | None:
     at = _parting(old, new)
     return None if at is None else (_some(old, at, _call), _some(new, at, _call))
 
@@ -240,14 +246,19 @@ def _call(row: Mapping[str, Any]) -> str:
     return f"{row['kind']} {row['program']}{start}{passes}"
 
 
-def _values(old: Mapping[str, Column], new: Mapping[str, Column]) -> tuple[str, str] | None:
+def _values(
+    old: Mapping[str, Column], new: Mapping[str, Column], of: _Controls
+) -> tuple[str, str] | None:
     at = _parting(old, new)
-    return None if at is None else (_some(old, at, _value), _some(new, at, _value))
+    if at is None:
+        return None
+    texts = [functools.partial(_value, control) for control in of]
+    return _some(old, at, texts[0]), _some(new, at, texts[1])
 
 
-def _value(row: Mapping[str, Any]) -> str:
-    value = row["value"]
-    return f"#{row['variable']} = {'vacant' if value != value else f'{value:g}'}"
+def _value(control: _core.Control, row: Mapping[str, Any]) -> str:
+    value, name = row["value"], _core.variable_name(control, int(row["variable"]))
+    return f"{name} = {'vacant' if value != value else f'{value:g}'}"
 
 
 def _some(
@@ -263,7 +274,9 @@ def _some(
     return ", ".join(told) + (f" and {left:,} more" if left > 0 else "")
 
 
-def _moves(old: Mapping[str, Column], new: Mapping[str, Column]) -> tuple[str, str] | None:
+def _moves(
+    old: Mapping[str, Column], new: Mapping[str, Column], of: _Controls
+) -> tuple[str, str] | None:
     """Return the first move that differs, by the values that differ; or the numbers of moves where
     these differ.
     """

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Unpack
 
 from cncsub import _core
-from cncsub._core import Control
+from cncsub._core import Control, variable_name
 from cncsub.analysis.pairs import Again, Pair, Parting, Question, variables_lacking
 from cncsub.comparison.changes import BlockChange, block_changes
 from cncsub.comparison.reasons import modes_apart, reasons
@@ -205,7 +205,8 @@ class _OfControls:
         self._options = options
         for each in controls:
             if lacking := variables_lacking(each, options.get("variables") or {}):
-                raise wrong_value("variables", f"variables: {each.name} has no #{lacking[0]}")
+                name = variable_name(each, lacking[0])
+                raise wrong_value("variables", f"variables: {each.name} has no {name}")
         self._other = library.read_for(other)
 
     def compared(self, *, every: bool) -> Comparison:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Unpack
 
-from cncsub._core import Control
+from cncsub._core import Control, variable_name
 from cncsub.analysis.pairs import Pair, variables_lacking
 from cncsub.checking import Edit
 from cncsub.comparison.rewriting import Rewriting, TranslateError
@@ -102,7 +102,8 @@ def translate(
     else:
         library = load(of, control=control)
     if lacking := variables_lacking(target, options.get("variables") or {}):
-        raise TranslateError(f"{target.name} has no #{lacking[0]}, to which a value is given")
+        name = variable_name(target, lacking[0])
+        raise TranslateError(f"{target.name} has no {name}, to which a value is given")
     rewriting = Rewriting(library, target, machine_of(options.get("setup")))
     rewriting.rewrite()
     return _proved(rewriting, main, options)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from cncsub import _core
 from cncsub.option_errors import wrong_value
 from cncsub.plot.figure import COLOURS, Places, axis, count, empty, figure, seconds
 
@@ -26,9 +27,11 @@ def watch_figure(watch: Watch, *, over: str = "steps", title: str | None = None)
         raise wrong_value("over", f"over must be steps or time, not {over!r}")
     numbers = list(watch.beginning)
     changes = count(len(watch), "change")
-    head = title if title is not None else f"{_hashes(numbers) or 'nothing watched'}: {changes}"
+    names = _names(watch.core, numbers)
+    head = title if title is not None else f"{names or 'nothing watched'}: {changes}"
     if not numbers:
-        return empty("Nothing is watched: run(watch=[100]) watches #100.", head)
+        hundred = _core.variable_name(watch.core.control, 100)
+        return empty(f"Nothing is watched: run(watch=[100]) watches {hundred}.", head)
     return _Timeline(watch, over, numbers).figure(head)
 
 
@@ -42,11 +45,11 @@ class _Timeline:
         moving = [number for number in numbers if number in changed] or numbers
         self.shown = moving[:_MOST]
         if still and moving is not numbers:
-            self.told.append(f"Never changed: {_hashes(still)}.")
+            self.told.append(f"Never changed: {_names(self.core, still)}.")
         if len(moving) > _MOST:
             self.told.append(
-                f"Changed, and not drawn: {_hashes(moving[_MOST:])}; run.watch(100).plot() draws"
-                " one."
+                f"Changed, and not drawn: {_names(self.core, moving[_MOST:])};"
+                " run.watch(100).plot() draws one."
             )
         self.vacant: list[int] = []  # the drawn variables that were vacant at some time
         self.steps = np.asarray(watch.step)
@@ -83,11 +86,13 @@ class _Timeline:
             data.append(self._trace(number, place))
             high = 1 - place / count_of
             layout[_named("yaxis", place)] = axis(
-                f"#{number}", domain=[high - 0.88 / count_of, high], zeroline=False
+                self._name(number), domain=[high - 0.88 / count_of, high], zeroline=False
             )
         if self.vacant:
             verb = "is" if len(self.vacant) == 1 else "are"
-            self.told.append(f"{_hashes(self.vacant)} {verb} vacant where there is no line.")
+            self.told.append(
+                f"{_names(self.core, self.vacant)} {verb} vacant where there is no line."
+            )
         words = "time, s" if self.over == "time" else "step"
         bottom = "" if count_of == 1 else str(count_of)
         layout["xaxis"] = axis(words, anchor=f"y{bottom}", range=[0, self.end or 1], zeroline=False)
@@ -100,8 +105,8 @@ class _Timeline:
         kept = self._few(self.at[rows], values)
         if len(kept) < len(rows):
             self.told.append(
-                f"#{number}: {count(len(rows), 'change')}; where many fall into one column of the"
-                " picture, its first, lowest, highest and last are drawn."
+                f"{self._name(number)}: {count(len(rows), 'change')}; where many fall into one"
+                " column of the picture, its first, lowest, highest and last are drawn."
             )
         rows, values = rows[kept], values[kept]
         before = self.watch.beginning[number]
@@ -123,10 +128,13 @@ class _Timeline:
             "line": {"shape": "hv", "width": 2, "color": colour},
             "marker": {"size": 5, "color": colour},
             "connectgaps": False,
-            "name": f"#{number}",
+            "name": self._name(number),
             "text": hover,
-            "hovertemplate": f"#{number} = %{{y}}<br>%{{text}}<extra></extra>",
+            "hovertemplate": f"{self._name(number)} = %{{y}}<br>%{{text}}<extra></extra>",
         }
+
+    def _name(self, number: int) -> str:
+        return _core.variable_name(self.core.control, number)
 
     def _few(self, at: Numbers, values: Numbers) -> Numbers:
         """Return the changes to draw."""
@@ -153,8 +161,8 @@ class _Timeline:
         return told
 
 
-def _hashes(numbers: list[int]) -> str:
-    told = ", ".join(f"#{number}" for number in numbers[:_MOST])
+def _names(core: _core.Trace, numbers: list[int]) -> str:
+    told = ", ".join(_core.variable_name(core.control, number) for number in numbers[:_MOST])
     return told + (f" and {len(numbers) - _MOST:,} more" if len(numbers) > _MOST else "")
 
 

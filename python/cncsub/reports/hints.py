@@ -4,6 +4,7 @@ never in it.
 
 from __future__ import annotations
 
+import functools
 import os
 import re
 import time
@@ -527,11 +528,12 @@ def without_effect(
     programs = [*library.values(), *library.external.values(), *([typed] if typed else ())]
     if sum(len(program.blocks) for program in programs) > MOST_BLOCKS:
         return
+    name = functools.partial(_core.variable_name, library.control)
     if variables := asked.get("variables"):
         read = _read_variables(programs)
         for number in variables if read is not None else ():
             if number not in (read or ()):
-                yield _note("--set, --variables", f"no block reads #{number}")
+                yield _note("--set, --variables", f"no block reads {name(number)}")
     called = any(e.kind == "M198" for e in library.call_graph().edges)
     if len(library.external) and not called and not (typed and _calls_outside(typed)):
         yield _note("--external", "no block calls a program of the external device by M198")
@@ -546,7 +548,7 @@ def without_effect(
         read = _read_variables(programs)
         for number in inputs.signals if read is not None else ():
             if number not in (read or ()):
-                yield _note("--inputs", f"no block reads the signal #{number}")
+                yield _note("--inputs", f"no block reads the signal {name(number)}")
         if (inputs.skips or inputs.workpiece) and not _any_word(programs, "G", *_PROBING):
             yield _note("--inputs", "there is a workpiece or a skip, but no block probes")
         for code in inputs.answers:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import heapq
 import itertools
 import os
@@ -11,6 +12,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import IO, TYPE_CHECKING, Any
 
+from cncsub._core import variable_name
 from cncsub.analysis.conditions import conditions_on
 from cncsub.analysis.static_tree import letters
 from cncsub.controls import cure_of
@@ -125,10 +127,11 @@ def print_watch(console: Console, run: Run) -> None:
     """Print the watched variables: their values at the beginning, and each change with
     its block.
     """
+    name = functools.partial(variable_name, run.recorded.control)
     now = dict(run.watch.beginning)
     for first, last, value in _beginnings(now):
-        verb, span = ("begins", "") if first == last else ("begin", f" to #{last}")
-        console.print(f"watch: #{first}{span} {verb} {number_text(value)}")
+        verb, span = ("begins", "") if first == last else ("begin", f" to {name(last)}")
+        console.print(f"watch: {name(first)}{span} {verb} {number_text(value)}")
     told: list[Iterable[Change | Compared]] = [run.watch, conditions_on(run, set(now))]
     rows = heapq.merge(*told, key=lambda row: row.step or 0)
     for row in itertools.islice(rows, MOST_CHANGES):
@@ -139,7 +142,7 @@ def print_watch(console: Console, run: Run) -> None:
             continue
         was, now[row.variable] = now[row.variable], row.value
         values = f"{number_text(was)} -> {number_text(row.value)}"
-        console.print(f"watch: #{row.variable} {values} at {step}")
+        console.print(f"watch: {name(row.variable)} {values} at {step}")
     if left := sum(1 for _ in rows):
         console.print(f"... {left:,} more; --format json and run.watch have all")
 

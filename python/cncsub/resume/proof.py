@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import cncsub.analysis.first_difference as tables
+from cncsub._core import variable_name
 from cncsub.resume.errors import place_text
 
 if TYPE_CHECKING:
@@ -118,7 +119,8 @@ def _of_variables(whole: Run, rest: Run) -> str | None:
     for number in sorted({*a, *b}):
         if not tables.alike(a[number], b[number]):
             shown = ["vacant" if v is None else f"{v:.12g}" for v in (a[number], b[number])]
-            return f"#{number} is {shown[0]} at the end of the program, {shown[1]} of the restart"
+            name = variable_name(whole.recorded.control, number)
+            return f"{name} is {shown[0]} at the end of the program, {shown[1]} of the restart"
     return None
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
-from cncsub._core import Frame
+from cncsub._core import Control, Frame, variable_name
 from cncsub.controls import rule_value
 from cncsub.program import Block
 
@@ -59,7 +59,7 @@ class RestartState:
             ("spindle", f"{self.spindle or 'off'} S{self.modal.get('S', '0')}"),
             ("coolant", " ".join(self.coolant) or "off"),
             ("position", " ".join(f"{axis}{value:g}" for axis, value in self.position.items())),
-            ("variables", _variables(self.variables)),
+            ("variables", _variables(self.variables, self.block.program.data.code.control)),
         ]
         return "\n".join(f"{name:<10}{text}" for name, text in lines if text)
 
@@ -70,10 +70,10 @@ def _call(frame: Frame) -> str:
     return f"{frame.called} from {frame.program}{n} ({frame.kind}{passes})"
 
 
-def _variables(values: Mapping[int | str, Any]) -> str:
+def _variables(values: Mapping[int | str, Any], control: Control) -> str:
     shown = [
-        f"{f'#{name}' if isinstance(name, int) else name}={_shown(value)}"
-        for name, value in values.items()
+        f"{variable_name(control, of) if isinstance(of, int) else of}={_shown(value)}"
+        for of, value in values.items()
     ]
     return " ".join(shown[:40]) + (f" ... {len(shown)} in all" if len(shown) > 40 else "")
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import cncsub
+from cncsub._core import variable_name
 from cncsub.analysis.steps_text import step_lines
 from cncsub.setup import setup_from
 from cncsub.testing import moves as motion
@@ -150,7 +151,8 @@ def _stop_differences(case: Case, control: str, run: cncsub.Run) -> Iterator[str
 
 def _value_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
     for number, expected in case.variables.items():
-        yield from _variable_difference("vars", number, expected, run.variables.get(number))
+        got = run.variables.get(number)
+        yield from _variable_difference("vars", _name(run, number), expected, got)
     if case.m is not None:
         codes = [code for code in run.m_codes if code in case.m or code not in END_CODES]
         yield from _list_difference("m", case.m, codes)
@@ -162,15 +164,19 @@ def _value_differences(case: Case, run: cncsub.Run) -> Iterator[str]:
         yield from _list_difference("messages", case.messages, map(str, run.messages))
 
 
+def _name(run: cncsub.Run, number: int) -> str:
+    return variable_name(run.recorded.control, number)
+
+
 def _variable_difference(
-    what: str, number: int, expected: float | None, got: float | None
+    what: str, name: str, expected: float | None, got: float | None
 ) -> Iterator[str]:
     if expected is None or got is None:
         same = expected is got
     else:
         same = abs(expected - got) <= TOLERANCE
     if not same:
-        yield f"{what} #{number}: expected {_value(expected)}, got {_value(got)}"
+        yield f"{what} {name}: expected {_value(expected)}, got {_value(got)}"
 
 
 def _value(value: float | None) -> str:
@@ -273,7 +279,8 @@ def _argument_differences(case: Case, library: cncsub.Library, run: cncsub.Run) 
         machine.step()
     for number, expected in (case.arguments or {}).items():
         got = machine.variables.get(number)
-        yield from _variable_difference("arguments", number, expected, got)
+        name = variable_name(library.control, number)
+        yield from _variable_difference("arguments", name, expected, got)
 
 
 def _reset_differences(case: Case, library: cncsub.Library) -> Iterator[str]:
@@ -283,7 +290,8 @@ def _reset_differences(case: Case, library: cncsub.Library) -> Iterator[str]:
     machine.reset()
     for number, expected in (case.vars_after_reset or {}).items():
         got = machine.variables.get(number)
-        yield from _variable_difference("vars after reset", number, expected, got)
+        name = variable_name(library.control, number)
+        yield from _variable_difference("vars after reset", name, expected, got)
     if case.work_after_reset is not None:
         place = dict(machine.position)
         yield from _place_difference("work after reset", case.work_after_reset, place)
@@ -365,7 +373,7 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
     wrong = [
         number
         for number, expected in case.variables.items()
-        if any(_variable_difference("", number, expected, run.variables.get(number)))
+        if any(_variable_difference("", "", expected, run.variables.get(number)))
     ]
     if not wrong:
         return
@@ -374,7 +382,7 @@ def _last_writes(case: Case, library: cncsub.Library, run: cncsub.Run) -> Iterat
         steps = [row.step for row in rows if row.variable == number and row.step is not None]
         if steps and steps[-1] < len(run.steps):
             lines = "\n    ".join(step_lines(run, steps[-1]))
-            yield f"#{number} was last written by {lines}"
+            yield f"{_name(run, number)} was last written by {lines}"
 
 
 def report(row: Row, found: list[str], control: cncsub.Control | None = None) -> str:
@@ -393,7 +401,9 @@ def report(row: Row, found: list[str], control: cncsub.Control | None = None) ->
         parts.append(f"the alarm:\n{textwrap.indent(str(run.alarm), '    ')}")
     parts += _what_ran(run)
     values = run.variables
-    told = [f"#{n}={_value(values.get(n))}" for n in itertools.islice(sorted(values), 40)]
+    told = [
+        f"{_name(run, n)}={_value(values.get(n))}" for n in itertools.islice(sorted(values), 40)
+    ]
     if told:
         parts.append(f"variables at the stop: {' '.join(told)}")
     return "\n".join([*parts, *_programs(case)])

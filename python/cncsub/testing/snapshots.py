@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from cncsub._core import variable_name
 from cncsub.run import Run
 from cncsub.testing.moves import made_moves
 from cncsub.testing.outcome import call_tree, executed
@@ -33,4 +34,5 @@ def _lines(run: Run) -> Iterator[str]:
     yield from (f"move: {move}" for move in made_moves(run.moves))
     for number in sorted(run.variables):
         value = run.variables[number]
-        yield f"#{number} = {'vacant' if value is None else f'{value:.10g}'}"
+        name = variable_name(run.recorded.control, number)
+        yield f"{name} = {'vacant' if value is None else f'{value:.10g}'}"

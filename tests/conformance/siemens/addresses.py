@@ -142,10 +142,6 @@ case(
     program="N10 TRANS X5\nN20 AROT Z90\nN30 G0 X0 Y0\nN40 CIP X10 Y0 I1=5 J1=5 F100\nN50 M30", moves="R X0 Y0\nCW X0 Y10 C X0 Y5",
 )
 case(
-    "an arc through a point off the plane is not computed", **GRAMMAR, setup=ZERO,
-    program="N10 G0 X0 Y0\nN20 CIP X10 Y0 I1=5 J1=5 K1=3 F100\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word="K1=3",
-)
-case(
     "three points on a line make no arc", **GRAMMAR, setup=ZERO,
     program="N10 G0 X0 Y0\nN20 CIP X10 Y0 I1=5 J1=0 F100\nN30 M30", runs="N10", alarm="three-points", at="MAIN N20", word="I1=5",
 )

@@ -104,6 +104,39 @@ case(
 )
 case("CT needs a feed", **KNOWN, program="N10 G0 X5\nN20 CT X8 Y5\nN30 M30", runs="N10", alarm="no-feed", number="10860", at="MAIN N20", word="CT")
 
+# ---- CIP outside of the plane ----
+
+SPACE = {"control": ONE, "source": "840De p.4-30: CIP, also inclined in space", "evidence": "secondary"}
+case(
+    "CIP is an arc in the plane that its points lie in, whichever is in force", **SPACE, setup=ZERO,
+    program="N10 G0 X10 Y0 Z0\nN20 CIP X-10 Y0 Z0 I1=0 J1=0 K1=10 F100\nN30 G19 CIP X-10 Y20 Z0 I1=-10 J1=10 K1=-10\nN40 G17 X-10 Y40 Z20 I1=IC(0) J1=IC(0) K1=IC(20)\nN50 M30",
+    moves="R X10 Y0 Z0\nCW X-10 Y0 Z0 C X0 Z0\nCCW X-10 Y20 Z0 C Y10 Z0\nCW X-10 Y40 Z20 C Y30 Z10", final_machine="X90.125 Y60.25 Z-20.5",
+)
+case(
+    "inclined in space it is made in lines within an increment of it, and CT goes on from its own direction", **SPACE, setup=ZERO,
+    program="N10 G0 X10 Y0 Z0\nN20 CIP X-10 Y0 Z0 I1=0 J1=7.0710678 K1=7.0710678 F100\nN30 CT X-20 Y-10\nN40 M30",
+    time=28.334, final_machine="X80.125 Y10.25 Z-40.5",
+)
+case(
+    "its points count in the frame, as increments too", **SPACE, setup=ZERO,
+    program="N10 TRANS X5\nN20 AROT Z90\nN30 G0 X0 Y0 Z0\nN40 G91 CIP X20 Y0 Z5 I1=10 J1=10 K1=5 F100\nN50 M30", final_machine="X105.125 Y40.25 Z-35.5",
+)
+case(
+    "other axes go along", **KNOWN, setup=ZERO, program="N10 G0 X10 Y0 Z0 A0\nN20 CIP X-10 Y0 Z0 I1=0 J1=7 K1=7 A90 F100\nN30 R1=$AA_IM[A]\nN40 M30", vars={1: 90}, final_machine="X90.125 Y20.25 Z-40.5",
+)
+case(
+    "points in a line make no arc in space", **SPACE, setup=ZERO,
+    program="N10 G0 X0 Y0 Z0\nN20 CIP X10 Y10 Z10 I1=5 J1=5 K1=5 F100\nN30 M30", runs="N10", alarm="three-points", at="MAIN N20", word="I1=5",
+)
+for before, words in (
+    ("G41 G1 X0 Y0 F100", "CIP X10 Y0 Z5 I1=5 J1=5 K1=3"), ("G1 X0 Y0 F100", "CIP X10 Y0 Z5 I1=5 J1=5 K1=3 RND=1"), ("G93 G1 X0 Y0 F1", "CIP X10 Y0 Z5 I1=5 J1=5 K1=3 F1"),
+    ("G1 X0 Y0 F100", "CIP X10 Y0 Z5 I1=5 J1=5"), ("G1 X0 Y0 RND=1 F100", "CIP X10 Y0 Z5 I1=5 J1=5 K1=3"),
+):
+    case(
+        f"{words} after {before} is not computed", **POLICY, setup=TOOL,
+        program=f"N10 T1 M6\nN20 G0 X-20 Y-20\nN30 {before}\nN40 {words}\nN50 M30", runs="N10 N20 N30", alarm="code-not-computed", at="MAIN N40", word="I1=5",
+    )
+
 # ---- G34 and G35 ----
 
 case(

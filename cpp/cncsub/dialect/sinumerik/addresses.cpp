@@ -317,7 +317,8 @@ bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view n
     return open.refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
   Value value;
   if (!open.expression.value(value)) return open.refuse(block);
-  if (value.computed || value.number != 0) return open.not_computed(block, capitals(name), at);
+  if (value.computed || value.number != 0)
+    return open.not_computed(block, what_it_needs(capitals(name)), at);
   return reported(open, words, at);
 }
 

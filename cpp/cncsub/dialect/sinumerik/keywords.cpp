@@ -179,6 +179,10 @@ constexpr Need kNeeds[] = {
     {"ASPLINE", "the path between the points of a spline is not computed"},
     {"CSPLINE", "the path between the points of a spline is not computed"},
     {"POLY", "the path of a polynomial is not computed"},
+    {"POSA", "the axis moves on while the next blocks run: write POS where they can wait for it"},
+    {"POSP", "the axis comes in parts while the next blocks run: write POS where they can wait"},
+    {"RNDM", "write RND in each block whose corner is rounded"},
+    {"OFFN", "give the tool a radius that is larger by it"},
     {"KONT", "how the tool goes around the first point is not computed"},
     {"KONTC", "how the tool goes around the first point is not computed"},
     {"KONTT", "how the tool goes around the first point is not computed"}};

@@ -205,18 +205,23 @@ std::vector<Address> blocks_of_loop(Probe& probe, std::int64_t period) {
   return blocks;
 }
 
+/// Return a variable as the program writes it.
+std::string name_of(const Run& run, std::int64_t number) {
+  return run.code->spelling->name_of_variable(*run.code->control, number);
+}
+
 /// Return the name of what was read from the world outside since `asked` was cleared.
 std::string asked_outside(const Run& run) {
   const std::int64_t asked = run.state.external_reads.asked;
   if (asked == 0) return "";
-  return asked == ExternalReads::kSkipSignal ? "the skip signal" : "#" + std::to_string(asked);
+  return asked == ExternalReads::kSkipSignal ? "the skip signal" : name_of(run, asked);
 }
 
 /// Return the values of the state that have a name.
 std::map<std::string, double> named(const Run& run) {
   std::map<std::string, double> values;
   for (const auto& [number, value] : variables(run, run.state.level))
-    values["#" + std::to_string(number)] = value;
+    values[name_of(run, number)] = value;
   for (const auto& [axis, value] : position(run.motion.view())) values[axis] = value;
   return values;
 }

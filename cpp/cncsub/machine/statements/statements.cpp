@@ -72,7 +72,8 @@ bool waits_for(Run& run, std::uint32_t condition) {
     ++s.changes;
     return false;
   }
-  s.waiting_for = "#" + std::to_string(to_whole<std::int64_t>((*at).value));
+  s.waiting_for =
+      run.code->spelling->name_of_variable(*run.code->control, to_whole<std::int64_t>((*at).value));
   record_step(run);
   end_run(run, Stop::Waiting);
   return true;

@@ -147,7 +147,7 @@ bool store_number(Run& run, std::int64_t number, double value, const Statement& 
     return user_alarm(run, is_vacant(value) ? 0 : value, statement);
   if (place.range != nullptr && place.kind == VariableKind::Message) {
     say(run, comment_of(run, statement));
-    return wait_for_operator(run, "#" + std::to_string(number));
+    return wait_for_operator(run, run.code->spelling->name_of_variable(*run.code->control, number));
   }
   if (auto fault = write_variable(run, number, value)) {
     fault->at = statement.variable_at;
