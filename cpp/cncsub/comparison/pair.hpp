@@ -51,6 +51,7 @@ class Pair {
   void of_codes(char kind);
   void of_messages();
   std::int64_t step_of_message(std::size_t side, std::size_t at) const;
+  std::vector<std::int32_t> variables_apart() const;
   void of_variables();
   void of_renumbered_variables();
   void of_calls();

@@ -39,7 +39,8 @@ std::vector<std::string> column_names(const std::array<std::string, 2>& axes) {
   for (const std::string& used : axes)
     for (const bool machine : {false, true})
       for (const char axis : kAll) {
-        const bool in_use = axis >= 'x' || used.find(static_cast<char>(axis & ~0x20)) != used.npos;
+        const bool in_use =
+            axis >= 'x' || used.find(static_cast<char>(axis & ~0x20)) != std::string::npos;
         const std::string name = (machine ? "m" : "") + std::string(1, axis);
         if (in_use && std::find(names.begin(), names.end(), name) == names.end())
           names.push_back(name);

@@ -30,11 +30,6 @@ std::string short_text(double value) {
   return text.data();
 }
 
-/// Return a variable as the programs write it.
-std::string variable_name(const Code& code, std::int32_t number) {
-  return code.spelling->name_of_variable(*code.control, number);
-}
-
 bool has(const Machine& machine, std::int32_t number) {
   double value = 0;
   return !machine.read(number, 0, value);
@@ -59,6 +54,22 @@ void add_written(const Code& code, std::set<std::int32_t>& numbers) {
         if (!use.computed && use.name.empty() && use.number >= 0)
           numbers.insert(static_cast<std::int32_t>(use.number));
   }
+}
+
+using Changes = std::vector<Trace::Change>;
+
+/// Return a variable as the programs write it.
+std::string variable_name(const Code& code, std::int32_t number) {
+  return code.spelling->name_of_variable(*code.control, number);
+}
+
+/// Return a change as text, with as many digits as tell it from the one of the other side.
+std::string change_text(const Code& code, const Trace::Change& row, const Changes& others,
+                        std::size_t at) {
+  const bool alike_name = at < others.size() && others[at].variable == row.variable;
+  const double beside = alike_name ? others[at].value : row.value;
+  return variable_name(code, row.variable) + " = " +
+         (is_vacant(row.value) ? "vacant" : texts_of(row.value, beside)[0]);
 }
 
 /// Return the values that variables hold at the stop, by their numbers after an edit.
@@ -226,14 +237,19 @@ std::vector<std::int32_t> shared_variables(const Machine& one, const Machine& ot
   return shared;
 }
 
-void Pair::of_variables() {
+std::vector<std::int32_t> Pair::variables_apart() const {
   const Machine &one = *sides_[0].run, &other = *sides_[1].run;
   std::vector<std::int32_t> apart;
   for (const std::int32_t number : shared_variables(one, other))
     if (!alike(value_of_main(one, number), value_of_main(other, number))) apart.push_back(number);
-  if (apart.empty()) return;
   apart.resize(std::min(apart.size(), kWatched));
-  std::array<std::vector<Trace::Change>, 2> rows;
+  return apart;
+}
+
+void Pair::of_variables() {
+  const std::vector<std::int32_t> apart = variables_apart();
+  if (apart.empty()) return;
+  std::array<Changes, 2> rows;
   for (std::size_t side = 0; side < 2; ++side) {
     const Ran watched = sides_[side].again(kAnyBlocks, apart);
     if (!watched) return;
@@ -246,18 +262,13 @@ void Pair::of_variables() {
          alike(rows[0][at].value, rows[1][at].value))
     ++at;
   if (at == rows[0].size() && at == rows[1].size()) at = 0;  // the values at the beginning differ
-  const bool in_both = at < count && rows[0][at].variable == rows[1][at].variable;
   Steps where{};
   Does does;
   for (std::size_t side = 0; side < 2; ++side) {
-    where[side] = steps(side);
-    does[side] = "no further change";
-    if (at >= rows[side].size()) continue;
-    const Trace::Change& row = rows[side][at];
-    if (row.step >= 0) where[side] = row.step;
-    const double beside = in_both ? rows[1 - side][at].value : row.value;
-    does[side] = variable_name(code(side), row.variable) + " = " +
-                 (is_vacant(row.value) ? "vacant" : texts_of(row.value, beside)[0]);
+    const bool there = at < rows[side].size();
+    where[side] = there && rows[side][at].step >= 0 ? rows[side][at].step : steps(side);
+    does[side] =
+        there ? change_text(code(side), rows[side][at], rows[1 - side], at) : "no further change";
   }
   say(where, does);
 }
