@@ -86,6 +86,59 @@ def test_the_length_of_the_tool_is_in_force_before_an_axis_moves(control: str) -
     assert first == "G00 G43 H1 Z50."
 
 
+TWO_TOOLS = """O1
+N10 T1 M6
+N12 G90 G54 G0 X0 Y0
+N14 G43 H1 Z50.
+N20 G91 G28 Z0
+N30 G90 T2 M6
+N32 G55
+N34 G0 X5. Y5.
+N36 G43 H2 Z30.
+N40 M30
+"""
+
+
+def test_a_place_on_the_machine_is_given_in_machine_coordinates() -> None:
+    """After G28 the work coordinate follows from offsets that nobody gave."""
+    told = ["G43 H1", "G91 G28 Z0.", "G90", "G00 X0. Y0.", "G91"]
+    assert head_of(TWO_TOOLS, "O1:N30")[3:] == told
+    given = {"work_offsets": {"G54": {"Z": -300}, "G55": {"Z": -300}}, "length_offsets": {1: 100.0}}
+    assert head_of(TWO_TOOLS, "O1:N30", setup=given)[3:] == told
+    direct = TWO_TOOLS.replace("G91 G28 Z0", "G53 Z-10.")
+    assert "G53 G00 Z-10." in head_of(direct, "O1:N30")
+
+
+def test_a_place_under_offsets_that_nobody_gave_is_refused() -> None:
+    with pytest.raises(cncsub.ResumeError, match="X stands where a block under other offsets has"):
+        head_of(TWO_TOOLS, "O1:N34")
+    systems = {name: {"X": 1.0, "Y": 2.0, "Z": 3.0} for name in ("G54", "G55")}
+    given = {"work_offsets": systems, "length_offsets": {1: 100.0}}
+    assert "G00 X0. Y0." in head_of(TWO_TOOLS, "O1:N34", setup=given)
+
+
+@pytest.mark.parametrize(
+    ("control", "text", "at", "why"),
+    [
+        ("linuxcnc", "G54 G0 X0 Y0\nN20 G59.1\nN30 G43 H1 Z5\nN40 X1\nM2\n", "MAIN:N30", "no safe height"),
+        ("linuxcnc", "G54 G0 X0 Y0\nN20 G59.1\nN30 G43 H1 Z5\nN40 X1\nM2\n", "MAIN:N40", "X stands where a"),
+        ("haas-ngc", "O1\nN20 G154 P2 G0 X1. Y1.\nN30 G43 H3 Z1.\nN40 G28 G91 Z0\nN50 M30\n", "O1:N30", "no safe height"),
+    ],
+)  # fmt: skip
+def test_an_offset_that_a_setup_has_no_name_for_is_not_known(
+    control: str, text: str, at: str, why: str
+) -> None:
+    with pytest.raises(cncsub.ResumeError, match=why):
+        head_of(text, at, control)
+
+
+def test_a_place_that_was_reached_in_other_units_is_reached_in_them() -> None:
+    text = "O1\nN10 G21 G90 G0 X7. Y5. Z30.\nN20 G20\nN30 X1. Y1.\nN40 M30\n"
+    head = head_of(text, "O1:N30")
+    assert head[0].startswith("G21 ")
+    assert head[2:] == ["G00 Z30.", "G00 X7. Y5.", "G20"]
+
+
 # ---- axes ----
 
 
@@ -285,7 +338,7 @@ def test_a_refusal_names_the_cause_and_places_that_work() -> None:
     )
     with pytest.raises(cncsub.ResumeError, match="between the increments of the control") as error:
         head_of(text, "O1:N40")
-    assert "it can be started at O1 N60 or O1 N10" in error.value.reason
+    assert "it can be started at O1 N60 or O1 N20" in error.value.reason
 
 
 # ---- files ----

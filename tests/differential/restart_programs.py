@@ -8,6 +8,7 @@ A restart program is proved when it is made; what is refused is counted by its r
 from __future__ import annotations
 
 import argparse
+import dataclasses
 import re
 import sys
 from collections import Counter
@@ -18,7 +19,8 @@ from typing import Any
 import cncsub
 import o_words
 from cncsub.resume import ResumeError
-from cncsub.resume.start import given_setup, with_start
+from cncsub.resume.start import given_setup, systems_of, with_start
+from cncsub.setup import work_system
 from cncsub.testing.cases import Row
 from comparison import Comparison
 from flat_programs import (
@@ -51,7 +53,7 @@ class Restarts:
         fresh = library.machine(main, **{**options, "max_blocks": 0})
         given = given_setup(options).start
         start = {axis: at for axis, at in fresh.position.items() if axis not in given}
-        options = with_start(options, start)
+        options = _with_offsets(library, main, with_start(options, start))
         run = library.run(main, **options)
         if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES) or not len(run.steps):
             return
@@ -94,6 +96,25 @@ class Restarts:
             if shows:
                 lines.append("    " + self.shown[reason].replace("\n", "\n    "))
         return "\n".join(lines)
+
+
+def _with_offsets(
+    library: cncsub.Library, main: str | None, options: dict[str, Any]
+) -> dict[str, Any]:
+    """Return the options with a setup that gives all offsets, those that were not given as zero."""
+    setup = given_setup(options)
+    zero = dict.fromkeys(library.machine(main, **{**options, "max_blocks": 0}).position, 0.0)
+    given = {work_system("work", name): at for name, at in setup.work_offsets.items()}
+    systems = {name: {**zero, **given.get(name, {})} for name in systems_of(library)}
+    lengths = {**dict.fromkeys(range(1, 100), 0.0)}
+    for number in (*setup.length_offsets, *setup.tools):
+        lengths.pop(int(number), None)
+    changed = dataclasses.replace(
+        setup,
+        work_offsets={**given, **systems},
+        length_offsets={**lengths, **setup.length_offsets},
+    )
+    return {**options, "setup": changed}
 
 
 def _texts(library: cncsub.Library) -> str:

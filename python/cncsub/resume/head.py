@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.errors import ResumeError, place_text, refused
 from cncsub.resume.history import Before
-from cncsub.resume.start import Starts, given_setup, machine_coordinate
+from cncsub.resume.start import Known, Starts, given_setup, machine_coordinate
 from cncsub.resume.state import RestartState, group_of, roles_of
 
 if TYPE_CHECKING:
@@ -20,6 +20,8 @@ _DIGITS = 10  # of a value of `modal`: one that has as many may have more
 _NEAR = 1e-9  # mm
 _REACHED = 0.01  # mm: words of a head that have so many digits
 _ROTARY = "ABC"
+_HOME = (28, 30)
+_INCREMENTS = {"X": "U", "Y": "V", "Z": "W"}  # of a lathe
 _AIR = ("rapid", "dwell")  # the kinds of moves that do not cut
 _FEEDS = ("per-minute", "per-revolution")  # those that mean the same in another move
 _CUT = 100_000  # moves of one cut that are looked at
@@ -56,6 +58,7 @@ class Head:
         self._before = before
         self._setup = given_setup(options)
         self._shifted_first: set[str] = set()  # the axes whose place it has said at the start
+        self._references: dict[str, float | None] = {}
         self._commanded: set[str] = set()  # the axes that the head has moved
         self._options = {
             **options,
@@ -118,12 +121,13 @@ class Head:
 
     # ---- what stands in it, in its order ----
 
-    def modes_before_moves(self) -> None:
+    def modes_before_moves(self, *, units_late: bool) -> None:
         """Write units, plane and feed mode, cancel what bends a path, and choose absolute values
-        and the work offset.
+        and the work offset. `units_late`: the head moves in the units of power-on.
         """
         modal = self._state.modal
-        codes = [modal[name] for name in _WRITTEN if name in modal]
+        moving = {**modal, "units": self._power_on["units"]} if units_late else modal
+        codes = [moving[name] for name in _WRITTEN if name in modal]
         codes += [
             code
             for name in _CANCELLED
@@ -333,6 +337,13 @@ class Head:
         where the run began. Raises `ResumeError` where it has left that.
         """
         starts = self._starts
+        if not starts.stands_at_start(axis) and starts.offsets(axis) is Known.NEITHER:
+            raise refused(
+                f"{axis} stands where a block under other offsets has left it, and the setup does"
+                " not give these offsets: give them, or a place after a block that moves"
+                f" {axis} under the present ones",
+                self._state.block,
+            )
         if not starts.machine_depends(axis):
             return True
         if not starts.has_moved(axis):
@@ -411,6 +422,10 @@ class Head:
         """
         if not aim or (_near(self.now, aim) and set(aim) <= self._commanded):
             return True
+        of_machine = {a: at for a, at in aim.items() if self._is_of_machine(a, at)}
+        if of_machine:
+            others = {axis: at for axis, at in aim.items() if axis not in of_machine}
+            return self._go_in_machine(of_machine) and self._go(others, lead, tail)
         line = self._line_to(aim, lead)
         if tail:
             line = f"{line} {tail}"
@@ -418,6 +433,55 @@ class Head:
             return False
         self._commanded |= set(aim)
         return True
+
+    def _is_of_machine(self, axis: str, value: float) -> bool:
+        """Return whether only a machine coordinate leads where the run stands."""
+        known = self._starts.offsets(axis)
+        return known is Known.MACHINE or self._at_reference(axis, value)
+
+    def _at_reference(self, axis: str, value: float) -> bool:
+        """Return whether a block of the run has sent an axis to the reference point, it has not
+        moved since, and that is the machine coordinate asked for.
+        """
+        if axis not in self._references:
+            step = self._before.last_executed(lambda block: _goes_home(block, axis))
+            self._references[axis] = self._stays_since(axis, step)
+        there = self._references[axis]
+        return there is not None and abs(there - value) < _NEAR
+
+    def _stays_since(self, axis: str, step: int | None) -> float | None:
+        moves = self._machine.moves
+        if step is None or not len(moves):
+            return None
+        here = _at(moves[-1], axis)
+        for index in range(len(moves) - 1, -1, -1):
+            if abs(_at(moves[index], axis) - here) > _NEAR:
+                return None
+            if moves[index].step <= step:
+                return here
+        return here
+
+    def _go_in_machine(self, aim: dict[str, float]) -> bool:
+        """Move axes whose machine coordinate alone is known, as after G28: offsets that are not
+        given may be anything.
+        """
+        self._put_length_in_force()  # G28 may suspend it, as it has in the run
+        texts = " ".join(f"{axis}{self._text(axis, value)}" for axis, value in aim.items())
+        zeros = " ".join(f"{axis}0." for axis in aim)
+        home = [f"G91 G28 {zeros}", "G90"]
+        if self._lathe:
+            home = [f"G28 {' '.join(f'{_INCREMENTS.get(axis, axis)}0.' for axis in aim)}"]
+        direct = [f"G53 G00 {texts}"]
+        by_home = all(self._at_reference(axis, value) for axis, value in aim.items())
+        for lines in (home, direct) if by_home else (direct, home):
+            if self._add_where(lambda _: _near(self.now, aim), *lines):
+                self._commanded |= set(aim)
+                return True
+        raise refused(
+            f"{' and '.join(aim)} can only be given as a machine coordinate, which the head cannot"
+            " write here: give the offsets of work and tools in a setup, or another place",
+            self._state.block,
+        )
 
     def _line_to(self, aim: dict[str, float], lead: str) -> str:
         """Return the block that moves axes to machine coordinates: first with the words that the
@@ -701,6 +765,12 @@ def _settable(machine: Machine, number: int, value: float | None) -> bool:
     except (KeyError, ValueError):
         return False
     return True
+
+
+def _goes_home(block: Any, axis: str) -> bool:
+    words = block.words
+    goes = any(w.address == "G" and w.value in _HOME for w in words)
+    return goes and any(w.address in (axis, _INCREMENTS.get(axis)) for w in words)
 
 
 def _sets_clamp(block: Any) -> bool:

@@ -113,11 +113,13 @@ class Resume(NotPicklable):
 
 class Manner(NamedTuple):
     """How a head is made. `repeats`: with the block before the place, where it makes no move.
-    `bends_first`: rotation and the like come before the head moves across.
+    `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
+    moves in the units of power-on: the run may have come to the place in them.
     """
 
-    repeats: bool
-    bends_first: bool
+    repeats: bool = False
+    bends_first: bool = True
+    units_late: bool = False
 
 
 class _Work:
@@ -130,6 +132,7 @@ class _Work:
         at: Any,
         safe: float | None,
         options: dict[str, Any],
+        chosen: str = "",
     ) -> None:
         self.library, self.main, self.options = library, main, options
         self.whole = uninterrupted(library.run(main, **options))
@@ -143,16 +146,17 @@ class _Work:
         self.state = state_of(self.machine, block)
         self.before = Before(library, main, self.machine, options)
         self._refuse_compensation()
-        self.starts = Starts(library, main, options, self.whole, self.machine)
+        self.starts = Starts(library, main, options, self.whole, self.machine, chosen)
         self.safe = safe
         self.why_flat = ""
+        fresh = library.machine(main, **{**options, "max_blocks": 0})
+        self.power_on = dict(fresh.modal)
         self.height = self._height() if self._needs_height() else None
 
     def _needs_height(self) -> bool:
         """Return whether the head goes up before it moves other axes: not on a lathe."""
-        plane = self.library.machine(self.main, **{**self.options, "max_blocks": 0}).modal
         return (
-            plane.get("plane", "G18") != "G18"
+            self.power_on.get("plane", "G18") != "G18"
             and bool(len(self.machine.moves))
             and "Z" in self.state.position
             and any(
@@ -203,7 +207,7 @@ class _Work:
             return self
         start = self.starts.at_start["Z"] + self.height - self._machine_z()
         options = with_start(self.options, {"Z": start})
-        return _Work(self.library, self.main, at, None, options)
+        return _Work(self.library, self.main, at, None, options, "Z")
 
     def _refuse_compensation(self) -> None:
         """Refuse a start inside radius compensation: its path depends on the blocks before."""
@@ -229,7 +233,7 @@ class _Work:
     def head(self, order: Any, manner: Manner, *, data: bool) -> Head:
         """Return the head."""
         head = Head(self.library, self.machine, self.state, self.starts, self.before, self.options)
-        head.modes_before_moves()
+        head.modes_before_moves(units_late=manner.units_late)
         head.variables(commons=not data)
         head.tool()
         head.clamp()  # before the surface speed turns the spindle
@@ -289,8 +293,7 @@ class _Work:
         return "".join(f"\n{each}: start there, or after it is cancelled" for each in found)
 
     def _cancelled(self, name: str) -> str | None:
-        fresh = self.library.machine(self.main, **{**self.options, "max_blocks": 0})
-        return fresh.modal.get(name)
+        return self.power_on.get(name)
 
     def differs(
         self, head: Head, library: Library, main: str | None, *, variables: bool
@@ -446,7 +449,8 @@ class _Asked:
         work = _Work(self._library, self._main, place, self._height, self._options)
         work = work.begun_at_height(place)
         reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
-        for manner in _MANNERS:
+        in_units = work.state.modal.get("units") == work.power_on.get("units")
+        for manner in (m for m in _MANNERS if not (m.units_late and in_units)):
             for form in (_of_calls, _flat):
                 try:
                     return work, form(work, self._order, manner), []
@@ -480,8 +484,9 @@ _MOST_STEPS = 10_000  # of a run in which a place is looked for that works
 _FAR = (1, 2, 3, 5, 8, 13)  # steps from the one asked for
 # Tried in this order: the plain head first.
 _MANNERS = (
-    Manner(repeats=False, bends_first=True),
-    Manner(repeats=False, bends_first=False),
-    Manner(repeats=True, bends_first=True),
+    Manner(),
+    Manner(bends_first=False),
+    Manner(repeats=True),
     Manner(repeats=True, bends_first=False),
+    Manner(units_late=True),
 )

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import enum
 import itertools
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from cncsub.setup import Setup, setup_from, work_system
@@ -40,6 +41,24 @@ def machine_coordinate(move: Any, axis: str) -> float | None:
     return None if value is None else float(value)
 
 
+def _position_at(machine: Machine, step: int, axis: str) -> float:
+    """Return the work coordinate that an axis had at a step of a machine that has run."""
+    there = machine.copy()
+    there.core.remember()
+    there.back(step)
+    value: float = there.position[axis]
+    return value
+
+
+class Known(enum.Enum):
+    """In which coordinates the place of an axis is known, whatever the offsets are."""
+
+    BOTH = "both"
+    WORK = "work"
+    MACHINE = "machine"
+    NEITHER = "neither"
+
+
 class Starts:
     """Which axes stand at a place where the start of the run puts them. The run is made again with
     the axes elsewhere: what is the same then does not depend on the start.
@@ -52,9 +71,12 @@ class Starts:
         options: dict[str, Any],
         whole: Run,
         machine: Machine,
+        chosen: str = "",
     ) -> None:
+        self._chosen = chosen  # axes whose start is the place that a head gives them
         self._library, self._main, self._options = library, main, options
         self._whole, self._machine = whole, machine
+        self._shifted: tuple[Machine | None] | None = None  # the run with other offsets
         fresh = library.machine(main, **{**options, "max_blocks": 0})
         given = {axis.upper() for axis in given_setup(options).start}
         self.at_start = dict(fresh.position)
@@ -96,11 +118,8 @@ class Starts:
             return False
         if (other := self._others[axis]) is None:
             return True
-        there = other.copy()
-        there.core.remember()
-        there.back(self._machine.blocks)
-        apart: float = there.position[axis] - self._machine.position[axis]
-        return abs(apart) > _NEAR
+        here: float = self._machine.position[axis]
+        return abs(_position_at(other, self._machine.blocks, axis) - here) > _NEAR
 
     def says_where(self, axis: str) -> bool:
         """Return whether a block of the run says where an axis stands, and only the start of the
@@ -144,29 +163,66 @@ class Starts:
         values = np.asarray(moves.mz, float)
         count = len(self._machine.moves)
         place = machine_coordinate(self._machine.moves[count - 1], "Z") if count else 0.0
-        other = self._with(self._other_heights())
+        if self.stands_at_start("Z") and self.offsets("Z") is not Known.BOTH:
+            return None
+        other = self._with(self._other_offsets(["Z"], starts=True))
         if other is None:
             return None if self.machine_depends("Z") else place
         apart = np.asarray(other.moves.mz, float) - values
-        known = np.abs(apart) < _NEAR
-        if not self.stands_at_start("Z"):
-            known |= np.abs(apart - apart[count - 1]) < _NEAR
+        of_place = 0.0 if self.stands_at_start("Z") else apart[count - 1]
+        known = np.abs(apart - of_place) < _NEAR
         return float(values[known].max()) if known.any() else None
+
+    def offsets(self, axis: str) -> Known:
+        """Return in which coordinates the place of an axis is known: offsets of work and tools that
+        the setup does not give may be anything on a machine.
+        """
+        count = len(self._machine.moves)
+        if axis in self._chosen:
+            return Known.BOTH
+        if self._shifted is None:
+            axes = list(self._machine.position)
+            self._shifted = (self._with(self._other_offsets(axes, starts=False)),)
+        if (other := self._shifted[0]) is None or not count:
+            return Known.BOTH
+        here = machine_coordinate(self._machine.moves[count - 1], axis) or 0.0
+        there = machine_coordinate(other.moves[count - 1], axis) or 0.0
+        of_machine = there - here
+        of_work = _position_at(other, self._machine.blocks, axis) - self._machine.position[axis]
+        if abs(of_machine - of_work) < _NEAR and self._names_system():
+            return Known.BOTH
+        if abs(of_work) < _NEAR:
+            return Known.WORK
+        return Known.MACHINE if abs(of_machine) < _NEAR else Known.NEITHER
+
+    def _names_system(self) -> bool:
+        """Return whether a setup can give the work offset in force at the place, such as not G59.1
+        of LinuxCNC: what it is on the machine is not known.
+        """
+        name = self._machine.modal.get("work", _SYSTEMS[0])
+        _, numbered, number = name.partition(" P")
+        system = f"G54.1 P{number}" if numbered else name
+        return _has(self._library, system)
 
     def stands_at_start(self, axis: str) -> bool:
         """Return whether an axis stands where the run began, and that is not given."""
         return self.machine_depends(axis) and not self.has_moved(axis)
 
-    def _other_heights(self) -> dict[str, Any]:
-        """Return the options of the run with other values for all that the setup does not give."""
+    def _other_offsets(self, axes: Sequence[str], *, starts: bool) -> dict[str, Any]:
+        """Return the options of the run with other offsets, where the setup does not give them;
+        `starts`: with another start of Z, too.
+        """
         setup = given_setup(self._options)
         shifts = (_SHIFT * step for step in itertools.count(1))
         start = dict(setup.start)
-        if "Z" in self._open:
+        if starts and "Z" in self._open:
             start["Z"] = self.at_start.get("Z", 0.0) + next(shifts)
         given = {work_system("work", name): at for name, at in setup.work_offsets.items()}
-        systems: dict[str, Any] = {**{name: {} for name in self._systems()}, **given}
-        work = {name: {"Z": next(shifts), **values} for name, values in systems.items()}
+        systems: dict[str, Any] = {**{name: {} for name in systems_of(self._library)}, **given}
+        work = {
+            name: {**{axis: next(shifts) for axis in axes}, **values}
+            for name, values in systems.items()
+        }
         moves = self._whole.moves
         numbers = sorted({int(n) for name in ("h", "tool") for n in set(moves[name].tolist())})
         lengths = {n: next(shifts) for n in numbers if 0 < n < 10_000}
@@ -180,21 +236,25 @@ class Starts:
         )
         return {**self._options, "setup": changed}
 
-    def _systems(self) -> list[str]:
-        """Return the work offsets that the run may use, as far as the control has them."""
-        named = {*_SYSTEMS, self._machine.modal.get("work", "")}
-        for program in self._library.values():
-            for block in program.blocks:
-                named |= set(_systems_in(block))
-        return [name for name in sorted(named) if self._has(name)]
 
-    def _has(self, name: str) -> bool:
-        try:
-            system = work_system("work", name)
-            self._library.machine(self._main, setup=Setup(work_offsets={system: {"Z": 0}}))
-        except ValueError:
-            return False
-        return system == name
+def systems_of(library: Library) -> list[str]:
+    """Return the work offsets that programs may use, as far as the control has them."""
+    named = set(_SYSTEMS)
+    for program in library.values():
+        for block in program.blocks:
+            named |= set(_systems_in(block))
+    return [name for name in sorted(named) if _has(library, name)]
+
+
+def _has(library: Library, name: str) -> bool:
+    try:
+        system = work_system("work", name)
+        library.of_text("M30\n", library.control).machine(
+            setup=Setup(work_offsets={system: {"Z": 0}})
+        )
+    except ValueError:
+        return False
+    return system == name
 
 
 def _systems_in(block: Block) -> Iterator[str]:
@@ -203,7 +263,8 @@ def _systems_in(block: Block) -> Iterator[str]:
         if word.address == "G" and word.value is not None:
             code = f"{word.value:g}"
             yield f"G{code}"
-            yield from (f"G{code} P{w.value:g}" for w in words if w.address == "P" and w.value)
+            numbers = [f"{w.value:g}" for w in words if w.address == "P" and w.value]
+            yield from (f"G54.1 P{number}" for number in numbers)  # G154 P2 of a Haas, too
 
 
-__all__ = ["Starts", "given_setup", "machine_coordinate", "with_start"]
+__all__ = ["Known", "Starts", "given_setup", "machine_coordinate", "systems_of", "with_start"]
