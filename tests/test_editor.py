@@ -150,7 +150,7 @@ def told(line: int, word: str, text: str = TEXT, control: str = CONTROL) -> str:
 def test_a_code_is_told_with_its_rules_sources_and_alarms() -> None:
     text = told(3, "G65")
     assert "calls O2 as a macro" in text
-    assert "`max_macro_nesting` = 5 [general knowledge; inferred]" in text
+    assert "`max_macro_nesting` = 5 (general knowledge; inferred)" in text
     assert "PS0076: the called program is not in the control's memory" in text
     assert "`A` #1 DEPTH" in text  # what the macro reads, with its comments
 
@@ -159,6 +159,11 @@ def test_a_value_is_told_as_the_last_run_had_it() -> None:
     assert "in the last run: 1, 2, 3" in told(5, "#100")
     assert "in the last run: 6" in told(7, "X[")
     assert "3 times O3" in told(4, "P30003")
+
+
+def test_a_variable_that_can_only_be_written_hides_no_values() -> None:
+    text = "O1\n#100=5\nIF[#100GT9]GOTO30\nM30\nN30 #3000=1(NO)\nM30\n"
+    assert "in the last run: 5" in told(1, "#100", text)
 
 
 def test_a_word_of_the_language_is_told() -> None:
@@ -464,6 +469,22 @@ def job(folder: Path) -> Memories:
     (folder / "O1.nc").write_text("O1\nM98 P2\nM30\n")
     (folder / "O2.nc").write_text("O2\nM99\n")
     return Memories(folders=(str(folder),), settings=Settings(CONTROL))
+
+
+def test_a_wrong_setup_of_a_project_is_told_once_and_left_out(tmp_path: Path) -> None:
+    (tmp_path / "cncsub.toml").write_text('control = "fanuc-0i-f"\nsetup = "machine.toml"\n')
+    (tmp_path / "machine.toml").write_text("[nonsense]\nX = 1\n")
+    messages: list[str] = []
+    memories = Memories(tell=messages.append)
+    path = str(tmp_path / "a.nc")
+    for text in ("O1\n#100=5\nM30\n", "O1\n#100=6\nM30\n"):
+        memories.put(path, Document.of(text))
+        snap = memories.snapshot(path)
+        assert snap is not None
+        assert diagnostics(snap, path) == []
+        assert explaining.hover(snap, path, 1, 1) is not None
+    assert len(messages) == 1
+    assert "nonsense" in messages[0]
 
 
 def test_a_folder_is_one_memory_and_unsaved_text_counts(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ async function start() {
   if (library === undefined) return;
   const settings = vscode.workspace.getConfiguration("cncsub");
   const options = {
-    documentSelector: [{ language: LANGUAGE }],
+    documentSelector: [{ language: LANGUAGE }, { scheme: "file", pattern: "**/cncsub.toml" }],
     initializationOptions: {
       control: settings.get("control"),
       run: settings.get("run"),
@@ -38,7 +38,10 @@ async function start() {
       maxSeconds: settings.get("maxSeconds"),
       debug: true,
     },
-    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*") },
+    synchronize: {
+      configurationSection: "cncsub", // changed settings count at once
+      fileEvents: vscode.workspace.createFileSystemWatcher("**/*"),
+    },
   };
   client = new library.LanguageClient("cncsub", "cncsub", command("lsp"), options);
   await client.start();

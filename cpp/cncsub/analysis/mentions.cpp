@@ -42,6 +42,13 @@ Mention& MentionReader::add(Mention::Kind kind, TextPlace place) {
   mention.program = program_;
   mention.block = at_;
   mention.place = place;
+  if (at_ == kNowhere) return mention;
+  // What the block does not write, as an argument that is left out, is named by all of it.
+  const Block& block = code_.blocks[at_];
+  if (place.at < block.text || place.at > block.text + block.length) {
+    mention.place = {block.text, block.length};
+    mention.fixed = true;
+  }
   return mention;
 }
 

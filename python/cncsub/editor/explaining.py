@@ -105,7 +105,7 @@ def _code_lines(fact: dict[str, Any]) -> Iterator[str]:
     yield f"**{fact['code']}** on {on['control']}{machines}: {fact['does']}"
     if fact["words"]:
         yield "\n".join(f"- `{word['letters']}` {word['says']}" for word in fact["words"])
-    sources = [f"[{source['source']}; {source['evidence']}]" for source in on["sources"]]
+    sources = [f"({source['source']}; {source['evidence']})" for source in on["sources"]]
     if sources:
         yield " ".join(sources)
     if on["rules"]:
@@ -119,7 +119,7 @@ def _rule_line(rule: dict[str, Any]) -> str:
     value = rule["value"]
     said = ("yes" if value else "no") if isinstance(value, bool) else cut(str(value) or "none")
     example = f" ({rule['example']})" if rule["example"] else ""
-    source = f"[{cut(rule['source'])}; {rule['evidence']}]"
+    source = f"({cut(rule['source'])}; {rule['evidence']})"
     return f"- `{rule['name']}` = {said}{example} {source}"
 
 

@@ -148,7 +148,10 @@ def _written(code: _core.Code) -> list[int]:
     for data in _programs(code):
         for place in range(data.blocks):
             for number, _, computed, _, _ in _core.references(data, place)[3]:
-                if number is not None and not computed:
+                if number is None or computed:
+                    continue
+                facts = code.variable_facts(number)
+                if facts is not None and facts[1]:  # it can be read
                     found[number] = None
                     if len(found) == MOST_WATCHED:
                         return list(found)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,6 +13,7 @@ from cncsub import _core
 from cncsub._core import Control, Text, Texts
 from cncsub.cli.project import Project, project_beside
 from cncsub.editor.documents import Document, engine_text
+from cncsub.editor.last_run import options_of
 from cncsub.editor.snapshot import Snapshot
 from cncsub.files import Piece, Reading, StrPath, clean, read_paths, walk
 from cncsub.library import Library
@@ -186,6 +187,11 @@ class Memories:
             if path in shown - known
         ]
         code = _compiled(key.control, sources, device=project.external is not None)
+        try:
+            options_of(project)
+        except (OSError, ValueError) as error:
+            self._say(f"cncsub: {error}; programs run without it")
+            project = replace(project, places={})
         names = [name for name, _, _, outside in sources if not outside]
         documents = {path: self.documents[path] for path in self.documents if path in shown | known}
         closed = {name: text for name, _, text, _ in files.sources if name not in documents}

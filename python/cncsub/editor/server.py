@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import asyncio
+import functools
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
 from pygls.lsp.server import LanguageServer
@@ -19,7 +21,10 @@ from cncsub.editor.completing import codes_of
 from cncsub.editor.diagnostics import diagnostics
 from cncsub.editor.memory import Memories, Settings
 
+T = TypeVar("T")
+
 QUIET = 0.12  # seconds after the last key before the programs are checked
+QUIET_FOR_RUN = 1.0  # seconds after a check before a large document is run
 
 
 class _Protocol(LanguageServerProtocol):
@@ -51,6 +56,8 @@ class Server(LanguageServer):
         self.debugs = False  # whether the client has a command that debugs
         self.uris: dict[str, str] = {}  # how the client calls its documents, by path
         self._given = control
+        # One thread checks: of several each would keep the memory of a large document.
+        self._worker = ThreadPoolExecutor(1, "cncsub-check")
         self._pages: tempfile.TemporaryDirectory[str] | None = None
         self._checking: asyncio.Task[None] | None = None
 
@@ -101,20 +108,27 @@ class Server(LanguageServer):
         await asyncio.sleep(QUIET)
         for path in paths:
             document = self.memories.documents.get(path)
-            found = await asyncio.to_thread(self._diagnostics, path)
+            found = await self._apart(functools.partial(self._diagnostics, path))
             if document is not None and self.memories.documents.get(path) is document:
                 self.publish(path, found, document.version)
-        more = await asyncio.to_thread(lambda: self._run(paths[0]))
-        if more:
+        await self._apart(lambda: self._warm_up(paths[0]))
+        await asyncio.sleep(QUIET_FOR_RUN)  # the next key cancels the run before it begins
+        if await self._apart(lambda: self._run(paths[0])):
             self._refresh()
 
-    def _run(self, path: str) -> bool:
-        """Run a large document, and return whether an editor can be told more than before. The
-        list of codes is made here, too: the first completion does not wait for it.
-        """
+    async def _apart(self, work: Callable[[], T]) -> T:
+        """Return what some work returns that is done beside the answers to requests."""
+        return await asyncio.get_running_loop().run_in_executor(self._worker, work)
+
+    def _warm_up(self, path: str) -> None:
+        """Make the list of codes, for which the first completion then does not wait."""
         snap = self.memories.snapshot(path)
         if snap is not None:
             codes_of(snap.control)
+
+    def _run(self, path: str) -> bool:
+        """Run a large document, and return whether an editor can be told more than before."""
+        snap = self.memories.snapshot(path)
         if snap is None or snap.last_run(path) is not None:
             return False
         return snap.last_run(path, waits=True) is not None
