@@ -29,7 +29,7 @@ Control fanuc_0i_f() {
                        cite({k0iMd, kReg, kCncs, "the rest general knowledge"}), Inferred};
   c.macros.functions = {
       "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM MOD",
-      cite({kAli, "POW, ADP, PRM and MOD general knowledge"}), Inferred};
+      cite({kAli, "four more than it names: general knowledge"}), Inferred};
   c.macros.functions.tell("POW", cite({kAlm, "1120 names it"}), Secondary);
   domain_alarms(c, Cause::ArgumentOutOfRange);
 
