@@ -34,6 +34,51 @@ def test_a_program_runs_to_its_end(client: Client, row: Path) -> None:
     assert client.over()
 
 
+def test_blocks_are_typed_in_the_console(client: Client, row: Path) -> None:
+    client.launch(row, stopOnEntry=True)
+    client.ask("configurationDone")
+    client.event("stopped")
+    client.go("next")
+    typed = client.ask("evaluate", expression="G0 X5. Y3.", context="repl")
+    assert typed["result"] == "run as typed in MDI"
+    client.event("continued")
+    assert client.event("stopped")["description"] == "the typed blocks are executed"
+    assert client.values("position")["X"] == "5"
+    assert client.stack() == [("O1", 3)]
+    assert client.ask("evaluate", expression="#100=5", context="repl")["result"] == "5"
+    client.lines(row, 19)
+    client.ask("evaluate", expression="M98 P3", context="repl")
+    assert client.event("stopped")["reason"] == "breakpoint"
+    assert client.stack() == [("O3", 19), ("MDI", 1), ("O1", 3)]
+    client.go("stepBack")
+    client.go("stepBack")
+    assert client.values("position")["X"] == "0"
+    assert "nor is it a block" in client.refused("evaluate", expression="G0 X[", context="repl")
+    assert (
+        client.ask("evaluate", expression="explain G0", context="repl")["result"]
+        == "moves at rapid"
+    )
+    client.refused("evaluate", expression="G0 X1.", context="watch")
+
+
+def test_a_cancelled_request_leaves_the_others_alone(client: Client, row: Path) -> None:
+    client.launch(row, stopOnEntry=True)
+    done = client.send("configurationDone")
+    for _ in range(200):
+        client.send("cancel", requestId=10**9)  # none that waits
+    assert client.answer(done)["success"]
+    client.event("stopped")
+    moving = client.send("next", threadId=1)
+    for _ in range(50):
+        client.send("cancel", requestId=moving)
+    answer = client.answer(moving)
+    if answer["success"]:
+        assert client.event("stopped")["reason"] == "step"
+    else:
+        assert answer["message"] == "cancelled"
+    assert client.go("next")["reason"] == "step"
+
+
 def test_lines_pause_and_move_to_the_next_block(client: Client, row: Path) -> None:
     client.launch(row)
     placed = client.lines(row, 6, 99, {"line": 11, "condition": "#30 GE 2"})
@@ -146,7 +191,9 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
     ):  # fmt: skip
         body = client.ask("evaluate", expression=text, context=context, frameId=frames[0]["id"])
         assert body["result"] == result
-    assert client.ask("evaluate", expression="G81", context="repl")["result"].startswith("mill: ")
+    assert client.ask("evaluate", expression="explain G81", context="repl")["result"].startswith(
+        "mill: "
+    )
     assert client.refused("evaluate", expression="#99999", context="watch") == (
         "there is no #99999"
     )

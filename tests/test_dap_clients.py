@@ -93,7 +93,7 @@ def test_the_process_ends_with_a_client_that_vanishes(tmp_path: Path) -> None:
 def test_a_port_serves_several_clients_one_of_which_lies(row: Path) -> None:
     with listening() as (host, port):
         with socket.create_connection((host, port)) as liar:
-            liar.sendall(b"GET / HTTP/1.1\r\n\r\n")
+            liar.sendall(b"Content-Length: x\r\n\r\n")
             liar.settimeout(WAIT)
             while liar.recv(4096):
                 pass
@@ -103,6 +103,23 @@ def test_a_port_serves_several_clients_one_of_which_lies(row: Path) -> None:
                 client.begin(row)
                 client.ask("disconnect")
                 assert client.over()
+
+
+@pytest.mark.parametrize(
+    "first", [b"POST / HTTP/1.1\r\n", b"P", b"OPTIONS * HTTP/1.1\r\n", b"\r\n"]
+)
+def test_a_page_in_a_browser_gets_no_word(first: bytes) -> None:
+    message = b'{"seq":1,"type":"request","command":"initialize","arguments":{"adapterID":"x"}}'
+    body = b"Content-Length: %d\r\n\r\n%s" % (len(message), message)
+    with listening() as (host, port):
+        assert host == "127.0.0.1"
+        with socket.create_connection((host, port)) as page:
+            page.settimeout(WAIT)
+            page.sendall(first)
+            with contextlib.suppress(OSError):
+                page.sendall(body)
+            with contextlib.suppress(ConnectionError):
+                assert page.recv(4096) == b""
 
 
 def test_a_port_that_is_taken_is_told() -> None:

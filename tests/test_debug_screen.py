@@ -378,12 +378,27 @@ def test_the_line_of_the_cursor_is_made_the_next_block() -> None:
     drive(ROW, steps)
 
 
-def test_mdi_is_refused_by_name() -> None:
+def test_blocks_are_typed_where_the_program_stands_and_the_run_goes_on() -> None:
     async def steps(screen: Screen) -> None:
+        machine = screen.app.session.machine
+        await screen.press("n")
         await screen.press("m")
-        await screen.answer("G0 X5.")
+        await screen.answer("G0 X[")
         assert "mdi: " in screen.text
+        assert machine.blocks == 1
         await screen.press("escape")
+        await screen.press("m")
+        await screen.answer("G0 X5. Y3.")
+        assert "the typed blocks are executed" in screen.text
+        assert machine.position == {"X": 5, "Y": 3, "Z": 50}
+        assert machine.next.n == 20
+        screen.app.session.set_points("x", [PausePoint("O9100:N120")])
+        await screen.press("m")
+        await screen.answer("G65 P9100 K3.")
+        assert "N120 #31=#5001" in screen.text
+        assert "MDI" in screen.text
+        await screen.press("u", "u", "u", "u")
+        assert (machine.blocks, machine.position["X"]) == (0, 0)
 
     drive(ROW, steps)
 

@@ -150,14 +150,55 @@ def test_conditions_that_are_none_are_refused_with_their_place(machine: cncsub.M
     assert machine.blocks == 0
     with pytest.raises(ValueError, match="changes: "):
         machine.run(until="changes #100 #101")
-    for text in ("DEPTH>1", '"a"<<"b"', "R1+", ""):
+    for text in ("DEPTH>1", '"a"<<DEPTH', "R1+", ""):
         of_siemens = cncsub.loads("N10 M30\n", control="siemens-one").machine()
         with pytest.raises(ValueError, match="evaluate: "):
             of_siemens.evaluate(text)
     named = cncsub.loads("G0 X1\nM2\n", control="linuxcnc").machine()
-    with pytest.raises(ValueError, match="no variable of this name"):
+    with pytest.raises(ValueError, match="#<nobody> has no value"):
         named.evaluate("#<nobody>")
+    assert named.evaluate("exists[#<nobody>]") == 0
+    for value in ("nan", "inf", "-inf", "1e999"):
+        with pytest.raises(ValueError, match=f"'passes Z {value}' must name an axis"):
+            machine.run(until=f"passes Z {value}")
     error.match("T is not a function")
+
+
+def test_texts_and_frames_are_evaluated_and_watched() -> None:
+    text = 'DEF STRING[9] NAME="A"\nN10 $P_UIFR[1]=CTRANS(X,10,Y,2.5):CROT(Z,30)\nN20 NAME="B"<<1\nN30 M30\n'
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    assert machine.run(until="changes $P_UIFR[1]") is None
+    assert at(machine) == 20
+    assert machine.evaluate("$P_UIFR[1]") == "CTRANS(X,10,Y,2.5):CROT(Z,30)"
+    assert machine.evaluate("$P_UIFR[2]") == "CTRANS()"
+    assert machine.evaluate("$P_UIFR[1]:CTRANS(X,1)") != machine.evaluate("$P_UIFR[1]")
+    assert machine.evaluate('"a"<<"b"') == "ab"
+    assert machine.run(until="changes NAME") is None
+    assert (at(machine), machine.evaluate("NAME")) == (30, "B1")
+    machine.back("changes NAME")
+    assert machine.evaluate('NAME=="A"') == 1
+    assert machine.evaluate('NAME=="B"') == 0
+    for text in ("NAME", "$P_UIFR[1]", '"X"'):
+        with pytest.raises(ValueError, match="when: a condition is a number"):
+            machine.run(until=cncsub.Breakpoint("MAIN:N30", when=text))
+
+
+def test_a_text_that_the_run_made_equals_one_that_stands_in_no_program() -> None:
+    text = 'DEF STRING[9] NAME="A"\nN10 NAME=NAME<<"B"\nN20 NAME=NAME<<"C"\nN30 M30\n'
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    assert machine.run(until=cncsub.Breakpoint("MAIN:N30", when='NAME=="ABC"')) is None
+    machine.back(0)
+    assert machine.run(until='changes NAME=="AB"') is None
+    assert at(machine) == 20
+
+
+def test_a_variable_gets_its_first_value() -> None:
+    text = "#1=1\n#<first>=2\n#<_all>=[#<first>+1]\nN40 G0 X#<_all>\nM2\n"
+    machine = cncsub.loads(text, control="linuxcnc").machine()
+    told = []
+    while machine.run(until=["changes #<first>", "changes #<_all>", "changes #<nobody>"]) is None:
+        told.append((machine.reached[0].at, machine.next.line))  # type: ignore[union-attr]
+    assert told == [("changes #<first>", 3), ("changes #<_all>", 4)]
 
 
 def test_a_condition_without_a_value_stops_before_its_block() -> None:
@@ -424,7 +465,9 @@ def test_a_copy_goes_back_on_its_own() -> None:
 
 def test_a_name_that_cannot_be_set_is_refused_with_those_that_can(machine: cncsub.Machine) -> None:
     for name in ("next", "reached", "stop", "alarm", "blocks", "breakpoints", "variables"):
-        with pytest.raises(AttributeError, match=f"'{name}' of a machine cannot be set; what can"):
+        with pytest.raises(
+            AttributeError, match=f"'{name}' of a machine cannot be set.*; what can"
+        ):
             setattr(machine, name, 5)
     with pytest.raises(AttributeError, match="block_skip, optional_stop, and the values of"):
         machine.next = 5  # type: ignore[misc,assignment]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from typing import Any
 
 import pytest
@@ -323,9 +324,65 @@ def test_another_block_is_made_the_next_one(session: Session) -> None:
     assert at(session) == 130
 
 
-def test_what_the_engine_cannot_do_is_refused_by_name(session: Session) -> None:
-    with pytest.raises(NotImplementedError, match="mdi: "):
-        session.mdi("G0 X1.")
+def test_what_is_no_block_is_refused_by_name(session: Session) -> None:
+    with pytest.raises(ValueError, match="mdi: "):
+        session.mdi("G0 X[")
+
+
+def test_to_the_call_with_no_call_open_stays(session: Session) -> None:
+    session.into()
+    pause = session.back_to_call()
+    assert (pause.text, at(session)) == ("no call is open: the main program runs", 20)
+
+
+def test_locals_that_a_subprogram_inside_a_macro_changes_are_marked() -> None:
+    text = "O1\nN10 G65 P2 A1.\nN20 M30\nO2\nN30 M98 P3\nN40 M99\nO3\nN50 #1=5\nN60 M99\n"
+    session = Session(cncsub.loads(text, control="fanuc-0i-f"))
+    session.set_points("lines", [PausePoint("O3:N50")])
+    session.run()
+    session.into()
+    (level,) = [scope for scope in session.scopes() if scope.name == "locals of level 1"]
+    assert [(value.name, value.text, value.changed) for value in level.values] == [
+        ("#1 (A)", "5", True)
+    ]
+    session.into()
+    (level,) = [scope for scope in session.scopes() if scope.name == "locals of level 1"]
+    assert [value.changed for value in level.values] == [False]
+
+
+def test_a_condition_without_a_value_is_named(session: Session) -> None:
+    session.set_points("lines", [PausePoint("O1:N20", when="1/#140")])
+    assert session.run().text.startswith("the condition '1/#140' has no value here: ")
+
+
+def test_a_movement_back_and_a_search_are_paused() -> None:
+    text = "O1\nN10 #100=1\nN20 #1=#1+1\nN30 IF[#1 LT 400000]GOTO20\nN40 M30\n"
+    session = Session(cncsub.loads(text, control="fanuc-0i-f"), trace="blocks")
+    session.run()
+    blocks = session.machine.blocks
+    session.pause()  # for the next movement
+    pause = session.back_to("#100")
+    assert (pause.reason, pause.text) == (
+        Reason.PAUSE, "going back was paused; the machine stands where it stood",
+    )  # fmt: skip
+    assert session.machine.blocks == blocks
+    found: list[str] = []
+
+    def search() -> None:
+        try:
+            session.search("#100")
+        except InterruptedError as stopped:
+            found.append(str(stopped))
+
+    searching = threading.Thread(target=search)
+    searching.start()
+    while searching.is_alive() and not session.stop_search():
+        time.sleep(0.001)
+    searching.join(20)
+    assert found == ["the search was paused"]
+    session.tick()  # has no movement back end
+    assert session.back_to("#100").reason is Reason.STEP
+    assert session.machine.blocks == 0
 
 
 def test_a_point_at_the_first_block_counts_where_nobody_has_seen_it(session: Session) -> None:

@@ -309,7 +309,24 @@ def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
         assert [each.code for each in await found(client)] == ["CS201"]
         await client.end()
 
+    def page() -> bytes:
+        """Return what a page in a browser is told that sends a message to the port."""
+        message = b'{"jsonrpc":"2.0","id":1,"method":"initialize","params":{"capabilities":{}}}'
+        request = b"POST / HTTP/1.1\r\nContent-Length: %d\r\n\r\n%s" % (len(message), message)
+        for _ in range(100):
+            try:
+                with socket.create_connection(("127.0.0.1", port)) as connection:
+                    connection.settimeout(20)
+                    connection.sendall(request)
+                    return connection.recv(4096)
+            except ConnectionResetError:
+                return b""
+            except OSError:
+                time.sleep(0.1)
+        raise AssertionError("the server does not listen")
+
     try:
+        assert page() == b""
         asyncio.run(asyncio.wait_for(ask(), 60))
     finally:
         server.terminate()

@@ -80,30 +80,47 @@ py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expres
   return py::make_tuple(py::cast(after->reached()), faulty, paused);
 }
 
-/// Return the last step before the present one at which a breakpoint shows a block; -1: none.
-std::int64_t last_met(Live& live, const py::list& given, const ExpressionList& expressions) {
+/// Do work on the way back, which Ctrl-C stops, and another thread that wants a pause for good.
+/// Return whether such a thread did.
+template <class Job>
+bool work_back(Live& live, Job&& job) {
+  bool paused = false;
+  work_away([&](InterruptCheck& interrupt) {
+    std::forward<Job>(job)(std::function<bool()>([&] {
+      int asked = Live::kForGood;
+      paused = paused || live.pause.compare_exchange_strong(asked, Live::kNone);
+      return paused || interrupt.requested(kLook);
+    }));
+  });
+  return paused;
+}
+
+/// Return the last step before the present one at which a breakpoint shows a block; -1: none, and
+/// nothing where another thread wanted a pause.
+std::optional<std::int64_t> last_met(Live& live, const py::list& given,
+                                     const ExpressionList& expressions) {
   const Work machine(live);
   const auto list = breakpoints_of(given, machine->code(), expressions);
-  std::int64_t step = -1;
-  work_away([&](InterruptCheck& interrupt) {
-    step = machine->last_met(list, expressions, [&] { return interrupt.requested(kLook); });
+  std::optional<std::int64_t> step;
+  work_back(live, [&](const auto& interrupted) {
+    step = machine->last_met(list, expressions, interrupted);
   });
   return step;
 }
 
-void back(Live& live, std::int64_t step) {
+/// Go back. Return whether another thread stopped it.
+bool back(Live& live, std::int64_t step) {
   const Work machine(live);
   if (step < 0 || step > machine->blocks()) throw py::index_error("no such step");
   if (!machine->remembers()) throw py::value_error("the machine does not remember its way");
-  work_away([&](InterruptCheck& interrupt) {
-    machine->back(step, [&] { return interrupt.requested(kLook); });
-  });
+  return work_back(live, [&](const auto& interrupted) { machine->back(step, interrupted); });
 }
 
 /// Return the addresses of the blocks of a program with a sequence number, or on a line.
 std::vector<Address> blocks_at(const Live& live, std::int32_t program, std::int64_t n,
                                std::int64_t line) {
-  const Code& code = *live.code;
+  const auto held = live.code();
+  const Code& code = *held;
   const Program& of = code.programs.at(static_cast<std::size_t>(program));
   std::vector<Address> found;
   for (Address at = of.first; at < of.last; ++at)
@@ -122,7 +139,7 @@ py::object next_block(Live& live) {
 /// Compile expressions; return them, and of each the reason and the place why it is none.
 py::tuple expressions_of(const Live& live,
                          const std::vector<std::pair<std::string, std::int32_t>>& texts) {
-  ExpressionList list = compile_expressions(*live.code, texts);
+  ExpressionList list = compile_expressions(*live.code(), texts);
   py::list faults;
   for (const ExpressionList::One& one : list.list) {
     if (!one.fault) {
@@ -135,13 +152,23 @@ py::tuple expressions_of(const Live& live,
   return py::make_tuple(std::move(list), faults);
 }
 
+/// Return which expressions have a number as their value.
+std::vector<bool> are_numbers(const ExpressionList& expressions) {
+  std::vector<bool> numbers;
+  for (const ExpressionList::One& one : expressions.list)
+    numbers.push_back(one.type == ValueType::Number);
+  return numbers;
+}
+
 /// Return the value of an expression, or raise what it would be in a program.
 py::object evaluate(Live& live, const ExpressionList& expressions, std::size_t index) {
   const Look machine(live);
   double value = 0;
-  if (const auto alarm = machine->evaluate(expressions, expressions.list.at(index), value))
+  std::string text;
+  const ExpressionList::One& one = expressions.list.at(index);
+  if (const auto alarm = machine->evaluate(expressions, one, value, text))
     throw py::value_error(alarm->detail);
-  return value_or_none(value);
+  return one.type == ValueType::Number ? value_or_none(value) : py::object(py::str(text));
 }
 
 /// Return the first and the last block of the loops that a frame has open, the outermost first.
@@ -186,12 +213,13 @@ py::list open_frames(Live& live) {
 
 /// Return whether a variable is a clock or a date of the control.
 bool follows_time(const Live& live, std::int64_t number) {
-  return group_of(live.code->place(number).kind) == "clock";
+  return group_of(live.code()->place(number).kind) == "clock";
 }
 
 /// Return how the control assigns a value to a variable: #100=5, R100=5.
 std::string assignment(const Live& live, std::int64_t number, std::optional<double> value) {
-  const Code& code = *live.code;
+  const auto held = live.code();
+  const Code& code = *held;
   return std::string(code.spelling->variable) + std::to_string(number) + "=" +
          value_text(value.value_or(kVacant), code);
 }
@@ -203,7 +231,7 @@ void raise_refused(const std::optional<std::string>& refused) {
 
 void set_mode(Live& live, const std::string& mode, const std::string& text) {
   const Work machine(live);
-  raise_refused(machine->set_mode(compile_mdi(*live.code, text), mode));
+  raise_refused(machine->set_mode(compile_mdi(*live.code(), text), mode));
 }
 
 void set_named(Live& live, const std::string& name, const std::vector<NamedValue>& values,
@@ -214,9 +242,32 @@ void set_named(Live& live, const std::string& name, const std::vector<NamedValue
 }
 
 void set_next_block(Live& live, Address to) {
-  if (to >= live.code->blocks.size()) throw py::index_error("no such block");
+  if (to >= live.code()->blocks.size()) throw py::index_error("no such block");
   const Work machine(live);
   raise_refused(machine->set_next_block(to));
+}
+
+/// Make blocks that are typed in MDI those that run next. Return nothing where they do, or the
+/// reason why one of them is none with its column and width there.
+py::object type_in(Live& live, const std::string& text) {
+  const Work machine(live);
+  std::shared_ptr<const Code> with;
+  work_away([&](InterruptCheck& interrupt) {
+    with = compile_mdi(
+        machine->code(), text, [&] { return interrupt.requested(kLook); }, &machine->state().texts);
+  });
+  const Program& typed = with->programs.back();
+  for (Address at = typed.first; at < typed.last; ++at) {
+    const Block& block = with->blocks[at];
+    if (block.op != Op::Fault) continue;
+    const Alarm alarm = alarm_of(*with, at, with->faults[block.aux]);
+    return py::make_tuple(
+        alarm.detail.empty() ? std::string(info(alarm.cause).meaning) : alarm.detail, alarm.line,
+        alarm.column, alarm.width);
+  }
+  raise_refused(machine->type_in(std::move(with)));
+  live.got_more_code();
+  return py::none();
 }
 
 /// Return the numbers of the block-skip switches that are on, and whether M01 stops.
@@ -237,9 +288,11 @@ void set_switches(Live& live, const py::handle& on, bool stops) {
 }  // namespace
 
 void add_debugging(MachineClass& machine) {
-  py::class_<ExpressionList>(machine, "Expressions", py::is_final());
+  py::class_<ExpressionList>(machine, "Expressions", py::is_final())
+      .def_property_readonly("are_numbers", &are_numbers);
   machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
       .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
+      .def("type_in", &type_in, py::arg("text"))
       .def("set_next_block", &set_next_block, py::arg("address"))
       .def_property_readonly("switches", &switches)
       .def("set_switches", &set_switches, py::arg("on"), py::arg("stops"))

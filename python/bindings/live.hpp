@@ -2,12 +2,15 @@
 // it meanwhile gets an error instead of half a row; many may read one that is at rest.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "cncsub/machine/machine.hpp"
 #include "gil.hpp"
@@ -19,12 +22,34 @@ struct Live {
   explicit Live(Values&&... values) : machine(std::forward<Values>(values)...) {}
 
   Machine machine;
-  // Its code, which may be asked for while the machine is at work.
-  const std::shared_ptr<const Code> code = machine.shared_code();
   std::atomic<int> lookers = 0;  // how many read the machine; kAtWork: it changes
   static constexpr int kAtWork = -1;
-  // Another thread asked the run that is under way, or the next one, to pause.
-  std::atomic<bool> pause = false;
+  // Another thread asked the run that is under way, or the next one, to pause: for a moment, or for
+  // good. Going back is worth a pause for good only.
+  enum Pause : int { kNone, kMoment, kForGood };
+  std::atomic<int> pause = kNone;
+
+  /// Return its code, which may be asked for while the machine is at work.
+  std::shared_ptr<const Code> code() const {
+    const std::lock_guard lock(code_mutex_);
+    return code_;
+  }
+  /// Return whether it runs this code, or ran it before it got more.
+  bool has_run(const Code& code) const {
+    const std::lock_guard lock(code_mutex_);
+    const auto is_it = [&code](const auto& of) { return of.lock().get() == &code; };
+    return code_.get() == &code || std::any_of(earlier_.begin(), earlier_.end(), is_it);
+  }
+  /// Note that the machine, which is at work for the caller, has got more code.
+  void got_more_code() {
+    const std::lock_guard lock(code_mutex_);
+    earlier_.emplace_back(std::exchange(code_, machine.shared_code()));
+  }
+
+ private:
+  mutable std::mutex code_mutex_;
+  std::shared_ptr<const Code> code_ = machine.shared_code();
+  std::vector<std::weak_ptr<const Code>> earlier_;
 };
 
 /// Exclusive access to the machine, to change it.
@@ -78,7 +103,7 @@ bool with_signals(Live& live, Job&& job) {
   {
     GilRelease away;
     const auto interrupted = [&] {
-      if (live.pause.exchange(false)) return paused = true;
+      if (live.pause.exchange(Live::kNone) != Live::kNone) return paused = true;
       if (PyErr_CheckSignals() == 0) return false;
       if (PyErr_ExceptionMatches(PyExc_KeyboardInterrupt) != 0)
         PyErr_Clear();
@@ -100,12 +125,13 @@ void add_debugging(MachineClass& machine);
 class Record {
  public:
   explicit Record(std::shared_ptr<Live> live)
-      : code_(live->code), trace_(live, &live->machine.trace()), live_(std::move(live)) {}
+      : trace_(live, &live->machine.trace()), live_(std::move(live)) {}
   Record(std::shared_ptr<const Code> code, Trace trace)
       : code_(std::move(code)), trace_(std::make_shared<const Trace>(std::move(trace))) {}
 
-  const Code& code() const { return *code_; }
-  const std::shared_ptr<const Code>& shared_code() const { return code_; }
+  /// Return the code; that of a machine holds while it is read.
+  const Code& code() const { return *shared_code(); }
+  std::shared_ptr<const Code> shared_code() const { return live_ ? live_->code() : code_; }
   const Trace& trace() const { return *trace_; }
   /// Return the seconds of all moves.
   double time() const {
@@ -128,7 +154,7 @@ class Record {
   };
 
  private:
-  std::shared_ptr<const Code> code_;
+  std::shared_ptr<const Code> code_;  // of a part; that of a machine is asked for
   std::shared_ptr<const Trace> trace_;
   std::shared_ptr<Live> live_;
 };

@@ -224,7 +224,17 @@ void add_run(MachineClass& machine) {
       .def("run_blocks", &run_blocks, py::arg("blocks"))
       .def("step", &step, py::arg("row"))
       .def("copy", [](Live& live) { return std::make_shared<Live>(*Look(live)); })
-      .def("pause", [](Live& live) { live.pause = true; })
+      .def(
+          "pause",
+          [](Live& live, bool for_good) {
+            int none = Live::kNone;
+            if (for_good)
+              live.pause = Live::kForGood;
+            else
+              live.pause.compare_exchange_strong(none, Live::kMoment);
+          },
+          py::arg("for_good") = true)
+      .def("has_run", [](const Live& live, const Code& code) { return live.has_run(code); })
       .def("interrupt", [](Live& live) { Work(live)->interrupt(); })
       .def("take",
            [](Live& live) {
@@ -234,7 +244,7 @@ void add_run(MachineClass& machine) {
       .def_property_readonly("trace",
                              [](const std::shared_ptr<Live>& live) { return Record(live); })
       .def_property_readonly(
-          "code", [](const Live& live) { return std::const_pointer_cast<Code>(live.code); })
+          "code", [](const Live& live) { return std::const_pointer_cast<Code>(live.code()); })
       .def_property_readonly("stop", &stop_of)
       .def_property_readonly("waiting_for",
                              [](Live& live) { return Look(live)->state().waiting_for; })

@@ -310,8 +310,7 @@ void add_trace(py::module_& m) {
       .def("call_row", &call_row, py::arg("index"))
       .def("call_column", &call_column, py::arg("name"))
       .def("call_arguments", &call_arguments, py::arg("index"))
-      .def_property_readonly("kind_names",
-                             [](const Record&) { return names_to(CallKind::CallBlock); })
+      .def_property_readonly("kind_names", [](const Record&) { return names_to(CallKind::Typed); })
       .def_property_readonly("moves", size([](const Trace& trace) { return trace.moves.size(); }))
       .def("move_row", &move_row, py::arg("index"))
       .def("move_columns", &move_columns, py::arg("names"))

@@ -581,11 +581,18 @@ class Machine:
     """
     def run(self) -> bool:
         """Run on. Ctrl-C stops it as interrupted. Return whether `pause` did."""
-    def pause(self) -> None:
-        """Stop the run that another thread is at, or the next one, as Ctrl-C does."""
+    def pause(self, for_good: bool = True) -> None:
+        """Stop the run that another thread is at, or the next one, as Ctrl-C does; where it is not
+        `for_good`, not one that goes back.
+        """
+    def has_run(self, code: Code) -> bool:
+        """Return whether it runs this code, or ran it before something was typed in."""
     @final
     class Expressions:
         """Expressions that were compiled beside the programs."""
+
+        @property
+        def are_numbers(self) -> list[bool]: ...
 
     def expressions(
         self, texts: list[tuple[str, int]]
@@ -593,7 +600,7 @@ class Machine:
         """Compile expressions, each with the program whose variables it may name. Return them, and
         of each that is none why, with the column and the width of what is wrong.
         """
-    def evaluate(self, expressions: Expressions, index: int) -> float | None:
+    def evaluate(self, expressions: Expressions, index: int) -> float | str | None:
         """Return the value of one; a `ValueError` says why it has none."""
     def run_to(
         self, breakpoints: list[dict[str, Any]], expressions: Expressions
@@ -612,10 +619,18 @@ class Machine:
     def set_switches(self, on: list[int], stops: bool) -> None: ...
     def remember(self) -> None:
         """Keep snapshots from now on, for the way back."""
-    def back(self, step: int) -> None:
-        """Go back to when so many blocks were executed."""
-    def last_met(self, breakpoints: list[dict[str, Any]], expressions: Expressions) -> int:
-        """Return the last step before this at which one shows a block, -1 for none."""
+    def back(self, step: int) -> bool:
+        """Go back to when so many blocks were executed. Return whether `pause` stopped it: then the
+        machine stands where it stood.
+        """
+    def last_met(self, breakpoints: list[dict[str, Any]], expressions: Expressions) -> int | None:
+        """Return the last step before this at which one shows a block, -1 for none; `None` where
+        `pause` stopped the search.
+        """
+    def type_in(self, text: str) -> tuple[str, int, int, int] | None:
+        """Make blocks that are typed in MDI those that run next. Return what is wrong with one of
+        them: why, its line in the text, and the column and width there.
+        """
     @property
     def step_of_call(self) -> int: ...  # -1 where no call is open
     @property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -39,7 +40,7 @@ class Breakpoint:
     | `"return"`, `"return O2"` | after a program was left, at the block of the caller |
     | `"alarm"`, `"alarm 078"` | at an alarm, by its number or its cause |
     | `"M6"`, `"T3"`, `"S500"`, `"M"` | after a block that sent the code, or any M code |
-    | `"changes #100"` | after a block that changed the value of an expression |
+    | `"changes #100"` | after a block that changed the value of an expression, or gave it one |
     | `"passes Z -5"` | after a block whose moves end beyond Z-5 (mm) or at it, from either side |
     | `"mode distance"`, `"mode"` | after a block that changed the code of a group of `modal` |
 
@@ -108,8 +109,10 @@ class Compiled:
         rows = [*self.rows, *({"kind": "depth", "number": depth} for depth in depths)]
         return self._core.run_to(rows, self.expressions)
 
-    def last_met(self) -> int:
-        """Return the last step before this at which one was met, -1 for none."""
+    def last_met(self) -> int | None:
+        """Return the last step before this at which one was met, -1 for none, and `None` where
+        `pause` stopped the search.
+        """
         return self._core.last_met(self.rows, self.expressions)
 
     def _row(self, of: Breakpoint) -> dict[str, Any]:
@@ -128,7 +131,7 @@ class Compiled:
 
     def _place(self, at: Block | tuple[str | int, int]) -> dict[str, Any]:
         if isinstance(at, Block):
-            if at.program.data.code is not self._core.code:
+            if not self._core.has_run(at.program.data.code):
                 raise ValueError(f"{at!r} is a block of another library")
             return self._blocks(at.program.index, line=at.line)
         return self._numbered(at[0], int(at[1]))
@@ -177,7 +180,7 @@ class Compiled:
     def _axis(self, text: str) -> dict[str, Any]:
         axis, _, value = text.partition(" ")
         try:
-            if len(axis) == 1 and axis.upper() in AXES:
+            if len(axis) == 1 and axis.upper() in AXES and math.isfinite(float(value)):
                 return {"kind": "axis", "letter": axis.upper(), "value": float(value)}
         except ValueError:
             pass
@@ -288,6 +291,9 @@ def compiled(
                 f"{name}: {detail or 'this is no expression'}, on {core.code.control.name}\n"
                 f"  {text}\n  {caret}"
             )
+    for is_number, name, (text, _) in zip(expressions.are_numbers, what, cleaned, strict=True):
+        if name == "when" and not is_number:
+            raise ValueError(f"when: a condition is a number, and the value of {text!r} is none")
     return expressions
 
 

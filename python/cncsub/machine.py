@@ -10,6 +10,7 @@ from cncsub import _core
 from cncsub._core import Frame
 from cncsub.breakpoints import At, Breakpoint, Compiled, addresses_of, as_breakpoints
 from cncsub.breakpoints import compiled as compiled_expressions
+from cncsub.files import clean
 from cncsub.inputs import is_whole
 from cncsub.program import Block, Program
 from cncsub.run import Outcome, Run, Stop
@@ -42,10 +43,12 @@ class Machine(Outcome):
         self._reached: tuple[Breakpoint, ...] = ()
 
     def __setattr__(self, name: str, value: object) -> None:
-        if not name.startswith("_") and name not in _OWN and name not in _SETTABLE:
+        own = name in _OWN and name not in self.__dict__
+        if not name.startswith("_") and not own and name not in _SETTABLE:
+            cure = f" ({_INSTEAD[name]})" if name in _INSTEAD else ""
             raise AttributeError(
-                f"{name!r} of a machine cannot be set; what can be set: {', '.join(_SETTABLE)},"
-                f" and the values of {', '.join(_MAPPINGS)}"
+                f"{name!r} of a machine cannot be set{cure}; what can be set:"
+                f" {', '.join(_SETTABLE)}, and the values of {', '.join(_MAPPINGS)}"
             )
         object.__setattr__(self, name, value)
 
@@ -157,6 +160,9 @@ class Machine(Outcome):
         place, milliseconds even after ten million blocks; the search for a breakpoint that was not
         met for long runs the program again.
 
+        Blocks that were typed by `mdi` at the step are gone there. Ctrl-C stops going back, and
+        `pause` does so with an `InterruptedError`; the machine stays where it is then.
+
         Raises `ValueError` where there is nothing to go back to (the machine stays where it is) and
         what `run` raises for a wrong place.
 
@@ -171,7 +177,8 @@ class Machine(Outcome):
         >>> places
         [(30, 7.0, 2), (10, None, 0), (10, None, 0)]
         """
-        self.core.back(self._step_of(to))
+        if self.core.back(self._step_of(to)):
+            raise _interrupted()
         self._reached = ()
 
     def _step_of(self, to: int | At | Breakpoint | None) -> int:
@@ -192,10 +199,13 @@ class Machine(Outcome):
         if isinstance(to, str) and _VARIABLE.match(to) and not _EVENT.match(to):
             to = f"changes {to}"
         breakpoints = as_breakpoints(to)
-        if (step := Compiled(self.core, breakpoints).last_met()) < 0:
+        last = Compiled(self.core, breakpoints).last_met()
+        if last is None:
+            raise _interrupted()
+        if last < 0:
             what = " or ".join(repr(each.at) for each in breakpoints)
             raise ValueError(f"to: {what} was not met in the {blocks} blocks before")
-        return step
+        return last
 
     def goto(self, at: At) -> None:
         """Make another block of the program that runs the next one. Nothing is executed; variables,
@@ -234,9 +244,38 @@ class Machine(Outcome):
         self.core.set_next_block((own or found)[0])
         self._reached = ()
 
-    def evaluate(self, expression: str) -> float | None:
+    def mdi(self, text: str) -> None:
+        """Execute blocks typed in MDI, in the present state: modes, offsets, the locals of the
+        present level. After them the machine stands where it stood. What they call is executed too.
+        Their blocks are steps of a program `MDI`, and `back` goes over them like over others; it
+        executes them again on the way to a later step.
+
+        The machine stops in them where a program would: at an alarm, at an input that is not given,
+        by `pause`. Text typed after an alarm in a typed block takes the place of that block.
+
+        Raises `TypeError` for what is no text, and `ValueError` for what is no block of the control
+        (nothing is executed then), for a program with a head, for the definition of a variable, and
+        where the program has ended.
+
+        >>> import cncsub
+        >>> text = "O1\\nN10 G91 G0 X5.\\nN20 X5.\\nN30 M30\\nO2\\nG90 X#100 Z1.\\nM99\\n"
+        >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
+        >>> machine.run(until="O1:N20")
+        >>> machine.mdi("#100=20")
+        >>> machine.mdi("M98 P2")
+        >>> machine.position["X"], machine.next.n, machine.blocks
+        (20.0, 20, 5)
+        >>> machine.back(1)
+        >>> machine.position["X"], machine.variables[100], machine.next.n
+        (5.0, None, 20)
+        """
+        type_in(self.core, text)
+        self._run_to([], len(self.stack) - 1)
+
+    def evaluate(self, expression: str) -> float | str | None:
         """Return the value of an expression in the language of the control, in the present state,
-        which stays as it is: `None` is the vacant value, a condition is 1 or 0.
+        which stays as it is: `None` is the vacant value, a condition is 1 or 0, a text, an axis and
+        a frame are texts.
 
         Raises `TypeError` for what is no text, and `ValueError` for what is no expression of the
         control or has no value.
@@ -346,9 +385,36 @@ class Machine(Outcome):
         return f"<Machine: {self.summary()}, next block {where}, line {line}>"
 
 
+def type_in(core: _core.Machine, text: str) -> None:
+    """Make blocks typed in MDI those that run next. Raises what `Machine.mdi` raises."""
+    if not isinstance(text, str):
+        raise TypeError(f"mdi must be the text that was typed, not {type(text).__name__}")
+    typed = clean(text)
+    fault = core.type_in(typed)
+    if fault is None:
+        return
+    detail, line, column, width = fault
+    told = (typed.splitlines() or [""])[line - 1 : line]
+    caret = " " * max(0, column - 1) + "^" * max(1, width)
+    shown = "".join(f"\n  {each}\n  {caret}" for each in told)
+    raise ValueError(f"mdi: {detail}, on {core.code.control.name}{shown}")
+
+
+def _interrupted() -> InterruptedError:
+    return InterruptedError("going back was paused; the machine stands where it stood")
+
+
 # What a machine holds itself, what can be set of it by name, and what holds values to be set.
 _OWN = frozenset({"core", "recorded"})
 _SETTABLE = ("block_skip", "optional_stop")
+_INSTEAD = {
+    "next": "goto makes another block the next one",
+    "position": "mdi moves the tool: machine.mdi('G0 X5.')",
+    "stop": "back takes it away",
+    "alarm": "back takes it away",
+    "stack": "mdi calls a program, back leaves it",
+    "waiting_for": "set the input that it waits for",
+}
 _MAPPINGS = ("variables", "variables.named", "signals", "modal")
 _VARIABLE = re.compile(r"\s*(#|R\d|\$|[A-Za-z_]\w*\s*$)")
 _EVENT = re.compile(r"\s*(alarm|return|mode|[MTS]\d*)\s*$")

@@ -242,8 +242,8 @@ class Position(_ByName):
 
     def __setitem__(self, name: str, value: Any) -> None:
         raise TypeError(
-            "the position follows from the moves and cannot be set: change the block that moves,"
-            " or set a work offset among the variables"
+            "the position follows from the moves and cannot be set: move there with"
+            " machine.mdi('G0 X5.'), or set a work offset among the variables"
         )
 
 

@@ -31,9 +31,10 @@ enum class CallKind : std::uint8_t {
   TCode,
   SCode,
   BCode,
-  Ascii,     // a letter whose every code calls
-  Repeat,    // REPEAT LABEL: a part of the own program
-  CallBlock  // CALL BLOCK FIRST TO LAST
+  Ascii,      // a letter whose every code calls
+  Repeat,     // REPEAT LABEL: a part of the own program
+  CallBlock,  // CALL BLOCK FIRST TO LAST
+  Typed       // a text typed in MDI while a program stands between two blocks
 };
 /// Return the name under which a kind is shown: M98, G66.1, T-code.
 std::string_view to_string(CallKind kind);
@@ -46,6 +47,7 @@ inline bool is_macro(CallKind kind, CodeCallKind code) {
     case CallKind::Named:
     case CallKind::Repeat:
     case CallKind::CallBlock:
+    case CallKind::Typed:
       return false;
     case CallKind::Macro:
     case CallKind::Modal:

@@ -150,9 +150,9 @@ std::string_view Code::comment_of(const Program& program) const {
 }
 
 std::string_view to_string(CallKind kind) {
-  static constexpr std::array<std::string_view, 16> kNames{
-      "M98",    "M198",   "M97",    "O",      "call",   "G65",   "G66",    "G66.1",
-      "G-code", "M-code", "T-code", "S-code", "B-code", "ASCII", "REPEAT", "BLOCK"};
+  static constexpr std::array<std::string_view, 17> kNames{
+      "M98",    "M198",   "M97",    "O",      "call",  "G65",    "G66",   "G66.1", "G-code",
+      "M-code", "T-code", "S-code", "B-code", "ASCII", "REPEAT", "BLOCK", "MDI"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

@@ -10,12 +10,16 @@
 
 namespace cncsub {
 
+/// What the value of an expression is.
+enum class ValueType : std::uint8_t { Number, Text, Axis, Frame };
+
 /// Expressions that were compiled beside the programs of a library.
 struct ExpressionList {
   struct One {
     std::uint32_t expression = 0;  // of `code`
-    Address block = 0;             // where its text stands
-    std::optional<Fault> fault;    // why the text is no expression
+    ValueType type = ValueType::Number;
+    Address block = 0;           // where its text stands
+    std::optional<Fault> fault;  // why the text is no expression
   };
 
   std::shared_ptr<const Code> code;  // the programs, and one more that holds the texts

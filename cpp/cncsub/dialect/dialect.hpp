@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cncsub/code/builder.hpp"
+#include "cncsub/code/expression_list.hpp"
 #include "cncsub/text/words.hpp"
 
 namespace cncsub {
@@ -70,7 +71,7 @@ struct Dialect {
   FileReader (*reader)(Builder& to);
   /// Compile an expression, a condition or a value; a fault says why the text is none.
   std::optional<Fault> (*read_expression)(Builder& to, const ExpressionText& text,
-                                          std::uint32_t& expression);
+                                          std::uint32_t& expression, ValueType& type);
   /// The words of a block as they are written.
   ReadWord read_word;
   /// The same reader for pieces; null if the language is not read in pieces.
@@ -90,15 +91,15 @@ struct Dialect {
 const Dialect* find_dialect(std::string_view name);
 
 // The build writes the list from the names of the folders. Each folder holds these functions.
-#define DIALECT(folder)                                                             \
-  extern const Spelling folder##_spelling;                                          \
-  extern const std::string_view folder##_rules;                                     \
-  extern const std::span<const WordUse> folder##_word_uses;                         \
-  std::vector<Keyword> folder##_keywords(const Control&);                           \
-  FileReader folder##_reader(Builder& to);                                          \
-  std::optional<Fault> folder##_expression(Builder& to, const ExpressionText& text, \
-                                           std::uint32_t& expression);              \
-  extern PieceReader (*const folder##_pieces)(Builder & to);                        \
+#define DIALECT(folder)                                                                 \
+  extern const Spelling folder##_spelling;                                              \
+  extern const std::string_view folder##_rules;                                         \
+  extern const std::span<const WordUse> folder##_word_uses;                             \
+  std::vector<Keyword> folder##_keywords(const Control&);                               \
+  FileReader folder##_reader(Builder& to);                                              \
+  std::optional<Fault> folder##_expression(Builder& to, const ExpressionText& text,     \
+                                           std::uint32_t& expression, ValueType& type); \
+  extern PieceReader (*const folder##_pieces)(Builder & to);                            \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"
 #undef DIALECT

@@ -296,8 +296,15 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
 }
 
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
-                                        const std::function<bool()>& interrupted) {
-  auto with = std::make_shared<Code>(code);
+                                        const std::function<bool()>& interrupted,
+                                        const Texts* made) {
+  const auto copied = [&] {
+    auto copy = std::make_shared<Code>(code);
+    for (std::size_t i = 0; made != nullptr && i < made->size(); ++i)
+      copy->texts.number_of(made->at(i));
+    return copy;
+  };
+  auto with = copied();
   std::size_t programs = with->programs.size();
   std::optional<Reading> reading(std::in_place, *with, interrupted);
   std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
@@ -305,7 +312,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   if (const auto names = reading->read_system_programs(); !names.empty()) {
     // The typed text is the last program, so what it calls is read before it.
     reading.reset();
-    with = std::make_shared<Code>(code);
+    with = copied();
     reading.emplace(*with, interrupted);
     reading->read_system_programs(names);
     programs = with->programs.size();
@@ -315,6 +322,7 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   // A text typed in MDI is no program of the memory: it is not registered, and nothing finds it.
   reading->resolve_calls(programs);
   resolve_codes(*with);
+  with->blocks.back().skip |= Block::kPartEnd;  // it may be typed in the middle of a run
   if (!reading->interrupted(0)) return with;
   free_aside(std::move(with), {});
   return nullptr;
@@ -331,16 +339,13 @@ std::optional<Fault> adds_to(const Code& code, const Code& with, std::uint32_t a
   if (with.locals != code.locals || with.commons != code.commons || with.elements != code.elements)
     return refused("the programs have no variable of this name");
   if (with.texts.size() != code.texts.size())
-    return refused("a text that stands in none of the programs is not computed here");
+    return refused("it makes a text of constants, which stands in none of the programs");
   return std::nullopt;
 }
 
-}  // namespace
-
-ExpressionList compile_expressions(const Code& code,
-                                   const std::vector<std::pair<std::string, std::int32_t>>& texts) {
-  if (texts.empty()) return {};
-  auto with = std::make_shared<Code>(code);
+/// Read expressions into a code of their own.
+ExpressionList read_expressions(std::shared_ptr<Code> with,
+                                const std::vector<std::pair<std::string, std::int32_t>>& texts) {
   InterruptCheck never;
   Builder to(*with, never);
   std::string all = "\n";
@@ -350,7 +355,7 @@ ExpressionList compile_expressions(const Code& code,
   holder.line = 1;
   with->files.push_back({"expression", "expression", FileText(all), false});
   const std::string_view file = with->files.back().text.view();
-  const Dialect& dialect = dialect_of(*code.control);
+  const Dialect& dialect = dialect_of(*with->control);
   to.begin_program(holder);
   ExpressionList compiled;
   Block block;
@@ -362,13 +367,39 @@ ExpressionList compile_expressions(const Code& code,
     one.block = to.next_address();
     one.fault = dialect.read_expression(
         to, {file.substr(block.text, text.size()), holder.file, block.text, program},
-        one.expression);
-    if (!one.fault) one.fault = adds_to(code, *with, block.text);
+        one.expression, one.type);
     to.append(block);
     block.text += static_cast<std::uint32_t>(text.size() + 1);
   }
   to.end_program(block.text, block.line + 1);
   compiled.code = std::move(with);
+  return compiled;
+}
+
+/// Return the code with the names that another one has more, each as the local #0, which is vacant:
+/// what no program names nobody has set.
+std::shared_ptr<Code> with_vacant_names(const Code& code, const Code& more) {
+  auto with = std::make_shared<Code>(code);
+  with->named_variables = more.named_variables;
+  with->named_places = more.named_places;
+  for (std::size_t i = code.named_variables.size(); i < with->named_variables.size(); ++i) {
+    with->named_variables[i].common = false;
+    with->named_variables[i].index = 0;
+  }
+  return with;
+}
+
+}  // namespace
+
+ExpressionList compile_expressions(const Code& code,
+                                   const std::vector<std::pair<std::string, std::int32_t>>& texts) {
+  if (texts.empty()) return {};
+  ExpressionList compiled = read_expressions(std::make_shared<Code>(code), texts);
+  if (compiled.code->named_variables.size() > code.named_variables.size())
+    compiled = read_expressions(with_vacant_names(code, *compiled.code), texts);
+  for (ExpressionList::One& one : compiled.list)
+    if (!one.fault)
+      one.fault = adds_to(code, *compiled.code, compiled.code->blocks[one.block].text);
   return compiled;
 }
 

@@ -24,9 +24,11 @@ std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     const std::function<bool()>& interrupted = {},
                                     const Sharing& sharing = {}, bool general_only = false);
 
-/// Return the same library with one more program at its end: the text typed in MDI.
+/// Return the same library with one more program at its end: the text typed in MDI. `made`: texts
+/// that a run of the library has made, which keep their numbers.
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
-                                        const std::function<bool()>& interrupted = {});
+                                        const std::function<bool()>& interrupted = {},
+                                        const Texts* made = nullptr);
 
 /// Compile expressions of the library's language, conditions or values, each with the program whose
 /// variables it may name. One that is none has a fault.

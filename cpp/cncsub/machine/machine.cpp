@@ -6,11 +6,14 @@
 #include "cncsub/machine/run/aside.hpp"
 #include "cncsub/machine/run/next_block.hpp"
 #include "cncsub/machine/run/run.hpp"
+#include "cncsub/machine/run/typed_text.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
+#include "cncsub/machine/values/frames.hpp"
 #include "cncsub/machine/values/variables.hpp"
 #include "cncsub/machine/values/watch.hpp"
 #include "cncsub/motion/state/values.hpp"
+#include "cncsub/text/axis_names.hpp"
 
 namespace cncsub {
 
@@ -56,6 +59,7 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
   frame.program = main;
   frame.restart = program.first;
   frame.modal_limit = 1 << 20;
+  frame.typed = given.mdi;
   s.frames.push_back(frame);
   set_own_parameters(run_);
   for (const auto& [number, value] : given.variables) write_variable(run_, number, value);
@@ -69,7 +73,9 @@ Machine::Machine(std::shared_ptr<const Code> code, std::int32_t main, Options op
 
 bool Machine::step(const std::function<bool()>& interrupted) {
   if (history_) history_->note(run_);
-  return run_one(run_, interrupted);
+  const bool executed = run_one(run_, interrupted);
+  leave_typed(run_);
+  return executed;
 }
 
 namespace {
@@ -115,10 +121,11 @@ bool Machine::back(std::int64_t step, const std::function<bool()>& interrupted) 
   return history_ && history_->back(run_, step, interrupted);
 }
 
-std::int64_t Machine::last_met(const std::vector<Breakpoint>& list,
-                               const ExpressionList& expressions,
-                               const std::function<bool()>& interrupted) const {
-  return history_ ? history_->last_met(run_, list, expressions, interrupted) : -1;
+std::optional<std::int64_t> Machine::last_met(const std::vector<Breakpoint>& list,
+                                              const ExpressionList& expressions,
+                                              const std::function<bool()>& interrupted) const {
+  if (!history_) return -1;
+  return history_->last_met(run_, list, expressions, interrupted);
 }
 
 std::int64_t Machine::step_of_call() const {
@@ -137,9 +144,14 @@ Address Machine::next_block() const {
 }
 
 std::optional<Alarm> Machine::evaluate(const ExpressionList& list, const ExpressionList::One& one,
-                                       double& value) const {
+                                       double& value, std::string& text) const {
   Run probe = run_;
-  return evaluate_aside(probe, list, one, value);
+  auto fault = evaluate_aside(probe, list, one, value);
+  if (fault) return fault;
+  if (one.type == ValueType::Text) text = text_of(probe, value);
+  if (one.type == ValueType::Axis) text = axis_letter(value);
+  if (one.type == ValueType::Frame) text = written(frame_of(probe, value));
+  return std::nullopt;
 }
 
 void Machine::change(const std::function<void(Run&)>& now, const std::function<void(Run&)>& again) {
@@ -262,6 +274,18 @@ std::optional<std::string> Machine::set_next_block(Address to) {
   if (!refused && history_)
     history_->edited(run_, pc, [to](Run& run) { cncsub::set_next_block(run, to); });
   return refused;
+}
+
+std::optional<std::string> Machine::type_in(std::shared_ptr<const Code> with) {
+  if (auto refused = refused_text(run_, *with)) return refused;
+  const auto program = static_cast<std::int32_t>(with->programs.size() - 1);
+  const Address pc = run_.state.pc;
+  const bool drops = run_.state.stop == Stop::Alarm && run_.frame().typed;
+  run_.extend(std::move(with));
+  if (history_)
+    history_->edited(run_, pc, [=](Run& run) { enter_typed(run, program, drops); }, true);
+  enter_typed(run_, program, drops);
+  return std::nullopt;
 }
 
 void Machine::set_switches(std::uint16_t skips, bool optional_stop) {

@@ -49,12 +49,14 @@ class Machine {
   void remember();
   bool remembers() const { return history_.has_value(); }
   /// Go back to when so many blocks were executed, 0 to `blocks`; what was set from outside after
-  /// that is forgotten, what was set before is set again. Return false where `interrupted` ended
-  /// it, at an earlier block.
+  /// that is forgotten, what was set before is set again, and blocks that were typed in at the step
+  /// are not there. Return false where `interrupted` stopped it: it stands where it stood then.
   bool back(std::int64_t step, const std::function<bool()>& interrupted);
-  /// Return the last step before the present one at which the breakpoints show a block; -1: none.
-  std::int64_t last_met(const std::vector<Breakpoint>& list, const ExpressionList& expressions,
-                        const std::function<bool()>& interrupted) const;
+  /// Return the last step before the present one at which the breakpoints show a block; -1: none;
+  /// nothing: `interrupted` stopped the search.
+  std::optional<std::int64_t> last_met(const std::vector<Breakpoint>& list,
+                                       const ExpressionList& expressions,
+                                       const std::function<bool()>& interrupted) const;
   /// Return what it remembers; null where it remembers nothing.
   const History* history() const { return history_ ? &*history_ : nullptr; }
   /// Return the step of the block that opened the innermost call; -1 where none is open, or calls
@@ -64,9 +66,10 @@ class Machine {
   /// Return the block about to be executed, past those that the block-skip switches skip; kNowhere
   /// where the program has ended.
   Address next_block() const;
-  /// Evaluate an expression in the present state, which stays as it is.
+  /// Evaluate an expression in the present state, which stays as it is. `text`: the value of one
+  /// that is no number, as it is written.
   std::optional<Alarm> evaluate(const ExpressionList& list, const ExpressionList::One& one,
-                                double& value) const;
+                                double& value, std::string& text) const;
 
   /// Tell `observer` what each block does from now on, until there is none (null). It is to be
   /// emptied before each block.
@@ -127,6 +130,10 @@ class Machine {
   /// Make another block of the program that runs the next one: see next_block.hpp. Return why it
   /// cannot be.
   std::optional<std::string> set_next_block(Address to);
+  /// Go on with the blocks that were typed in MDI, the last program of a library that is this one
+  /// with more at its end (see `compile_mdi`); after them the run goes on where it stands. Return
+  /// why it cannot.
+  std::optional<std::string> type_in(std::shared_ptr<const Code> with);
   /// Set the block-skip switches, a bit each, and whether M01 stops.
   void set_switches(std::uint16_t skips, bool optional_stop);
   const Options& options() const { return run_.options; }

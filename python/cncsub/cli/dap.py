@@ -13,6 +13,7 @@ import typer
 
 from cncsub import dap as protocol
 from cncsub.cli.options import WrongUseError, wrong_use
+from cncsub.cli.ports import speaks_protocol
 from cncsub.cli.sessions import session_of
 from cncsub.debugging import Session
 from cncsub.system import protocol_output
@@ -63,8 +64,11 @@ def _serve_clients(listening: socket.socket) -> None:
 
 def _serve_client(client: socket.socket, free: threading.Semaphore) -> None:
     try:
-        with client, client.makefile("rb") as reads, client.makefile("wb") as writes:
-            protocol.serve(reads, writes, make_session)
+        with client:
+            if not speaks_protocol(client):
+                return
+            with client.makefile("rb") as reads, client.makefile("wb") as writes:
+                protocol.serve(reads, writes, make_session)
     except OSError:
         pass  # the client is gone
     finally:

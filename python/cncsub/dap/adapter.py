@@ -66,7 +66,10 @@ class Adapter:
         self._waiting: queue.Queue[_Request | None] = queue.Queue(_MOST_WAITING)
         self._later: list[Callable[[], None]] = []  # done after the answer
         self._postponed: list[_Request] = []  # until the movement has ended
-        self._cancelled: set[int] = set()
+        self._cancelling = threading.Lock()  # of the three below
+        self._begun: int | None = None  # the request that is carried out
+        self._open: set[int] = set()  # requests that wait for an answer
+        self._cancelled: set[int] = set()  # those of them that are to be refused
         self._progress = ""
         self._ids = 0
         self._closed = threading.Event()
@@ -144,8 +147,10 @@ class Adapter:
                 raise RequestError(f"{command[:60]} is not supported")
             request = _Request(seq, command, Arguments(given), handler, threading.Event())
             if handler.at_once:
-                self._carry_out(request)
+                self._answer_at_once(request)
                 return
+            with self._cancelling:
+                self._open.add(seq)
             self._waiting.put(request)
             if self.moving and self.session is not None:
                 self.session.tick()
@@ -197,12 +202,30 @@ class Adapter:
         self._later.clear()
         request.done.set()
 
+    def _answer_at_once(self, request: _Request) -> None:
+        """Answer one request in the thread that reads, while the other one may carry out another:
+        what that one does after its answer is no business of this.
+        """
+        try:
+            self._check(request)
+            body = request.handler.answer(self, request.arguments)
+        except RequestError as error:
+            self._refuse(request.seq, request.command, str(error))
+        else:
+            self._answer(request, body)
+
     def _body_for(self, request: _Request) -> dict[str, Any] | None:
-        if request.seq in self._cancelled:
-            self._cancelled.discard(request.seq)
-            raise RequestError("cancelled")
-        self._check(request)
-        return request.handler.answer(self, request.arguments)
+        with self._cancelling:
+            self._open.discard(request.seq)
+            if request.seq in self._cancelled:
+                self._cancelled.discard(request.seq)
+                raise RequestError("cancelled")
+            self._begun = request.seq
+        try:
+            self._check(request)
+            return request.handler.answer(self, request.arguments)
+        finally:
+            self._begun = None
 
     def _check(self, request: _Request) -> None:
         if not self.initialized and request.command not in ("initialize", "disconnect"):
@@ -257,8 +280,11 @@ class Adapter:
             self.session.pause()
 
     def cancel(self, request: int | None, progress: str | None) -> None:
-        if request is not None and len(self._cancelled) < _MOST_WAITING:
-            self._cancelled.add(request)
+        with self._cancelling:
+            if request in self._open:  # nobody has begun with it
+                self._cancelled.add(request)
+            elif request == self._begun and self.session is not None:
+                self.session.stop_search()
         if progress is not None and progress == self._progress:
             self.pause()
 

@@ -18,7 +18,7 @@ def set_breakpoints(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     """Place the breakpoints of one file."""
     session = adapter.running()
     asked = arguments.table("source")
-    file = known_file(session.library.code, asked)
+    file = known_file(session.machine.core.code, asked)
     if (path := asked.text("path", "")) and file in session.library.files:
         adapter.paths[file] = path
     rows = arguments.tables("breakpoints")

@@ -13,6 +13,7 @@ from cncsub.debugging import Output
 from cncsub.debugging.points import programs_of
 from cncsub.program import Block, Program, block_at
 
+_OF_PROGRAM = 1 << 24  # the reference of the first program: below it are those of files
 _MOST_TARGETS = 100  # blocks on one line
 
 
@@ -27,13 +28,15 @@ def source_named(adapter: Adapter, file: str, program: int = -1) -> dict[str, An
     """
     if file in adapter.paths:
         return {"name": Path(file).name, "path": adapter.paths[file]}
-    if Path(file).is_file():
-        return {"name": Path(file).name, "path": str(Path(file).absolute())}
     code = adapter.running().library.code
+    typed = program >= len(code)
+    if not typed and Path(file).is_file():
+        return {"name": Path(file).name, "path": str(Path(file).absolute())}
     names = [name for name, *_ in code.sources]
-    if file in names:
+    if file in names and not typed:
         return {"name": file, "sourceReference": names.index(file) + 1}
-    return {"name": file, "sourceReference": len(names) + program + 1, "origin": "the control"}
+    origin = "typed in MDI" if typed else "the control"
+    return {"name": file, "sourceReference": _OF_PROGRAM + program, "origin": origin}
 
 
 def file_of(source: Arguments) -> str:
@@ -70,7 +73,7 @@ def _referred(code: _core.Code, reference: int) -> tuple[str, str] | None:
     if reference <= len(sources):
         name, _, text, _ = sources[reference - 1]
         return name, text.decode("utf-8", "replace")
-    if (index := reference - len(sources) - 1) < len(code):
+    if 0 <= (index := reference - _OF_PROGRAM) < len(code):
         program = code.program(index)
         return program.file, program.text
     return None
@@ -78,7 +81,7 @@ def _referred(code: _core.Code, reference: int) -> tuple[str, str] | None:
 
 def source(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:
     """Answer with the text of a file of the library, and of no other."""
-    code = adapter.running().library.code
+    code = adapter.running().machine.core.code
     asked = arguments.table("source", {})
     reference = arguments.number("sourceReference", 0) or asked.number("sourceReference", 0)
     if found := _referred(code, reference):

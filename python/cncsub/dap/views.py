@@ -10,7 +10,7 @@ from cncsub.dap.adapter import Adapter
 from cncsub.dap.arguments import Arguments, RequestError
 from cncsub.dap.sources import source_of
 from cncsub.dap.stops import THREAD
-from cncsub.debugging import StackFrame, Value
+from cncsub.debugging import Session, StackFrame, Value
 
 MOST_REFERENCES = 100_000  # to scopes and arrays, at one pause
 
@@ -189,8 +189,9 @@ def _result(text: str) -> dict[str, Any]:
 
 
 def _command(adapter: Adapter, text: str, frame: int) -> str:
-    """Carry out what is typed into the console: `NAME=VALUE` sets, `search NAME` tells who wrote,
-    everything else is a value or is explained.
+    """Carry out what is typed into the console: `search NAME` tells who wrote, `explain WORD` what
+    is known of it, `NAME=VALUE` sets, an expression is evaluated, and everything else is run as a
+    block typed in MDI.
     """
     session = adapter.running()
     word, _, rest = text.partition(" ")
@@ -202,17 +203,34 @@ def _command(adapter: Adapter, text: str, frame: int) -> str:
             for each in found
         ]
         return "\n".join(lines) or f"no block wrote {rest.strip()}"
+    if word == "explain" and rest.strip():
+        return session.hover(rest, frame) or f"nothing is known of {rest.strip()[:60]!r}"
     name, equals, value = text.partition("=")
-    if equals and not value.startswith("=") and name[-1:] not in ("<", ">", "!"):
-        told = session.set(name.strip(), value.strip(), frame)
-        _invalidated(adapter)
-        return told
     try:
-        return session.evaluate(text, frame)
-    except (KeyError, ValueError):
-        if told := session.hover(text, frame):
+        if equals and not value.startswith("=") and name[-1:] not in ("<", ">", "!"):
+            told = session.set(name.strip(), value.strip(), frame)
+            _invalidated(adapter)
             return told
-        raise
+        return session.evaluate(text, frame)
+    except (KeyError, ValueError) as error:
+        return _typed(adapter, text, frame, error)
+
+
+def _typed(adapter: Adapter, text: str, frame: int, error: Exception) -> str:
+    """Run what is no expression as a block typed in MDI; `error` says why it is none."""
+    session = adapter.started_session()
+    if frame:
+        raise error
+    try:
+        session.type_in(text)
+    except ValueError as refused:
+        told = f"{error.args[0]}\nnor is it a block that can be run here: {refused.args[0]}"
+        raise ValueError(told) from None
+    adapter.after_answer(
+        lambda: adapter.event("continued", {"threadId": THREAD, "allThreadsContinued": True})
+    )
+    adapter.move(Session.run_typed)
+    return "run as typed in MDI"
 
 
 def completions(adapter: Adapter, arguments: Arguments) -> dict[str, Any]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from cncsub.machine import Machine
 from cncsub.number_text import number_text
-from cncsub.program import Block
+from cncsub.program import Block, block_at
 from cncsub.tables.rows import Call
 
 
@@ -44,7 +44,7 @@ class StackFrame:
 
 def frames_of(machine: Machine) -> list[StackFrame]:
     """Return the programs that run, the innermost first."""
-    open_, calls = machine.stack, open_calls(machine)[::-1]
+    core, open_, calls = machine.core, machine.stack, open_calls(machine)[::-1]
     frames = []
     block = here(machine)
     for place, (entered, call) in enumerate(zip(open_, calls, strict=False)):
@@ -55,7 +55,10 @@ def frames_of(machine: Machine) -> list[StackFrame]:
                 place, entered.called, block, entered.kind, *passes, given, call.call, call.level
             )
         )
-        block = machine.steps[call.caller_step].block
+        if call.kind == "MDI":  # it was typed before a block, and no block called it
+            block = block_at(core.code, core.open_frames[len(open_) - place]["return_to"])
+        else:
+            block = machine.steps[call.caller_step].block
     name = open_[-1].program if open_ else "" if block is None else block.program.name
     return [*frames, StackFrame(len(frames), name, block)]
 
@@ -98,4 +101,4 @@ def open_calls(machine: Machine) -> list[Call]:
     while newest is not None:
         chain.append(newest)
         newest = None if newest.parent is None else table[newest.parent]
-    return chain[::-1]
+    return chain[::-1][:depth]  # a typed text that was given up is no more open

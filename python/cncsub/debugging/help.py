@@ -79,13 +79,15 @@ def completions(
     return [each for name, each in found.items() if name.upper().startswith(begun)]
 
 
-def search(machine: Machine, what: str, most: int = 20) -> Iterator[Written]:
+def search(past: Machine, what: str, most: int = 20) -> Iterator[Written]:
     """Yield the blocks that gave an expression another value, the last one first, over all blocks
-    that were executed. `ValueError` for what is no expression.
+    that were executed. The machine, which goes back, is a copy. `ValueError` for what is no
+    expression; `InterruptedError` where `pause` of the copy stops it.
     """
-    past = machine.copy()
     for _ in range(most):
         step = Compiled(past.core, [Breakpoint(f"changes {what}")]).last_met()
+        if step is None:
+            raise InterruptedError("the search was paused")
         if step < 0:
             return
         past.back(step)

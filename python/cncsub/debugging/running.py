@@ -36,7 +36,9 @@ def run_to(
     fault = ""
     if faulty is not None:
         place, detail = faulty
-        fault = f"the condition {breakpoints[place].when!r} has no value here: {detail}"
+        at = breakpoints[place]
+        what = f"the condition {at.when!r}" if at.when is not None else repr(at.at)
+        fault = f"{what} has no value here: {detail}"
     met = [armed[i] for i in reached if i < len(armed)]
     return Met(met, any(i >= len(armed) for i in reached), fault, paused)
 

@@ -77,14 +77,14 @@ class StateFacts:
 
     def remember(self, frames: list[StackFrame]) -> None:
         """Compare with the present state from now on."""
-        self._before = dict(self._facts(frames))
+        self._before = dict(self._facts(frames, frames))
 
     def scopes(self, frames: list[StackFrame], frame: StackFrame) -> list[Scope]:
         """Return what a program that runs sees, in groups; groups without values are left out."""
         groups: dict[str, list[Value]] = {}
         before = self._before
-        defined = self._machine.core.named_variables()
-        for key, value in self._facts([frame]):
+        defined = self._machine.core.named_variables(frame.level)
+        for key, value in self._facts([frame], frames):
             group, call, name = key
             changed = before is not None and self._was_open(call, frames) and (
                 key not in before or before[key] != value
@@ -99,8 +99,11 @@ class StateFacts:
 
     # ---- the facts ----
 
-    def _facts(self, frames: list[StackFrame]) -> Iterator[tuple[tuple[str, int, str], Any]]:
-        for frame in frames:
+    def _facts(
+        self, shown: list[StackFrame], frames: list[StackFrame]
+    ) -> Iterator[tuple[tuple[str, int, str], Any]]:
+        """Yield what some of the programs that run see."""
+        for frame in shown:
             opener = level_opener(frame, frames)
             yield from self._numbered(frame, opener)
             for name, value in self._machine.core.named_variables(frame.level).items():
@@ -157,7 +160,7 @@ class StateFacts:
     def _of_control(self) -> Iterator[tuple[tuple[str, int, str], Any]]:
         """Yield the variables of the control itself that a program of the library names."""
         if self._system is None:
-            self._system = tuple(_system_variables(self._machine.core.code))
+            self._system = tuple(_system_variables(self._machine.core))
         variables, sign = self._machine.variables, self._machine.core.code.variable_sign
         for number, group in self._system:
             try:
@@ -238,15 +241,20 @@ def _named(code: _core.Code, program: int) -> _Named:
     return _Named(sorted(numbers), written)
 
 
-def _system_variables(code: _core.Code) -> Iterator[tuple[int, str]]:
-    """Yield the variables of the control that the programs name, with their groups."""
+def _system_variables(core: _core.Machine) -> Iterator[tuple[int, str]]:
+    """Yield the variables of the control that the programs name, with their groups; those that no
+    program can name by a number are left out.
+    """
+    code = core.code
     found: set[int] = set()
     left = _MOST_BLOCKS
     for program in range(len(code)):
         if (left := left - code.program(program).blocks) < 0:
             break
         found.update(_named(code, program).numbers)
-    for number in sorted(found):
-        facts = code.variable_facts(number)
+    numbers = sorted(found)
+    _, faults = core.expressions([(f"{code.variable_sign}{number}", 0) for number in numbers])
+    for number, fault in zip(numbers, faults, strict=True):
+        facts = None if fault is not None else code.variable_facts(number)
         if facts is not None and facts[1] and facts[0] not in ("locals", "commons"):
             yield number, facts[0]

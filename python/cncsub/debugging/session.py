@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import NoReturn, Unpack
+from typing import Unpack
 
 from cncsub.breakpoints import At
 from cncsub.debugging import help as helping
@@ -21,7 +21,7 @@ from cncsub.debugging.points import (
 from cncsub.debugging.running import name_of, run_to, standing_at, step_over_back
 from cncsub.debugging.scopes import Scope, StateFacts
 from cncsub.library import Library
-from cncsub.machine import Machine
+from cncsub.machine import Machine, type_in
 from cncsub.program import Block
 from cncsub.run import Stop
 from cncsub.run_options import RunOptions
@@ -71,6 +71,7 @@ class Session:
         self._told = 0  # of the messages
         self._facts = StateFacts(self.machine)
         self._asked, self._ticked = threading.Event(), threading.Event()
+        self._searching: Machine | None = None  # a copy that looks for something in the past
         self.at = Pause(Reason.ENTRY, "before the first block")
 
     # ---- where it stands ----
@@ -150,7 +151,10 @@ class Session:
         before = self.machine.blocks
         pause = self._go(depth - 1, "before the return")
         if pause.reason in (Reason.STEP, Reason.END) and self.machine.blocks > before + 1:
-            self._go_back(self.machine.blocks - 1)
+            try:
+                self._go_back(self.machine.blocks - 1)
+            except InterruptedError as stopped:
+                return self._stayed(stopped)
             return self._paused(Reason.STEP, "before the return", output=pause.output)
         return pause
 
@@ -163,18 +167,26 @@ class Session:
         return self._go(None, "")
 
     def pause(self) -> None:
-        """Make the movement that another thread is at come to an end soon. It returns a `Pause` of
-        the reason `PAUSE`.
+        """Make the movement or the search that another thread is at come to an end soon. It returns
+        a `Pause` of the reason `PAUSE`, or raises `InterruptedError`.
         """
-        self._asked.set()
-        self.machine.pause()
+        if not self.stop_search():
+            self._asked.set()
+            self.machine.pause()
+
+    def stop_search(self) -> bool:
+        """Make a search that another thread is at come to an end. Return whether there was one."""
+        if (searching := self._searching) is None:
+            return False
+        searching.pause()
+        return True
 
     def tick(self) -> None:
         """Have the movement that another thread is at write its messages, tell its `progress` and
         go on.
         """
         self._ticked.set()
-        self.machine.pause()
+        self.machine.core.pause(False)
 
     # ---- back ----
 
@@ -189,9 +201,11 @@ class Session:
         return self._back_to(step_over_back(self.machine), "one block back")
 
     def back_to_call(self) -> Pause:
-        """Go back to the block that called the program that runs; of the main program, to its
-        head.
+        """Go back to the block that called the program that runs. The main program stays where it
+        is.
         """
+        if not self.machine.stack:
+            return self._paused(Reason.STEP, "no call is open: the main program runs")
         return self._back_to(max(0, self.machine.core.step_of_call), "before the call")
 
     def reverse(self) -> Pause:
@@ -201,11 +215,16 @@ class Session:
         self._remember()
         here = self.machine.blocks
         at_event = any(each.block is None for each in self.at.breakpoints)
-        if not self._reversed() or (
-            at_event and self.machine.blocks == here - 1 and not self._reversed()
-        ):
-            self._go_back(0)
-            return self._paused(Reason.ENTRY, "no breakpoint before: at the head of the program")
+        try:
+            if not self._reversed() or (
+                at_event and self.machine.blocks == here - 1 and not self._reversed()
+            ):
+                self._go_back(0)
+                return self._paused(
+                    Reason.ENTRY, "no breakpoint before: at the head of the program"
+                )
+        except InterruptedError as stopped:
+            return self._stayed(stopped)
         return self._paused(Reason.BREAKPOINT, "back at the breakpoint met last")
 
     def _reversed(self) -> bool:
@@ -225,7 +244,10 @@ class Session:
         place. Raises what it raises.
         """
         self._remember()
-        self.machine.back(to)
+        try:
+            self.machine.back(to)
+        except InterruptedError as stopped:
+            return self._stayed(stopped)
         self._went_back()
         return self._paused(Reason.STEP, f"back at step {self.machine.blocks}")
 
@@ -259,9 +281,14 @@ class Session:
 
     def search(self, what: str, most: int = 20) -> list[helping.Written]:
         """Return the blocks that gave a variable or an expression another value, the last one
-        first. Raises `ValueError` for what is no expression.
+        first. Raises `ValueError` for what is no expression, and `InterruptedError` where `pause`
+        stops it.
         """
-        return list(helping.search(self.machine, what, most))
+        self._searching = self.machine.copy()
+        try:
+            return list(helping.search(self._searching, what, most))
+        finally:
+            self._searching = None
 
     def goto(self, to: At) -> Pause:
         """Make another block of the program that runs the next one, without running what lies
@@ -271,15 +298,22 @@ class Session:
         self.machine.goto(to)
         return self._paused(Reason.GOTO, "made the next block")
 
-    # ---- what the engine cannot do ----
+    # ---- blocks that are typed ----
 
-    def mdi(self, text: str) -> NoReturn:
-        """Run a typed block in the present state. Raises `NotImplementedError`: the engine
-        cannot.
+    def mdi(self, text: str) -> Pause:
+        """Run blocks typed in MDI in the present state, and what they call, to a breakpoint in it
+        or to their end. Raises what `Machine.mdi` raises.
         """
-        raise NotImplementedError(
-            f"mdi: {text!r} cannot be run in the middle of a program; set a variable or a mode"
-        )
+        self.type_in(text)
+        return self.run_typed()
+
+    def type_in(self, text: str) -> None:
+        """Make typed blocks those that run next. Raises what `Machine.mdi` raises."""
+        type_in(self.machine.core, text)
+
+    def run_typed(self) -> Pause:
+        """Run the blocks that were typed in."""
+        return self._go(len(self.machine.stack) - 1, "the typed blocks are executed")
 
     # ---- how it moves ----
 
@@ -377,12 +411,18 @@ class Session:
         self._remember()
         if self.machine.blocks == 0 and self.machine.stop is None:
             return self._paused(Reason.ENTRY, "at the head of the program")
-        self._go_back(max(0, step))
+        try:
+            self._go_back(max(0, step))
+        except InterruptedError as stopped:
+            return self._stayed(stopped)
         return self._paused(Reason.STEP if step > 0 else Reason.ENTRY, words)
 
     def _go_back(self, step: int) -> None:
         self.machine.back(step)
         self._went_back()
+
+    def _stayed(self, stopped: InterruptedError) -> Pause:
+        return self._paused(Reason.PAUSE, str(stopped.args[0]))
 
     def _went_back(self) -> None:
         self._told = len(self.machine.messages)

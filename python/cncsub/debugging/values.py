@@ -69,7 +69,10 @@ def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
 def _number(machine: Machine, text: str) -> float | None:
     if text.strip().lower() in _VACANT:
         return None
-    return machine.evaluate(text)
+    value = machine.evaluate(text)
+    if isinstance(value, str):
+        raise ValueError(f"{text!r} is no number")
+    return value
 
 
 def _typed(machine: Machine, text: str, held: object) -> object:
@@ -80,7 +83,7 @@ def _typed(machine: Machine, text: str, held: object) -> object:
         return [_typed(machine, each, first) for each in inner.split(",")]
     if isinstance(held, str):
         return text.strip().removeprefix('"').removesuffix('"')
-    number = machine.evaluate(text)
+    number = _number(machine, text)
     if number is None:
         raise ValueError("a variable with a name is never vacant: give a value")
     return number

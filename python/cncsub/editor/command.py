@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import socket
 import sys
 from typing import Annotated
 
 import typer
 
-from cncsub.cli.options import ControlName, of_extra
+from cncsub.cli.options import ControlName, WrongUseError, of_extra
+from cncsub.cli.ports import speaks_protocol
 from cncsub.system import protocol_output
 
 
@@ -30,4 +32,23 @@ def lsp(
         with protocol_output() as output:
             server.start_io(sys.stdin.buffer, output)
     else:
-        server.start_tcp("127.0.0.1", port)
+        with (
+            _client(port) as client,
+            client.makefile("rb") as reads,
+            client.makefile("wb") as writes,
+        ):
+            server.start_io(reads, writes)
+
+
+def _client(port: int) -> socket.socket:
+    """Return the first one that speaks the protocol, of those that connect on this computer."""
+    try:
+        listening = socket.create_server(("127.0.0.1", port))
+    except OSError as error:
+        raise WrongUseError(f"--port {port}: {error}") from None
+    with listening:
+        while True:
+            client, _ = listening.accept()
+            if speaks_protocol(client):
+                return client
+            client.close()

@@ -128,7 +128,8 @@ def computed_words(block: Block) -> list[tuple[int, str]]:
 
 def _value(machine: Machine, expression: str) -> float | None:
     try:
-        return machine.evaluate(expression)
+        value = machine.evaluate(expression)
+        return None if isinstance(value, str) else value
     except (KeyError, ValueError):
         return None
 

@@ -69,6 +69,7 @@ class DebugApp(App[None]):
         self.moving = ""  # what is being done, in words; empty at rest
         self._began, self._ran, self._left = 0.0, 0, False
         self._ticking: Timer | None = None
+        self._foot_is_of_moving = False  # the foot of the screen shows what may be done meanwhile
         self._written: deque[Output] = deque(maxlen=_MOST_WRITTEN)
         self._lines = 0  # that were written since they were shown
         session.output = self._on_output
@@ -130,7 +131,6 @@ class DebugApp(App[None]):
     def _begin(self, words: str) -> None:
         self.moving, self._began, self._ran = words, time.monotonic(), 0
         self._ticking = self.set_interval(_TICK, self._tick)
-        self.refresh_bindings()
 
     def _moves(self, movement: Callable[[], object]) -> None:
         def moves() -> str:
@@ -144,7 +144,9 @@ class DebugApp(App[None]):
         if self._ticking is not None:
             self._ticking.stop()
         self.moving = ""
-        self.refresh_bindings()
+        if self._foot_is_of_moving:
+            self._foot_is_of_moving = False
+            self.refresh_bindings()
         self._write_output()
         if self._left:
             self.exit()
@@ -159,6 +161,9 @@ class DebugApp(App[None]):
             self.tell(event.fault, wrong=True)
 
     def _tick(self) -> None:
+        if not self._foot_is_of_moving:  # a step is over before anybody reads the foot
+            self._foot_is_of_moving = True
+            self.refresh_bindings()
         self.session.tick()
         self._write_output()
         seconds = time.monotonic() - self._began

@@ -28,7 +28,7 @@ def answered(put: Callable[[], str], *, closes: bool = True) -> Answer:
     """Return what came out of something that may be refused."""
     try:
         return Answer(put(), closes)
-    except (KeyError, NotImplementedError, TypeError, ValueError) as error:
+    except (InterruptedError, KeyError, TypeError, ValueError) as error:
         return Answer(str(error.args[0]), False, True)
 
 
@@ -190,9 +190,17 @@ def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
 
 def ask_mdi(app: DebugApp) -> Ask:
     def put(given: list[str]) -> Answer:
-        return answered(lambda: app.session.mdi(given[0]))
+        def type_in() -> str:
+            app.session.type_in(given[0])
+            return "running what was typed"
 
-    return Ask("MDI", [Field("block", "", "G0 X10.")], put, partial(completion, app))
+        answer = answered(type_in)
+        if not answer.wrong:
+            app.move(app.session.run_typed, "running")
+        return answer
+
+    field = Field("blocks", "", "G0 X10., #100=5, M98 P2")
+    return Ask("MDI", [field], put, partial(completion, app))
 
 
 def ask_switches(app: DebugApp) -> Ask:

@@ -103,7 +103,7 @@ class Board:
         shown_file = self.source.text
         there = any(each.index == program.index for each in shown_file.programs)
         if not there:
-            self.source.load(source_of(self._session.library.code, program))
+            self.source.load(source_of(self._session.machine.core.code, program))
         self.source.show_title(program)
         self._mark()
         self.source.go(line)

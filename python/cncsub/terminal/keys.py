@@ -53,7 +53,7 @@ KEYS: dict[str, tuple[Key, ...]] = {
     "Values": (
         Key("e", "ask('evaluate')", "evaluate an expression of the control", "eval"),
         Key("equals_sign", "ask('set')", "set a variable or a mode; Enter in a list does so too"),
-        Key("m", "ask('mdi')", "type a block as in MDI"),
+        Key("m", "ask('mdi')", "type blocks as in MDI, and run them here"),
         Key("S", "ask('switches')", "block-skip switches, optional stop, signals"),
         Key("i", "tell", "what is known of the block, or of the chosen value"),
     ),

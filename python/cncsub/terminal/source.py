@@ -50,13 +50,23 @@ def source_of(code: _core.Code, program: Program) -> SourceText:
     alone = program.data.system
     same = [p for p in programs_of(code, program.file) if not p.data.system]
     programs = [program] if alone else sorted(same, key=lambda each: each.line)
-    lines: list[str] = []
+    lines = [] if alone else _lines_before(code, programs[0])
     for each in programs:
         if each.data.inside and not alone:
             continue  # its lines are those of the program around it
         lines += [""] * (each.line - 1 - len(lines))
         lines += [shown(without_end(line)) for line in lines_of(each.text)]
     return SourceText(program.file, lines, programs)
+
+
+def _lines_before(code: _core.Code, program: Program) -> list[str]:
+    """Return the lines of a file before its first program: comments, and what is left out."""
+    if program.line == 1:
+        return []
+    _, begin, _ = program.data.span
+    text = next((of for name, _, of, _ in code.sources if name == program.file), b"")
+    before = lines_of(text[:begin].decode("utf-8", "replace"))
+    return [shown(without_end(line)) for line in before][: program.line - 1]
 
 
 class SourceView(ScrollView, can_focus=True):

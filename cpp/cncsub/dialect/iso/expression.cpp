@@ -138,7 +138,7 @@ std::optional<ExpressionReader::Variable> ExpressionReader::read_target(const Sc
 }
 
 std::optional<Fault> iso_expression(Builder& to, const ExpressionText& text,
-                                    std::uint32_t& expression) {
+                                    std::uint32_t& expression, ValueType& /*type*/) {
   const ExpressionRules rules(to.code());
   ExpressionReader reader(to, rules);
   const char* const file = to.code().files[text.file].text.view().data();

@@ -240,7 +240,7 @@ bool ExpressionReader::read_arctangent(int depth) {
 namespace cncsub {
 
 std::optional<Fault> linuxcnc_expression(Builder& to, const ExpressionText& text,
-                                         std::uint32_t& expression) {
+                                         std::uint32_t& expression, ValueType& /*type*/) {
   linuxcnc::Line line;
   line.set("[" + std::string(text.text) + "]", text.at - 1);
   linuxcnc::ExpressionReader reader(to, line);

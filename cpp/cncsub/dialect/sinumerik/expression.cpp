@@ -275,18 +275,21 @@ Definitions definitions_of(const Code& code, std::int32_t program) {
 namespace cncsub {
 
 std::optional<Fault> sinumerik_expression(Builder& to, const ExpressionText& text,
-                                          std::uint32_t& expression) {
+                                          std::uint32_t& expression, ValueType& value_type) {
   const sinumerik::Definitions definitions = sinumerik::definitions_of(to.code(), text.program);
   sinumerik::Line line;
   line.set(text.text, text.at);
   sinumerik::ExpressionReader reader(to, line, definitions);
+  reader.stand_alone();
   sinumerik::Value value;
   auto type = sinumerik::Type::Real;
   if (!reader.value_of_any(value, type)) return reader.fault;
   if (!line.at_end())
     return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
-  if (!sinumerik::is_number(type))
-    return Fault{Cause::ExpressionFormat, text.at, 1, sinumerik::no_number(type)};
+  value_type = type == sinumerik::Type::String  ? ValueType::Text
+               : type == sinumerik::Type::Axis  ? ValueType::Axis
+               : type == sinumerik::Type::Frame ? ValueType::Frame
+                                                : ValueType::Number;
   expression = to.expressions().expression_of(value);
   return std::nullopt;
 }

@@ -30,6 +30,7 @@ struct OpenExpression {
   // What the block has assigned to so far: parameters by their number, variables below 0.
   std::set<std::int32_t> assigned;
   bool assigned_any = false;  // a parameter of a computed number among them
+  bool stands_alone = false;  // in no program, so that a text may be one that no program has
 
   bool wrong(Cause cause, std::string detail, std::uint32_t at);
   bool not_computed(std::string_view what, std::uint32_t at);
@@ -60,6 +61,8 @@ class ExpressionReader {
   ExpressionReader(Builder& to, Line& line, const Definitions& definitions)
       : open_{to, line, definitions, {}, {}, {}, false}, fault(open_.fault) {}
 
+  /// Read an expression that stands in no program.
+  void stand_alone() { open_.stands_alone = true; }
   /// Forget what was read on the block before.
   void begin_block();
   /// Read the number after an address, with its sign.

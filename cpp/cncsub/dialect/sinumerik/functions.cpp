@@ -92,7 +92,8 @@ Read read_values(OpenExpression& open, const Function& of, std::uint32_t at, int
 /// Read AXNAME(TEXT), the axis of a name; a name that no axis has is NO_AXIS.
 Read read_axis_name(OpenExpression& open, int depth) {
   const auto push = [&](const char* text) {
-    open.emit(Ins::Constant, open.to.names().constant_text(text));
+    push_text(open, text);
+    open.constant.reset();  // the value is not this text alone
   };
   push(" X Y Z A B C U V W ");
   push(" ");
@@ -166,9 +167,7 @@ Read read_format(OpenExpression& open, std::uint32_t at, int depth) {
   std::string format;
   if (open.line.peek() != '"' || (open.line.pass(1), !open.line.take_up_to('"', format)))
     return fails(open.not_computed("SPRINT without a text as it stands", at));
-  const auto push = [&](std::string_view text) {
-    open.push_constant(open.to.names().constant_text(std::string(text)));
-  };
+  const auto push = [&](std::string_view text) { push_text(open, std::string(text)); };
   push("");
   for (std::size_t from = 0; from < format.size();) {
     const std::size_t plain = std::min(format.find('%', from), format.size());

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cncsub/code/foreign_text.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
@@ -36,7 +37,7 @@ Read read_text(OpenExpression& open) {
   open.line.pass(1);
   if (!open.line.take_up_to('"', text))
     return fails(open.wrong(Cause::StatementFormat, "the quote is not closed", at));
-  open.push_constant(open.to.names().constant_text(text));
+  push_text(open, text);
   return Type::String;
 }
 
@@ -285,6 +286,15 @@ void convert_to_text(OpenExpression& open, Type from) {
   if (from == Type::String) return;
   open.constant.reset();
   open.emit(Ins::TextOf, static_cast<int>(written_as(from)));
+}
+
+void push_text(OpenExpression& open, const std::string& text) {
+  Names& names = open.to.names();
+  const bool foreign = open.stands_alone && !open.to.code().texts.find(text);
+  if (!foreign) return open.push_constant(names.constant_text(text));
+  open.emit(Ins::Constant, names.text(text));
+  open.emit(Ins::TextOf, kForeignText);
+  open.constant.reset();
 }
 
 namespace {

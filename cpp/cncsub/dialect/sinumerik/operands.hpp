@@ -49,6 +49,8 @@ bool convert(OpenExpression& open, Type from, const Definition& to, std::uint32_
 /// Append the conversion of the last value, of any type, to a text.
 void convert_to_text(OpenExpression& open, Type from);
 WrittenAs written_as(Type type);
+/// Push a text that stands as it is.
+void push_text(OpenExpression& open, const std::string& text);
 
 /// Return whether values of a type are numbers, or can be taken for them.
 inline bool is_number(Type type) {

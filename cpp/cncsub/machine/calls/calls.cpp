@@ -210,9 +210,10 @@ bool evaluate_arguments(Run& run, const CallRecord& record) {
 std::optional<Fault> refused_here(const Run& run, const CallRecord& record) {
   const CallRules& rules = run.control().calls;
   const std::vector<ModalCall>& modals = run.state.modals;
-  const bool inside = run.state.frames.size() > 1;
+  const bool inside = !run.frame().typed;
   const MdiCalls typed = rules.mdi_calls.value;
-  if (run.options.mdi && (typed == MdiCalls::Refused || (typed == MdiCalls::OneLevel && inside)))
+  const bool refuses = typed == MdiCalls::Refused || (typed == MdiCalls::OneLevel && inside);
+  if (refuses && run.in_mdi())
     return fault(record, Cause::CallInMdi,
                  inside ? "a call inside a program called from MDI" : "a call from MDI");
   if (modals.empty() || !by_name(record.kind)) return std::nullopt;
@@ -365,7 +366,7 @@ bool leave(Run& run, Address to, bool goes_on) {
     s.elements.resize(run.element_at(static_cast<std::size_t>(run.code->elements)));
     s.copies.resize(open.copies);
   }
-  (open.macro ? s.macros : s.subprograms) -= 1;
+  if (!open.typed) (open.macro ? s.macros : s.subprograms) -= 1;
   s.loops.resize(open.loops);
   s.frames.pop_back();
   if (interrupts) {

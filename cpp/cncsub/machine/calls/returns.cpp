@@ -218,8 +218,8 @@ bool ends_the_run(const Run& run) {
 }
 
 bool end_of_record(Run& run) {
-  const bool typed = run.options.mdi && run.state.frames.size() == 1;  // MDI needs no end
-  if (typed || run.control().reading.missing_end.value == MissingEnd::Ends)
+  if (run.frame().typed ||  // MDI needs no end
+      run.control().reading.missing_end.value == MissingEnd::Ends)
     return end_run(run, Stop::End);
   const Program& program = run.program();
   return alarm(

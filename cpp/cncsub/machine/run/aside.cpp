@@ -22,6 +22,7 @@ class Undone {
         condition_(run.state.last_condition),
         changes_(run.state.changes),
         words_done_(std::exchange(run.block.words_done, false)),
+        defining_(std::exchange(run.state.labels.defining, false)),
         stop_(run.state.stop),
         alarm_(std::exchange(run.state.alarm, std::nullopt)),
         took_(std::exchange(run.block.took, -1)) {}
@@ -39,6 +40,7 @@ class Undone {
     s.last_condition = condition_;
     s.changes = changes_;
     run_.block.words_done = words_done_;
+    s.labels.defining = defining_;
     s.stop = stop_;
     s.alarm = std::move(alarm_);
     run_.block.took = took_;
@@ -51,7 +53,7 @@ class Undone {
   ExternalReads reads_;
   std::uint32_t condition_;
   std::uint64_t changes_;
-  bool words_done_;
+  bool words_done_, defining_;
   Stop stop_;
   std::optional<Alarm> alarm_;
   std::int64_t took_;

@@ -36,6 +36,8 @@ bool goes_on(const Run& run) {
   return run.state.stop == Stop::Running || run.state.stop == Stop::Interrupted;
 }
 
+constexpr std::int32_t kTyped = -2;  // in place of the program of a typed text
+
 bool same(double a, double b) { return a == b || (is_vacant(a) && is_vacant(b)); }
 
 }  // namespace
@@ -141,7 +143,8 @@ void Breakpoints::look(Run& run) {
   rows_ = run.trace.moves.size();
   const std::vector<OpenFrame>& open = run.state.frames;
   frames_.resize(open.size());
-  for (std::size_t i = 0; i < open.size(); ++i) frames_[i] = {open[i].call, open[i].program};
+  for (std::size_t i = 0; i < open.size(); ++i)
+    frames_[i] = {open[i].call, open[i].typed ? kTyped : open[i].program};
   if (seen_.empty()) {
     seen_.resize(list_.size());
     for (std::size_t i = 0; i < list_.size(); ++i) seen_[i] = seen_now(run, i);
@@ -155,7 +158,9 @@ Breakpoints::Seen Breakpoints::seen_now(Run& run, std::size_t index) {
   if (of.kind == Breakpoint::Kind::Axis) seen.value = coordinate(run, of.letter);
   if (of.kind != Breakpoint::Kind::Value) return seen;
   seen.open = !of_level_[of.expression] || is_level_open(run);
-  if (seen.open && !value_of(run, index, of.expression, seen.value)) seen.value = kVacant;
+  // What has no value yet, such as a variable that nobody has set, gets one: that is a change.
+  if (seen.open && evaluate_aside(run, expressions_, expressions_.list[of.expression], seen.value))
+    seen.value = kVacant;
   return seen;
 }
 
@@ -169,7 +174,7 @@ bool Breakpoints::returned(const Run& run, std::int64_t program) const {
   const std::vector<OpenFrame>& open = run.state.frames;
   for (std::size_t i = frames_.size(); i-- > 1;) {
     if (i < open.size() && open[i].call == frames_[i].first) return false;
-    if (program < 0 || frames_[i].second == program) return true;
+    if (frames_[i].second != kTyped && (program < 0 || frames_[i].second == program)) return true;
   }
   return false;
 }

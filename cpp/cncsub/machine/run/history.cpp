@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cncsub/machine/run/run.hpp"
+#include "cncsub/machine/run/typed_text.hpp"
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/machine/state/stop.hpp"
 
@@ -37,6 +38,7 @@ std::size_t bytes_of(const Snapshot& of) {
 /// Put a run into the state of a snapshot; what it recorded since is forgotten.
 void restore(Run& run, const Snapshot& from) {
   run.state = from.state;
+  fit(run.state, from.layout, *run.code);
   run.motion = from.motion;
   run.trace.rewind(from.recorded);
   reopen_calls(run);
@@ -64,12 +66,14 @@ void skip_to(Run& run, Address pc) {
 
 void History::note(const Run& run) {
   if (run.state.stop != Stop::Running || (work_of(run) < due_ && !snapshots_.empty())) return;
-  keep(run);
+  // Back at this step, what was typed in here is to be gone.
+  if (!edits_.empty() && edits_.back().typed && edits_.back().at == run.state.executed) return;
+  keep(run, edits_.size());
   if (snapshots_.size() > kMost || bytes_ > kMostBytes) thin();
   due_ = work_of(run) + distance_;
 }
 
-void History::keep(const Run& run) {
+void History::keep(const Run& run, std::size_t edits) {
   if (!snapshots_.empty() && snapshots_.back()->state.executed == run.state.executed) return;
   Snapshot snapshot{.state = run.state,
                     .motion = run.motion,
@@ -77,7 +81,8 @@ void History::keep(const Run& run) {
                     .seen = run.watched.seen,
                     .skips = run.options.skips,
                     .optional_stop = run.options.optional_stop,
-                    .edits = edits_.size(),
+                    .edits = edits,
+                    .layout = variable_layout(*run.code),
                     .work = work_of(run)};
   snapshot.motion.forget_table();
   snapshot.bytes = bytes_of(snapshot);
@@ -99,37 +104,51 @@ void History::thin() {
   }
 }
 
-/// Run on to a step, with the edits on the way from that number on. `edits` becomes how many came.
+/// Run on to a step, with the edits on the way from that number on. `edits` becomes how many came:
+/// those at the step too, up to one that typed blocks in.
 void History::replay(Run& run, std::int64_t step, std::size_t& edits,
                      const std::function<bool()>& interrupted) const {
   for (; edits < edits_.size() && edits_[edits].at <= step; ++edits) {
+    if (edits_[edits].typed && edits_[edits].at == step) break;
     run_to(run, edits_[edits].at, interrupted);
     if (run.state.stop == Stop::Interrupted) return;
     skip_to(run, edits_[edits].pc);
     edits_[edits].apply(run);
   }
   run_to(run, step, interrupted);
+  leave_typed(run);
 }
 
 bool History::back(Run& run, std::int64_t step, const std::function<bool()>& interrupted) {
   const auto after = std::partition_point(
       snapshots_.begin(), snapshots_.end(),
       [step](const auto& snapshot) { return snapshot->state.executed <= step; });
+  const Run stood = run;
+  const auto kept = snapshots_;
+  const std::size_t kept_bytes = bytes_;
   for (auto at = after; at != snapshots_.end(); ++at) bytes_ -= (*at)->bytes;
   snapshots_.erase(after, snapshots_.end());
   const Snapshot& from = *snapshots_.back();
   restore(run, from);
-  const LiftedLimits lifted(run);
   std::size_t edits = from.edits;
-  // Whoever steps back once does so again: the nearer the goal, the closer the snapshots.
-  for (std::int64_t gap = (step - run.state.executed) / 2; gap >= kNear; gap /= 2) {
-    replay(run, step - gap, edits, interrupted);
-    if (run.state.stop == Stop::Running) keep(run);
+  {
+    const LiftedLimits lifted(run);
+    // Whoever steps back once does so again: the nearer the goal, the closer the snapshots.
+    for (std::int64_t gap = (step - run.state.executed) / 2; gap >= kNear; gap /= 2) {
+      replay(run, step - gap, edits, interrupted);
+      if (run.state.stop == Stop::Running) keep(run, edits);
+    }
+    replay(run, step, edits, interrupted);
   }
-  replay(run, step, edits, interrupted);
+  if (run.state.stop == Stop::Interrupted) {
+    run = stood;
+    snapshots_ = kept;
+    bytes_ = kept_bytes;
+    return false;
+  }
   edits_.resize(edits);
   due_ = work_of(run) + distance_;
-  return run.state.stop != Stop::Interrupted;
+  return true;
 }
 
 namespace {
@@ -145,9 +164,9 @@ bool is_met_by_stop(Run& stopped, const std::vector<Breakpoint>& list,
 
 }  // namespace
 
-std::int64_t History::last_met(const Run& run, const std::vector<Breakpoint>& list,
-                               const ExpressionList& expressions,
-                               const std::function<bool()>& interrupted) const {
+std::optional<std::int64_t> History::last_met(const Run& run, const std::vector<Breakpoint>& list,
+                                              const ExpressionList& expressions,
+                                              const std::function<bool()>& interrupted) const {
   Run probe = run;
   const LiftedLimits lifted(probe);
   std::int64_t end = run.state.executed;
@@ -166,13 +185,14 @@ std::int64_t History::last_met(const Run& run, const std::vector<Breakpoint>& li
     std::size_t edits = snapshots_[i]->edits;
     for (; edits < edits_.size() && edits_[edits].at < end; ++edits) {
       run_to(probe, edits_[edits].at, interrupted, {look, breakpoints.marked()});
+      if (probe.state.stop == Stop::Interrupted) return std::nullopt;
       look();
       skip_to(probe, edits_[edits].pc);
       edits_[edits].apply(probe);
       breakpoints.begin(probe, true);
     }
     run_to(probe, end, interrupted, {look, breakpoints.marked()});
-    if (probe.state.stop == Stop::Interrupted) return -1;
+    if (probe.state.stop == Stop::Interrupted) return std::nullopt;
     look();
     if (last >= 0) return last;
     end = snapshots_[i]->state.executed;

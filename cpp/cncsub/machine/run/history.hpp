@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "cncsub/machine/run/breakpoints.hpp"
 #include "cncsub/machine/state/context.hpp"
+#include "cncsub/machine/state/layout.hpp"
 
 namespace cncsub {
 
@@ -21,6 +23,7 @@ struct Snapshot {
   std::uint16_t skips = 0;   // of Options
   bool optional_stop = false;
   std::size_t edits = 0;  // how many came before it
+  VariableLayout layout;  // of the library that it ran then
   std::int64_t work = 0;  // blocks and moves before it
   std::size_t bytes = 0;
 };
@@ -30,6 +33,7 @@ struct Edit {
   std::int64_t at = 0;  // so many blocks had been executed
   Address pc = 0;
   std::function<void(Run&)> apply;
+  bool typed = false;  // it typed blocks in: a step back to here is a step to before them
 };
 
 class History {
@@ -43,24 +47,26 @@ class History {
   /// Return after how many blocks at most it wants to be called again.
   std::int64_t distance() const { return distance_; }
   /// Remember what changed the run from outside before the block `pc`.
-  void edited(const Run& run, Address pc, std::function<void(Run&)> apply) {
-    edits_.push_back({run.state.executed, pc, std::move(apply)});
+  void edited(const Run& run, Address pc, std::function<void(Run&)> apply, bool typed = false) {
+    edits_.push_back({run.state.executed, pc, std::move(apply), typed});
   }
   /// Go back to when so many blocks were executed, which the run has come past; what was edited
-  /// after that is forgotten. Return false where `interrupted` stopped it at an earlier block.
+  /// after that is forgotten, and blocks that were typed in there are. Return false where
+  /// `interrupted` stopped it: the run stands where it stood then.
   bool back(Run& run, std::int64_t step, const std::function<bool()>& interrupted);
   /// Return the last step before the present one at which the breakpoints show a block: the step of
   /// the block where it is a place, or of the block that did it. Where the run stopped with an
-  /// alarm that one of them names, it is the present one. -1: none.
-  std::int64_t last_met(const Run& run, const std::vector<Breakpoint>& list,
-                        const ExpressionList& expressions,
-                        const std::function<bool()>& interrupted) const;
+  /// alarm that one of them names, it is the present one. -1: none; nothing: `interrupted` stopped
+  /// the search.
+  std::optional<std::int64_t> last_met(const Run& run, const std::vector<Breakpoint>& list,
+                                       const ExpressionList& expressions,
+                                       const std::function<bool()>& interrupted) const;
 
   std::size_t snapshots() const { return snapshots_.size(); }
   std::size_t bytes() const { return bytes_; }
 
  private:
-  void keep(const Run& run);
+  void keep(const Run& run, std::size_t edits);
   void thin();
   void replay(Run& run, std::int64_t step, std::size_t& edits,
               const std::function<bool()>& interrupted) const;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "cncsub/machine/state/layout.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -40,7 +41,13 @@ Run::Run(std::shared_ptr<const Code> of, Options how)
   for (const char address : code->spelling->unsigned_words)
     if (!code->spelling->signs_by_rule || !control().reading.minus_addresses.value.has(address))
       unsigned_words |= bit(address);
-  jumps_refused = options.mdi && refuses(Cause::JumpInMdi);
+}
+
+void Run::extend(std::shared_ptr<const Code> with) {
+  const VariableLayout before = variable_layout(*code);
+  code = std::move(with);
+  meanings = meanings_on(*code, options.setup.machine);
+  fit(state, before, *code);
 }
 
 }  // namespace cncsub

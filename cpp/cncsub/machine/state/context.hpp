@@ -2,6 +2,7 @@
 // only. The functions of this folder work on it.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -113,7 +114,6 @@ struct Run {
   const BlockCodes* codes_decoded = nullptr;
   std::uint32_t unsigned_words = 0;  // the addresses whose computed values may not be negative
   std::uint32_t computed_whole = 0;  // the addresses whose computed values are rounded
-  bool jumps_refused = false;        // in the main program, which was typed in MDI
   State state;
   std::shared_ptr<const CodeMeanings> meanings;  // the meanings of codes on this kind of machine
   BlockCodes codes;                              // the codes of a block that computes them
@@ -133,6 +133,13 @@ struct Run {
   const Program& program() const {
     return code->programs[static_cast<std::size_t>(frame().program)];
   }
+  /// Return whether what runs was typed in MDI, or was called from there.
+  bool in_mdi() const {
+    return std::any_of(state.frames.begin(), state.frames.end(),
+                       [](const OpenFrame& open) { return open.typed; });
+  }
+  /// Go on with a library that has more at the ends of its tables.
+  void extend(std::shared_ptr<const Code> with);
   /// Return where the moves go; null when they are not recorded.
   Moves* moves() {
     return trace.depth == Trace::Depth::Moves || watch.sees_moves ? &trace.moves : nullptr;

@@ -53,12 +53,14 @@ struct OpenFrame {
   std::int32_t modal = -1;        // the modal call that it is the macro of
   std::int32_t modal_limit = 0;   // only modal calls below this one follow its moves
   std::uint32_t loops = 0;        // how many of the open loops belong to frames below
-  Address part_end = kNowhere;    // of RepeatPart: the block before which each pass ends
+  Address part_end = kNowhere;    // of RepeatPart and of a text typed in the middle of a run: the
+                                  // block before which each pass ends
   std::uint32_t label = 0;        // the label it was called by, 0 = none
   std::int32_t passes_left = -1;  // of the M98 L that it is at
   bool shares_locals = false;     // the numbered locals of its level are the caller's
   std::size_t copies = 0;         // how many elements of copied arrays belong to frames below
   bool interrupts = false;        // after it the caller's block does what it waits with
+  bool typed = false;             // it was typed in MDI
 
   bool operator==(const OpenFrame&) const = default;
 };

@@ -351,7 +351,7 @@ bool run_statement(Run& run, const Block& block, const Block*& instead) {
 }
 
 bool may_jump(Run& run, const Statement& statement) {
-  return !run.jumps_refused || run.state.frames.size() > 1 ||
+  return !run.frame().typed || !run.refuses(Cause::JumpInMdi) ||
          alarm(run, {Cause::JumpInMdi, statement.at, statement.width, "a jump or a loop in MDI"});
 }
 

@@ -1,10 +1,14 @@
 #include "cncsub/machine/values/frames.hpp"
 
+#include <array>
 #include <cstring>
+#include <string_view>
 #include <type_traits>
 
 #include "cncsub/machine/state/limits.hpp"
 #include "cncsub/motion/frame/frame_values.hpp"
+#include "cncsub/system/decimal.hpp"
+#include "cncsub/text/axis_names.hpp"
 
 namespace cncsub {
 namespace {
@@ -42,6 +46,29 @@ Kept kept(const Run& run, double value) {
 
 FrameValue frame_of(const Run& run, double value) { return kept<FrameValue>(run, value); }
 FrameEntry entry_of(const Run& run, double value) { return kept<FrameEntry>(run, value); }
+
+std::string written(const FrameValue& frame) {
+  static constexpr std::array<std::string_view, 5> kMakers{"CTRANS", "CFINE", "CROT", "CSCALE",
+                                                           "CMIRROR"};
+  std::string all;
+  for (std::size_t part = 0; part < kMakers.size(); ++part) {
+    const auto of = static_cast<FramePart>(part);
+    const int axes = of == FramePart::Shift || of == FramePart::Fine ? kAxes : 3;
+    std::string values;
+    for (int axis = 0; axis < axes; ++axis) {
+      const auto value = part_of(frame, of, axis);
+      if (!value) return "a frame that shears or turns inside out";
+      if (*value == part_of(FrameValue(), of, axis)) continue;
+      values += (values.empty() ? "" : ",") + axis_letter(axis + 1);
+      if (of != FramePart::Mirror) values += "," + system::shortest(*value);
+    }
+    if (values.empty()) continue;
+    all += all.empty() ? "" : ":";
+    all += std::string(kMakers[part]) + "(" + values + ")";
+  }
+  return all.empty() ? "CTRANS()" : all;
+}
+
 double keep_frame(Run& run, const FrameValue& frame) {
   return frame == FrameValue() ? 0 : keep(run, frame);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "cncsub/machine/state/context.hpp"
 #include "cncsub/motion/state/frames.hpp"
@@ -10,6 +11,8 @@ namespace cncsub {
 
 /// Return the frame that a value stands for. 0, and a value that is none, change nothing.
 FrameValue frame_of(const Run& run, double value);
+/// Return a frame as the functions write it that make it: CTRANS(X,10):CROT(Z,30).
+std::string written(const FrameValue& frame);
 /// Return the value that stands for a frame.
 double keep_frame(Run& run, const FrameValue& frame);
 /// Return the value that stands for one entry of a frame, and the entry.

@@ -38,7 +38,7 @@ std::optional<Fault> profile_block(Run& run, Address a, Profile& found) {
 std::optional<Fault> profile_blocks(Run& run, const ProfileNumbers& numbers, Profile& found) {
   const auto& [ns, nf] = numbers;
   const Program& program = run.program();
-  if (run.options.mdi) return Fault{Cause::ProfileInMdi, run.state.pc, 1, {}};
+  if (run.in_mdi()) return Fault{Cause::ProfileInMdi, run.state.pc, 1, {}};
   const auto missing = [&](char word, std::int64_t n) {
     return Fault{.cause = Cause::PqNotFound,
                  .at = run.state.pc,

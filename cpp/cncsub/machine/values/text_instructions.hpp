@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "cncsub/code/foreign_text.hpp"
 #include "cncsub/machine/values/instructions.hpp"
 #include "cncsub/machine/values/reference_instructions.hpp"
 #include "cncsub/machine/values/texts.hpp"
@@ -42,6 +43,8 @@ inline std::string written_as(E e, double value, WrittenAs how) {
 }
 
 inline double written_as_text(E e, I at, double a) {
+  if (at.value() == kForeignText)
+    return keep_text(e.run, e.run.code->names[to_whole<std::size_t>(a)]);
   return keep_text(e.run, written_as(e, a, static_cast<WrittenAs>(to_whole<int>(at.value()))));
 }
 inline double tool_of_name(E e, I at, double a) {
