@@ -94,7 +94,7 @@ TABLE: dict[str, tuple[str, str, str]] = {
     "a variable only to be read": ("", "O1\nN10 #5021=1\n" + END, "CS104 N10"),
     "a common that is not fitted": ("fanuc-16i", "O1\nN10 #200=1\n" + END, "CS104 N10"),
     "moves that are not computed": ("", "O1\nN10 G7.1 C1.\n" + END, "CS105 N10"),
-    "statements that are not computed": ("siemens-one", "N10 ISOCALL \"ONE1\"\nN20 G0 X=R2\nN30 ISOCALL \"TWO2\"\nN40 M30\n", "CS105 N10, CS105 N30"),
+    "statements that are not computed": ("siemens-one", "N10 CALL ONE1\nN20 G0 X=R2\nN30 CALL TWO2\nN40 M30\n", "CS105 N10, CS105 N30"),
     "an arc without a centre": ("haas-ngc", "O1\nN10 G2 X1. F9.\nN20 G3 G17 X1. Y2. F9.\n" + END, "CS101 N10, CS101 N20"),
     "an arc without a centre that is a line": ("", "O1\nN10 G2 X1. F9.\n" + END, ""),
     "arcs with a centre, and G2 alone": ("haas-ngc", "O1\nN10 G2 F9.\nN20 X1. R5.\nN30 G2 X2. J1.\n" + END, ""),

@@ -36,7 +36,8 @@ int Spelling::place_of(std::string_view address) const {
   if (address.size() != 1) return -1;
   if (const auto sign = polar.find(address[0]); sign != std::string_view::npos)
     return kRadius + static_cast<int>(sign);
-  return is_letter(address[0]) ? upper(address[0]) - 'A' : -1;
+  const int place = is_letter(address[0]) ? upper(address[0]) - 'A' : -1;
+  return place == 'R' - 'A' && radius.size() > 1 ? -1 : place;  // the place is that of CR
 }
 
 namespace {

@@ -21,6 +21,9 @@ namespace cncsub {
 /// an interrupt is requested (Builder::interrupt).
 using FileReader = std::function<void(std::uint32_t file)>;
 
+/// Names of programs, sorted.
+using ProgramNames = std::vector<std::string>;
+
 /// Lines of a file that is read in pieces.
 struct Lines {
   std::string_view text;         // of the whole file
@@ -67,8 +70,9 @@ struct KeywordRow {
 
 struct Dialect {
   std::string_view name;
-  /// The reader of the files of one library, one after the other.
-  FileReader (*reader)(Builder& to);
+  /// The reader of the files of one library, one after the other; `other_mode`: the programs that
+  /// it reads in the other mode of the language.
+  FileReader (*reader)(Builder& to, const ProgramNames& other_mode);
   /// Compile an expression, a condition or a value; a fault says why the text is none.
   std::optional<Fault> (*read_expression)(Builder& to, const ExpressionText& text,
                                           std::uint32_t& expression, ValueType& type);
@@ -76,6 +80,9 @@ struct Dialect {
   ReadWord read_word;
   /// The same reader for pieces; null if the language is not read in pieces.
   PieceReader (*pieces)(Builder& to);
+  /// Return the programs that the calls of a code mean in the other mode of the language: the
+  /// library is read again with them. Null: the language has one mode.
+  ProgramNames (*other_mode)(const Code& code);
   /// The spelling of what is no plain word.
   const Spelling* spelling;
   /// The names of the rules that it asks, separated by blanks: those that its reader asks, and
@@ -96,10 +103,11 @@ const Dialect* find_dialect(std::string_view name);
   extern const std::string_view folder##_rules;                                         \
   extern const std::span<const WordUse> folder##_word_uses;                             \
   std::vector<Keyword> folder##_keywords(const Control&);                               \
-  FileReader folder##_reader(Builder& to);                                              \
+  FileReader folder##_reader(Builder& to, const ProgramNames& other_mode);              \
   std::optional<Fault> folder##_expression(Builder& to, const ExpressionText& text,     \
                                            std::uint32_t& expression, ValueType& type); \
   extern PieceReader (*const folder##_pieces)(Builder & to);                            \
+  extern ProgramNames (*const folder##_other_mode)(const Code& code);                   \
   std::optional<WrittenWord> folder##_word(std::string_view block, std::size_t& from);
 #include "dialect/list.def"
 #undef DIALECT

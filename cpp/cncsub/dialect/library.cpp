@@ -1,6 +1,7 @@
 #include "cncsub/dialect/library.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -17,10 +18,17 @@ namespace cncsub {
 
 const Dialect* find_dialect(std::string_view name) {
   static const Dialect kDialects[] = {
-#define DIALECT(folder)                                     \
-  {#folder,        folder##_reader,    folder##_expression, \
-   folder##_word,  folder##_pieces,    &folder##_spelling,  \
-   folder##_rules, folder##_word_uses, folder##_keywords},
+#define DIALECT(folder) \
+  {#folder,             \
+   folder##_reader,     \
+   folder##_expression, \
+   folder##_word,       \
+   folder##_pieces,     \
+   folder##_other_mode, \
+   &folder##_spelling,  \
+   folder##_rules,      \
+   folder##_word_uses,  \
+   folder##_keywords},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -124,19 +132,20 @@ Fault not_computed(const CallRecord& call, const SystemProgram& called) {
 /// The reading of a library's files.
 class Reading {
  public:
-  Reading(Code& code, const std::function<bool()>& interrupted)
+  Reading(Code& code, const std::function<bool()>& interrupted, ProgramNames other_mode)
       : code_(code),
         interrupt_(interrupted),
         to_(code, interrupt_),
         dialect_(dialect_of(*code.control)),
-        read_(dialect_.reader(to_)) {}
+        other_mode_(std::move(other_mode)),
+        read_(dialect_.reader(to_, other_mode_)) {}
 
   void read(std::vector<SourceFile>& files, const Sharing& sharing) {
     const std::function<void(Code&)> other = [this](Code& code) {
       prepare(code, code_.control, dialect_);
       code.external_device = code_.external_device;
     };
-    read_files({code_, to_, read_, dialect_, other}, files, sharing);
+    read_files({code_, to_, read_, dialect_, other_mode_, other}, files, sharing);
   }
 
   /// Read the programs of the control itself that something calls and the user has not: their own
@@ -233,6 +242,7 @@ class Reading {
   InterruptCheck interrupt_;
   Builder to_;
   const Dialect& dialect_;
+  ProgramNames other_mode_;
   FileReader read_;
   std::vector<bool> seen_;  // variants, which several blocks may share
 };
@@ -258,41 +268,81 @@ bool begin_with(const std::vector<SourceFile>& files, char mark) {
   });
 }
 
+/// What is compiled, and how.
+struct Compiling {
+  const std::function<bool()>& interrupted;
+  const Sharing& sharing;
+};
+
+/// Compile a code whose control and dialect are known. Return false where it was interrupted.
+bool compile_files(Code& code, std::vector<SourceFile>& files, const ProgramNames& other_mode,
+                   const Compiling& how) {
+  Reading reading(code, how.interrupted, other_mode);
+  std::size_t bytes = 0;
+  for (const SourceFile& file : files) bytes += file.text.size();
+  // Room that is never written costs nothing, and a table that never moves is never copied.
+  code.blocks.reserve(bytes / 8 + files.size());
+  code.cells.reserve(bytes / 4);
+  if (begin_with(files, '#')) {
+    code.statements.reserve(bytes / 32);
+    code.expressions.reserve(bytes / 2);
+  }
+  if (begin_with(files, 'N')) code.sequence.reserve(bytes / 8);
+  reading.read(files, how.sharing);
+  const auto over = [&reading] { return reading.interrupted(kProgram); };
+  code.register_programs(over);
+  if (!reading.read_system_programs().empty()) code.register_programs(over);
+  reading.resolve_calls(0);
+  resolve_codes(code);
+  system::give_back_large_memory();
+  return !reading.interrupted(0);
+}
+
+/// Return the programs of the user that calls mean in the other mode of the language.
+ProgramNames in_other_mode(const Code& code, const Dialect& dialect, const ProgramNames& known) {
+  if (dialect.other_mode == nullptr) return {};
+  const ProgramNames found = dialect.other_mode(code);
+  ProgramNames all;
+  std::set_union(known.begin(), known.end(), found.begin(), found.end(), std::back_inserter(all));
+  return all;
+}
+
+/// Take the files back that were read into a code.
+std::vector<SourceFile> files_of(Code& code) {
+  std::vector<SourceFile> files;
+  for (SourceFile& file : code.files)
+    if (!file.system) files.push_back({file.name, file.stem, std::move(file.text), file.external});
+  return files;
+}
+
 }  // namespace
 
 std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted,
                                     const Sharing& sharing, bool general_only) {
-  auto code = std::make_shared<Code>();
-  code->general_only = general_only;
-  code->external_device = external_device;
   const Dialect& dialect = dialect_of(*control);
-  prepare(*code, std::move(control), dialect);
   std::stable_partition(files.begin(), files.end(), [&](const SourceFile& file) {
-    return defines_for_all(*code->spelling, file);
+    return defines_for_all(*dialect.spelling, file);
   });
-  Reading reading(*code, interrupted);
-  std::size_t bytes = 0;
-  for (const SourceFile& file : files) bytes += file.text.size();
-  // Room that is never written costs nothing, and a table that never moves is never copied.
-  code->blocks.reserve(bytes / 8 + files.size());
-  code->cells.reserve(bytes / 4);
-  if (begin_with(files, '#')) {
-    code->statements.reserve(bytes / 32);
-    code->expressions.reserve(bytes / 2);
+  // Each reading finds the programs of the next level of calls in the other mode of the language.
+  // Calls nested deeper than the control allows are never reached.
+  const int most_readings = control->calls.max_nesting.value + 2;
+  ProgramNames other_mode;
+  for (int reading = 1;; ++reading) {
+    auto code = std::make_shared<Code>();
+    code->general_only = general_only;
+    code->external_device = external_device;
+    prepare(*code, control, dialect);
+    if (!compile_files(*code, files, other_mode, {interrupted, sharing})) {
+      free_aside(std::move(code), std::move(files));
+      return nullptr;
+    }
+    ProgramNames found = in_other_mode(*code, dialect, other_mode);
+    if (found == other_mode || reading >= most_readings) return code;
+    other_mode = std::move(found);
+    files = files_of(*code);
   }
-  if (begin_with(files, 'N')) code->sequence.reserve(bytes / 8);
-  reading.read(files, sharing);
-  const auto over = [&reading] { return reading.interrupted(kProgram); };
-  code->register_programs(over);
-  if (!reading.read_system_programs().empty()) code->register_programs(over);
-  reading.resolve_calls(0);
-  resolve_codes(*code);
-  system::give_back_large_memory();
-  if (!reading.interrupted(0)) return code;
-  free_aside(std::move(code), std::move(files));
-  return nullptr;
 }
 
 std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& text,
@@ -306,14 +356,15 @@ std::shared_ptr<const Code> compile_mdi(const Code& code, const std::string& tex
   };
   auto with = copied();
   std::size_t programs = with->programs.size();
-  std::optional<Reading> reading(std::in_place, *with, interrupted);
+  const ProgramNames other_mode = in_other_mode(code, dialect_of(*code.control), {});
+  std::optional<Reading> reading(std::in_place, *with, interrupted, other_mode);
   std::vector<SourceFile> typed{{"MDI", "MDI", FileText(text), false}};
   reading->read(typed, {.threads = 1});
   if (const auto names = reading->read_system_programs(); !names.empty()) {
     // The typed text is the last program, so what it calls is read before it.
     reading.reset();
     with = copied();
-    reading.emplace(*with, interrupted);
+    reading.emplace(*with, interrupted, other_mode);
     reading->read_system_programs(names);
     programs = with->programs.size();
     typed = {{"MDI", "MDI", FileText(text), false}};

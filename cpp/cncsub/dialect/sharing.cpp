@@ -93,7 +93,7 @@ std::vector<Job> jobs_of(std::vector<SourceFile>& files, std::size_t piece) {
 struct WorkerPart {
   WorkerPart(const SharedReading& reading, const std::function<bool()>& stopped)
       : interrupt(stopped), to(prepared(reading), interrupt) {
-    read = reading.dialect.reader(to);
+    read = reading.dialect.reader(to, reading.other_mode);
     pieces = reading.dialect.pieces(to);
   }
   WorkerPart(const WorkerPart&) = delete;

@@ -30,6 +30,7 @@ struct SharedReading {
   Builder& to;
   const FileReader& read;
   const Dialect& dialect;
+  const ProgramNames& other_mode;  // the programs that are read in the other mode of the language
   const std::function<void(Code&)>& prepare;
 };
 

@@ -132,6 +132,9 @@ std::optional<CodeFacts> plain_facts(const Control& control, std::string_view na
 std::optional<CodeFacts> named_facts(const Control& control, MachineType machine,
                                      std::string_view name) {
   if (const auto code = code_named(control, name)) {
+    // A code that the language itself obeys is one of its words.
+    if (auto of_language = word_facts(control, name); of_language && CodeName::read(name))
+      return of_language;
     CodeFacts facts = code_facts(control, machine, *code);
     keep_taken(control, *code, facts.words);
     return facts;

@@ -3,6 +3,7 @@
 
 #include "cncsub/control/edge_datum.hpp"
 #include "controls/facts.hpp"
+#include "controls/settings.hpp"
 
 namespace cncsub::siemens {
 namespace {
@@ -137,6 +138,21 @@ void parameters(Control& c) {
       {"r-10000", "R0 to R9999, by machine datum 28050", "100-9999", {}, kNumber, Inferred}};
 }
 
+/// Add the machine data of the ISO mode, in which blocks are written as for another maker's
+/// control.
+void iso_mode(Control& c) {
+  const auto add = [&c](const char* name, double value, const char* meaning, const char* source) {
+    c.parameters.push_back(read_by(rule::g_codes, {name, value, meaning, source, Secondary}));
+  };
+  add("10880", 1,
+      "which control the ISO mode is like: 1 = a mill (ISO_21), 4 = a mill (ISO_22); those of "
+      "lathes, "
+      "2 and 5, are not computed",
+      "MD840, MD 10880; the delivered value is general knowledge");
+  add("18800", 0, "1 = the control has an ISO mode: G291, and programs that ISOCALL calls",
+      "MD840, MD 18800; the delivered value is general knowledge");
+}
+
 /// Add the system variables that a run knows, at numbers that no R reaches: the language names
 /// them.
 void system_variables(Control& c) {
@@ -196,6 +212,7 @@ Control family() {
   reading(c);
   motion(c);
   parameters(c);
+  iso_mode(c);
   modal_calls(c);
   standard_cycles(c);
   system_variables(c);

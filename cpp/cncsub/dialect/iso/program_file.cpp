@@ -369,7 +369,7 @@ class ProgramFileReader {
 
 }  // namespace
 
-FileReader iso_reader(Builder& to) {
+FileReader iso_reader(Builder& to, const ProgramNames& /*other_mode*/) {
   return [reader = std::make_shared<ProgramFileReader>(to)](std::uint32_t file) {
     reader->read(file);
   };
@@ -389,5 +389,6 @@ PieceReader pieces(Builder& to) {
 }  // namespace
 
 PieceReader (*const iso_pieces)(Builder& to) = &pieces;
+ProgramNames (*const iso_other_mode)(const Code& code) = nullptr;
 
 }  // namespace cncsub

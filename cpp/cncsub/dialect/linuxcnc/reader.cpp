@@ -204,12 +204,13 @@ class FileReader {
 
 }  // namespace linuxcnc
 
-cncsub::FileReader linuxcnc_reader(Builder& to) {
+cncsub::FileReader linuxcnc_reader(Builder& to, const ProgramNames& /*other_mode*/) {
   auto reader = std::make_shared<linuxcnc::FileReader>(to);
   return [reader](std::uint32_t file) { reader->read(file); };
 }
 
 // Null: what a label means depends on the lines before it.
 PieceReader (*const linuxcnc_pieces)(Builder& to) = nullptr;
+ProgramNames (*const linuxcnc_other_mode)(const Code& code) = nullptr;
 
 }  // namespace cncsub

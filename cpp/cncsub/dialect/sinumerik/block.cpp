@@ -8,6 +8,7 @@
 
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
+#include "cncsub/dialect/sinumerik/iso_mode.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/text/look_alikes.hpp"
 
@@ -185,6 +186,7 @@ bool g_code(OpenBlock& open, Block& block, Words& words, const Value& value) {
   const bool whole = code % 10 == 0;  // tenths are those of codes that are written as words
   if (value.number < 0 || !whole || !open.to.control().reading.g_codes.value.has(code))
     return open.refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
+  if (code == kIsoModeOff || code == kIsoModeOn) return mode_code(open, block, words, code, value);
   return add_code(open, block, words, group_of(code / 10), code, value.at);
 }
 
@@ -275,6 +277,7 @@ void name_machine_axes(Words& words) {
 }
 
 bool write(OpenBlock& open, Block& block, Words& words) {
+  if (!switch_mode(open, block, words, false)) return false;
   if (!words.indexed.empty() && !put_indexed(open, block, words)) return false;
   name_machine_axes(words);
   if (!move_beside_path(open, block, words)) return true;
@@ -331,27 +334,52 @@ bool text_field(OpenBlock& open, Block& block, PrintField& field) {
 }
 
 bool BlockReader::read(std::string_view text, Block& block, std::string& label, Link& link) {
-  if (plain(text, block)) return true;
+  if (!open_.iso_mode && plain(text, block)) return true;
   open_.line.set(text, block.text);
   open_.expression.begin_block();
   if (open_.line.at_end()) return false;
   skip_level(block);
   if (!number(block)) return true;
+  if (open_.iso_mode)
+    read_iso_block(open_, block);
+  else
+    read_own(block, label, link);
+  hold_mode(block);
+  return true;
+}
+
+/// Refuse a return from a program in another mode than it began in: no source says in which mode
+/// its caller goes on.
+void BlockReader::hold_mode(Block& block) {
+  const bool returns = block.op == Op::Return;
+  const bool ends = block.op == Op::EndProgram && began_in_iso_mode_;
+  if ((!returns && !ends) || open_.iso_mode == began_in_iso_mode_) return;
+  std::uint32_t at = block.text, width = 1;
+  if (returns) {
+    const CallRecord& back = open_.to.record<CallRecord>(block.aux);
+    at = back.at;
+    width = back.width;
+  }
+  open_.to.refuse(block, {Cause::CodeNotComputed, at, width,
+                          "cncsub does not compute a return in another mode than the program "
+                          "began in: write G290 or G291 before it"});
+}
+
+void BlockReader::read_own(Block& block, std::string& label, Link& link) {
   take_label(label);
   const bool is_word = open_.line.begins_word();  // DEF and IF; not X10
-  if (is_word && declarations_.read(block)) return true;
+  if (is_word && declarations_.read(block)) return;
   if (!open_.line.at_end()) declarations_.end_definitions();
   bool read_it = true;
   if (is_word && statement(open_, block, link, read_it)) {
     if (const bool o_word = !label.empty(); is_marked_structure(block, link, o_word))
       refuse_mark(open_.to, block, o_word, marked_at_, marked_width_);
-    return true;
+    return;
   }
   Words words;
   while (!open_.line.at_end())
-    if (!item(open_, block, words)) return true;
+    if (!item(open_, block, words)) return;
   write(open_, block, words);
-  return true;
 }
 
 /// Read the skip levels: `/` and `/0` are the first of ten, `/9` is the tenth. [general knowledge]

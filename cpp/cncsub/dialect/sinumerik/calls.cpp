@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/dialect/sinumerik/iso_mode.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
 
 namespace cncsub::sinumerik {
@@ -78,6 +79,15 @@ CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t a
   return call;
 }
 
+/// Refuse a call of a program in another mode than the others call it in: it is read in one.
+bool called_in_one_mode(OpenBlock& open, Block& block, std::string_view name, std::uint32_t at) {
+  return !is_called_in_iso_mode(open.called_in_iso_mode, name) ||
+         open.not_computed(block,
+                           std::string(name) +
+                               " in the control's own language: other calls are of it in ISO mode",
+                           at);
+}
+
 /// Write the call of a program by its path, of which the last name counts.
 bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
                 std::vector<ActualParameter> given) {
@@ -85,6 +95,7 @@ bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint3
   if (name.empty())
     return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
   CallRecord call = call_of(open, name, at);
+  if (!called_in_one_mode(open, block, call.name(), at)) return false;
   call.extras.make().given = std::move(given);
   if (!open.end_of_statement(block)) return false;
   open.to.become(block, Op::Call, std::move(call));
@@ -237,6 +248,31 @@ bool external_call(OpenBlock& open, Block& block, std::uint32_t at) {
   return call_named_by(open, block, path, at);
 }
 
+/// Read ISOCALL "0122", the call of a program in ISO mode. If machine data switch no ISO mode on,
+/// it is a call like any other. [general knowledge]
+bool call_in_iso_mode(OpenBlock& open, Block& block, std::uint32_t at) {
+  Value path;
+  if (!program_text(open, block, path)) return false;
+  if (!has_iso_mode(open.to.control())) return call_named_by(open, block, path, at);
+  if (path.computed)
+    return open.not_computed(block,
+                             "the computed name of a program in ISO mode: write the name itself, "
+                             "ISOCALL \"0122\"",
+                             path.at);
+  const std::string& written = open.to.code().texts.at(to_whole<std::size_t>(path.number));
+  const std::string name(open.to.code().spelling->bare_name(last_of_path(written, kPathSigns)));
+  if (name.empty())
+    return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
+  if (open.to.code().find(name) != kNoProgram &&
+      !is_called_in_iso_mode(open.called_in_iso_mode, name))
+    return open.not_computed(
+        block, "ISOCALL in MDI of a program that no program of the memory calls so", at);
+  CallRecord call = iso_call(open, name, at);
+  if (!open.end_of_statement(block)) return false;
+  open.to.become(block, Op::Call, std::move(call));
+  return true;
+}
+
 /// Read SETAL(65000), or SETAL(65000, "TEXT").
 bool user_alarm(OpenBlock& open, Block& block, std::uint32_t at) {
   if (!open.line.take('(')) return open.refuse(block, Cause::BracketNotOpened, "( is missing", at);
@@ -280,6 +316,7 @@ bool call(OpenBlock& open, Block& block, Words& words, std::string_view name) {
   open.line.pass(name.size());
   CallRecord call = call_of(open, name, at);
   if (words.call) return open.refuse(block, Cause::CallGivenTwice, "a second call", at);
+  if (!called_in_one_mode(open, block, call.name(), at)) return false;
   if (name.size() == 1)
     return open.refuse(block, Cause::AddressWithoutValue, "L without a number", at);
   if (open.line.take('(') && !given_values(open, block, call.extras.make().given)) return false;
@@ -310,10 +347,7 @@ bool other_call(OpenBlock& open, Block& block, Link& link, const std::string& wo
   if (word == "PCALL") return call_by_path(open, block, at);
   if (word == "EXTCALL") return external_call(open, block, at);
   if (word == "SETAL") return user_alarm(open, block, at);
-  return open.not_computed(block,
-                           "a program in ISO mode: run it by itself on a FANUC, with "
-                           "`-c fanuc-0i-f`",
-                           at);  // ISOCALL
+  return call_in_iso_mode(open, block, at);
 }
 
 /// Read a text between quotes that is the whole of a value.

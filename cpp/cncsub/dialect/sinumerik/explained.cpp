@@ -7,6 +7,7 @@
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
+#include "cncsub/dialect/sinumerik/iso_mode.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
 
@@ -125,6 +126,23 @@ void add_prefixes(Collection& to) {
             "+code-not-computed", kKnown});
 }
 
+/// Add the words of the ISO mode, which machine data switch on.
+void add_iso_mode(const Control& control, Collection& to) {
+  constexpr const char* kIso = "general knowledge of the SINUMERIK ISO dialects";
+  const bool has = has_iso_mode(control);
+  to.add({"G290", "computed", "ends the ISO mode, in a block of its own", "", "", kIso});
+  to.add({"G291", has ? "computed" : "not-computed",
+          has ? "begins the ISO mode, in a block of its own: blocks up to G290 are written as for "
+                "another maker's mill"
+              : "begins the ISO mode, which machine data 18800 and 10880 switch on for mills: "
+                "without them a run stops there",
+          "", "code-not-computed", kIso});
+  to.add({"ISOCALL", "computed",
+          has ? "calls a program in ISO mode; its end brings the own language back"
+              : "calls a program in ISO mode; without machine datum 18800, one like any other",
+          "a text: the name of the program", "+named-program-not-found +code-not-computed", kIso});
+}
+
 /// Add the letters that no word of the language begins with.
 void add_other_letters(Collection& to) {
   static constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
@@ -158,8 +176,7 @@ std::vector<Keyword> sinumerik_keywords(const Control& control) {
       all.add({std::string(word), "not-computed",
                "is not computed here: a run stops there; " + what_it_needs(word), "",
                "code-not-computed", kKnown});
-  all.add({"ISOCALL", "not-computed", "calls a program in ISO mode: a run stops there", "",
-           "code-not-computed", kKnown});
+  add_iso_mode(control, all);
   add_other_letters(all);
   return all.take();
 }

@@ -47,6 +47,8 @@ struct Words {
   char indexed_form = '=';    // their form: '=' for none, 'A' for AC, 'I' for IC
   bool any = false;
   bool ends = false;
+  std::optional<bool> iso_mode;  // after G290 and G291: whether the ISO mode follows
+  std::uint32_t iso_mode_at = 0, iso_mode_width = 1;
 
   /// Return whether nothing stands beside a call, which has a block of its own.
   bool is_call_alone() const { return !any && statements.empty() && !print && !back; }
@@ -65,6 +67,8 @@ struct OpenBlock {
   Line line;
   Definitions definitions;
   ExpressionReader expression;
+  bool iso_mode = false;  // of the blocks that follow
+  std::vector<std::string> called_in_iso_mode;
 
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at);
   /// Refuse the block for what its expression was refused.

@@ -1,14 +1,16 @@
 // Blocks of plain words: N10 G1 X10.5 Y-3 F200 M8.
 #include <bitset>
 #include <span>
+#include <utility>
 
 #include "cncsub/dialect/sinumerik/block.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 
 namespace cncsub::sinumerik {
 
-BlockReader::BlockReader(Builder& to)
+BlockReader::BlockReader(Builder& to, std::vector<std::string> called_in_iso_mode)
     : open_(to), declarations_(to, open_.line, open_.expression, open_.definitions) {
+  open_.called_in_iso_mode = std::move(called_in_iso_mode);
   if (!to.code().general_only) prepare_plain_words();
 }
 
@@ -28,6 +30,8 @@ void BlockReader::prepare_plain_words() {
   plain_.set("N", Kind::N);
   for (std::size_t g = 0; g < plain_.g.size(); ++g)
     plain_.g[g] = control.reading.g_codes.value.has(static_cast<int>(10 * g));
+  for (const int code : {kIsoModeOff, kIsoModeOn})
+    plain_.g.reset(static_cast<std::size_t>(code / 10));
   plain_.max_digits = kMostDigits;
   plain_.max_n = control.reading.max_sequence_number.value;
 }

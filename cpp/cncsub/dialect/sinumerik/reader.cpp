@@ -13,9 +13,17 @@ namespace sinumerik {
 
 namespace {
 
+/// Return the name at the head of a text that begins with a digit: 0122_SPF.
+std::string_view numbered_name_in(std::string_view text) {
+  const auto* const digits = std::find_if_not(text.begin(), text.end(), is_digit);
+  const auto count = static_cast<std::size_t>(digits - text.begin());
+  return text.substr(0, count == 0 ? 0 : count + name_in(text.substr(count)).size());
+}
+
 class FileReader {
  public:
-  explicit FileReader(Builder& to) : to_(to), blocks_(to), structure_(to) {}
+  FileReader(Builder& to, const ProgramNames& called_in_iso_mode)
+      : to_(to), blocks_(to, called_in_iso_mode), structure_(to) {}
 
   void read(std::uint32_t file) {
     const std::string_view text = to_.code().files[file].text.view();
@@ -26,13 +34,16 @@ class FileReader {
       ++line;
       const std::string_view said = trimmed(std::string_view(text).substr(at, end - at));
       const auto place = static_cast<std::uint32_t>(said.data() - text.data());
-      const bool head = said.starts_with('%');
-      if (head || (!begun && !said.empty() && said[0] != ';')) {
+      // In ISO mode a % alone begins and ends the tape.
+      const bool tape =
+          said == "%" && (begun ? blocks_.is_in_iso_mode() : begins_in_iso_mode(file));
+      const bool head = !tape && said.starts_with('%');
+      if (head || (!begun && !tape && !said.empty() && said[0] != ';')) {
         if (begun) end_program(place, line);
         begin_program(file, line, head ? said : std::string_view(), place);
         begun = true;
       }
-      if (!head && begun && !said.empty()) add(said, place, line);
+      if (!head && !tape && begun && !said.empty()) add(said, place, line);
       if (to_.interrupt().requested(end + 1 - at)) break;
       at = end + 1;
     }
@@ -41,6 +52,10 @@ class FileReader {
   }
 
  private:
+  bool begins_in_iso_mode(std::uint32_t file) const {
+    return blocks_.is_called_in_iso_mode(to_.code().files[file].stem);
+  }
+
   /// Begin a program: %_N_SHAFT_MPF is SHAFT. Without a head the file gives the name. [SONE p.43]
   void begin_program(std::uint32_t file, std::uint32_t line, std::string_view head,
                      std::uint32_t at) {
@@ -53,15 +68,19 @@ class FileReader {
       const std::string_view said = trimmed(head.substr(1));
       const std::size_t before = said.starts_with("_N_") || said.starts_with("_n_") ? 3 : 0;
       std::string_view name = said.substr(before, name_in(said.substr(before)).size());
+      if (name.empty() && before > 0) name = numbered_name_in(said.substr(before));
       rest = trimmed(said.substr(before + name.size()));
       const std::string capital = capitals(name);
       if (capital.ends_with("_MPF") || capital.ends_with("_SPF")) name.remove_suffix(4);
       program.name_at = at + static_cast<std::uint32_t>(name.data() - head.data());
       program.name_length = static_cast<std::uint32_t>(name.size());
     }
+    const bool in_iso_mode = blocks_.is_called_in_iso_mode(to_.code().name_of(program));
+    if (in_iso_mode) program.number = number_in(to_.code().name_of(program));
     to_.begin_program(program);
     structure_.begin();
-    blocks_.begin_program();
+    blocks_.begin_program(in_iso_mode);
+    structure_.mode(in_iso_mode);
     if (!rest.empty() && rest[0] != ';')
       drop(rest, at + static_cast<std::uint32_t>(rest.data() - head.data()), line);
   }
@@ -92,6 +111,7 @@ class FileReader {
     if (!blocks_.read(text, block, label, link)) return;
     structure_.add(label, link);
     to_.append(block);
+    structure_.mode(blocks_.is_in_iso_mode());
   }
 
   Builder& to_;
@@ -103,10 +123,13 @@ class FileReader {
 
 }  // namespace sinumerik
 
-FileReader sinumerik_reader(Builder& to) {
-  auto reader = std::make_shared<sinumerik::FileReader>(to);
+FileReader sinumerik_reader(Builder& to, const ProgramNames& called_in_iso_mode) {
+  auto reader = std::make_shared<sinumerik::FileReader>(to, called_in_iso_mode);
   return [reader](std::uint32_t file) { reader->read(file); };
 }
+
+ProgramNames (*const sinumerik_other_mode)(const Code& code) =
+    sinumerik::programs_called_in_iso_mode;
 
 // Null: what a label means depends on the blocks before it.
 PieceReader (*const sinumerik_pieces)(Builder& to) = nullptr;

@@ -216,12 +216,26 @@ void Structure::refuse_jump(Block& block, const JumpTarget& target, bool inside)
                             : "no such block in the direction of the search"});
 }
 
+/// Refuse a jump to a block that is read in another mode: the control would read it in the mode of
+/// the jump.
+bool Structure::refuse_other_mode(Block& block, Address from, Address to,
+                                  const JumpTarget& target) {
+  const auto changes = [this](Address at) {
+    return std::upper_bound(modes_.begin(), modes_.end(), at) - modes_.begin();
+  };
+  if (modes_.empty() || to == kNowhere || (changes(from) - changes(to)) % 2 == 0) return false;
+  to_.refuse(block, {Cause::CodeNotComputed, target.at, target.width,
+                     "cncsub does not compute a jump between the ISO mode and the own language"});
+  return true;
+}
+
 void Structure::resolve(const Met& met) {
   const JumpTarget& sought = met.link.target;
   computed_ = computed_ || sought.computed;
   if (sought.computed) return;
   Address other = kNowhere;
   const Address to = target(met.address, sought, other);
+  if (refuse_other_mode(to_.block(met.address), met.address, to, sought)) return;
   const bool inside = to != kNowhere && leads_inside(met.address, to);
   if (to != kNowhere && !inside) {
     statement(met.address).to = to;
@@ -247,6 +261,7 @@ void Structure::resolve(Address from, const AlternativeJump& one) {
   if (one.target.computed) return;
   Address other = kNowhere;
   const Address to = target(from, one.target, other);
+  if (refuse_other_mode(to_.record<Block>(one.variant), from, to, one.target)) return;
   const bool inside = to != kNowhere && leads_inside(from, to);
   Block& block = to_.record<Block>(one.variant);
   if (to == kNowhere || inside) return refuse_jump(block, one.target, inside);

@@ -18,6 +18,13 @@ class Structure {
     labels_.clear();
     numbered_.clear();
     links_.clear();
+    modes_.clear();
+    iso_mode_ = false;
+  }
+  /// Say in which mode the block is that is appended next.
+  void mode(bool iso_mode) {
+    if (iso_mode != iso_mode_) modes_.push_back(to_.next_address());
+    iso_mode_ = iso_mode;
   }
   /// Add the block that is appended next.
   void add(const std::string& label, const Link& link);
@@ -64,6 +71,7 @@ class Structure {
   void resolve(Address from, const AlternativeJump& one);
   void resolve_part(const Met& met);
   void refuse_jump(Block& block, const JumpTarget& target, bool inside);
+  bool refuse_other_mode(Block& block, Address from, Address to, const JumpTarget& target);
   const std::vector<Address>& blocks_of(const JumpTarget& target);
   Address target(Address from, const JumpTarget& sought, Address& other);
   Address part_end(const Met& met, Address first);
@@ -79,6 +87,8 @@ class Structure {
   std::unordered_map<std::string, std::vector<Address>> labels_;
   std::unordered_map<std::int32_t, std::vector<Address>> numbered_;  // the blocks of a number
   std::vector<Met> links_;
+  std::vector<Address> modes_;  // the blocks from which on another mode holds
+  bool iso_mode_ = false;       // of the next block
   std::vector<Open> open_;
   std::vector<Span> spans_;  // by their numbers, less 1
   std::vector<Mark> marks_;

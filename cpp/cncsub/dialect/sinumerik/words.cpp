@@ -130,6 +130,10 @@ void pass_word(Line& line, WrittenWord& word) {
     const std::string_view first = first_character(line.rest());
     word.address = first;
     if (first == "\"") return line.pass_quoted();
+    if (first == "(") {  // a comment in ISO mode; in the own language no word begins so
+      line.pass_brackets('(', ')');
+      return;
+    }
     line.pass(first.size());
     if (first == "/" && is_digit(line.ahead(0))) line.pass(1);
     if (first == ":" && is_digit(line.ahead(0))) pass_number(line, word);  // :10 of a main block
