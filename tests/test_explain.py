@@ -533,3 +533,8 @@ def test_the_control_of_a_project_is_found_by_any_spelling(
     (tmp_path / "cncsub.toml").write_text('[control]\nname = "our-mill"\nbase = "Fanuc 0i-F"\n')
     assert explain("max_nesting", "-c", "Our Mill").count("our-mill") == 1
     assert "our-mill: 10" in explain("max_nesting", "-c", "our_mill")
+
+
+@pytest.mark.parametrize("name", ["GT101", "gt101", "dry-run-alarm"])
+def test_a_rule_of_the_gate_is_explained(name: str) -> None:
+    assert explain(name).startswith("GT101 dry-run-alarm, error")

@@ -15,6 +15,8 @@ import pytest
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
+from cncsub.editor.requests import server_for
+
 SERVER = [sys.executable, "-m", "cncsub", "lsp"]
 MAIN = "O1 (MAIN)\nN10 M98 P2\nN20 #100=5\nN30 G1 X[#100] F100\nN40 M98 P9\nN50 M30\n"
 SUB = "O2 (SUB)\nM99\n"
@@ -331,3 +333,22 @@ def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
     finally:
         server.terminate()
         server.wait(20)
+
+
+def test_settings_that_say_nothing_of_debugging_leave_its_lens() -> None:
+    server = server_for(None)
+    server.configure({"debug": True})
+    server.configure({"cncsub": {"control": "haas-ngc"}})
+    assert server.debugs
+    assert server.memories.settings.control == "haas-ngc"
+    server.configure({"debug": False})
+    assert not server.debugs
+
+
+def test_drawn_pages_are_removed_with_the_server() -> None:
+    server = server_for(None)
+    folder = server.pages
+    assert folder.is_dir()
+    assert server.pages == folder
+    server.remove_pages()
+    assert not folder.exists()

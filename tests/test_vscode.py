@@ -199,6 +199,8 @@ def test_the_extension_starts_the_server_the_adapter_and_the_tasks(tmp_path: Pat
     assert sorted(told["registered"]) == sorted(commands)
     (started,) = told["started"]
     assert started["server"] == {"command": "cncsub", "args": ["lsp"]}
+    assert started["options"]["synchronize"]["configurationSection"] == "cncsub"
+    assert {"scheme": "file", "pattern": "**/cncsub.toml"} in started["options"]["documentSelector"]
     assert set(started["options"]["initializationOptions"]) == {
         "control", "run", "maxBlocks", "maxSeconds", "debug",
     }  # fmt: skip
