@@ -22,7 +22,7 @@ from cncsub.questions.values import answers, changed, entries_of
 _ROOT = Path(__file__).resolve().parents[2]
 _ROWS = _ROOT / "tests" / "conformance"
 _MOST_VALUES = 2  # other values of a rule that are tried
-_MOST_PROGRAMS = 16  # of a control: every example, and rows from the first to the last
+_MOST_PROGRAMS = 10  # of a control: every example, and rows from the first to the last
 
 
 class Weighted(NamedTuple):
