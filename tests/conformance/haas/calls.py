@@ -44,7 +44,7 @@ case(
     program="O0001\nN10 M98 P2\nN51 M99 P100\nN60 M0\nN100 M30\nO0002\nN20 M99", runs="N10 N20 N51 N100",
 )
 case(
-    "M99 in the main program starts it over", pins="main_return", **manual("360, M99 in the main program"),
+    "M99 starts the main program of the Haas over", pins="main_return", **manual("360, M99 in the main program"),
     program="O1\nN10 G0 X1.\nN20 M99", max_cycles=3, stop="cycles", runs="(N10 N20)*3",
 )
 case(

@@ -18,7 +18,7 @@ case(
     program="O1\nN10 #10000=#11018+#11255+#11100\nN20 M30", vars={10000: 2},
 )
 case(
-    "#11256 is no variable", **manual("208", evidence="inferred"),
+    "#11256 is after the last input", **manual("208", evidence="inferred"),
     program="O1\nN10 #1=#11256\nN20 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
