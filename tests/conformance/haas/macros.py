@@ -309,7 +309,7 @@ case(
     program="O1\nN10 #101=2\nN20 #1=30\nN30 G0 X-#101 Z-[SIN[#1]]\nN40 M30", moves="R X-2 Z-0.5",
 )
 case(
-    "D by a variable beyond the offsets alarms", pins="max_offset_number", **manual("220: the tool diameter numbers range from 0 to 200"),
+    "D by a variable beyond the offsets alarms", **manual("220: the tool diameter numbers range from 0 to 200"),
     program="O1\nN10 #1=250\nN20 D#1\nN30 M30", runs="N10", alarm="radius-offset-number", at="O1 N20", word="D#1",
 )
 case(

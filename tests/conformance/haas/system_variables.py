@@ -46,7 +46,7 @@ for number in (10000, 10149, 10200, 10400, 10700, 10999):
         program=f"O1\nN10 #{number}=7\nN20 #1=#{number}\nN30 M30", vars={1: 7, number: 7},
     )
 case(
-    "#3000 takes 1 to 999 and adds 1000", pins="user_alarm_offset user_alarm_last", **manual("210, #3000= 15"),
+    "#3000 takes 1 to 999 and adds 1000", pins="user_alarm_offset", **manual("210, #3000= 15"),
     program="O1\nN10 #3000= 15 (MESSAGE PLACED INTO ALARM LIST)\nN20 M30", runs="N10", alarm="user-alarm", number="1015", at="O1 N10",
 )
 case(
