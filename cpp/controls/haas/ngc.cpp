@@ -303,8 +303,8 @@ void alarms(Control& c) {
   for (const Row& row : rows)
     for (const Cause cause : row.causes)
       c.alarms[cause] = {row.number, row.text, kAlarms, Inferred};
-  c.alarms[EndOfRecord] = {"312", "Program End", "HNGC p.134", Manual, true};
-  c.alarms[ProgramNotFound] = {"314", "Subprogram Not In Memory", "HNGC p.314, G150", Manual, true};
+  c.alarms[EndOfRecord] = {"312", "Program End", "HNGC p.134", Manual};
+  c.alarms[ProgramNotFound] = {"314", "Subprogram Not In Memory", "HNGC p.314, G150", Manual};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ case(
     program="O00001\nN10 M97 P100 L4\nN20 M30\nN100 M00\nN110 M99", runs="N10 (N100 N110)*4 N20", m=[0, 0, 0, 0],
 )
 case(
-    "M98 P100 L4 runs O00100 four times, as the manual's O00002", pins="program_word max_program_digits",
+    "M98 P100 L4 runs O00100 four times, as the manual's O00002", pins="program_word",
     **manual("359, O00002"),
     program="O00002\nN10 M98 P100 L4\nN20 M30\nO00100\nN100 M00\nN110 M99", runs="N10 (N100 N110)*4 N20",
 )
@@ -44,7 +44,7 @@ case(
     program="O0001\nN10 M98 P2\nN51 M99 P100\nN60 M0\nN100 M30\nO0002\nN20 M99", runs="N10 N20 N51 N100",
 )
 case(
-    "M99 in the main program starts it over", pins="main_return", **manual("360, M99 in the main program"),
+    "M99 starts the main program of the Haas over", pins="main_return", **manual("360, M99 in the main program"),
     program="O1\nN10 G0 X1.\nN20 M99", max_cycles=3, stop="cycles", runs="(N10 N20)*3",
 )
 case(
@@ -68,7 +68,7 @@ case(
     program="O1\nN10 G65 P77\nN20 M30", runs="", alarm="program-not-found", number="314", at="O1 N10",
 )
 case(
-    "M96 goes on where the input is 1", pins="roles:M96=jump-unless-input", **manual("357, O00096"),
+    "M96 goes on where the input is 1", **manual("357, O00096"),
     inputs={"signals": {11018: 1}},
     program="O1\nN5 M96 P10 Q18\nN7 M99 P100\nN10 G04 P1.\nN20 M99 P5\nN100 #3000=10(M-FIN INPUT=1)\nN110 M30",
     runs="N5 N7 N100", alarm="user-alarm", number="1010", at="O1 N100",

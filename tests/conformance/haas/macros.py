@@ -144,7 +144,7 @@ case(
 
 # Loops
 case(
-    "DO without WHILE repeats for ever", **manual("229, an infinite loop"), max_blocks=6, stop="limit",
+    "DO without WHILE repeats for ever on the Haas", **manual("229, an infinite loop"), max_blocks=6, stop="limit",
     program="O1\nN10 DO1\nN20 #1=#1+1\nN30 END1\nN40 M30", runs="(N10 N20 N30)*2",
 )
 case(
@@ -165,7 +165,7 @@ case(
     vars={1: 1, 2: 1, 3: 1}, stop="end",
 )
 case(
-    "DO4 is no loop", **manual("229, the value of n is 1-3"),
+    "DO4 is no loop of the Haas", **manual("229, the value of n is 1-3"),
     program="O1\nN10 DO4\nN20 END4\nN30 M30", runs="", alarm="illegal-loop-number", at="O1 N10",
 )
 case(
@@ -309,7 +309,7 @@ case(
     program="O1\nN10 #101=2\nN20 #1=30\nN30 G0 X-#101 Z-[SIN[#1]]\nN40 M30", moves="R X-2 Z-0.5",
 )
 case(
-    "D by a variable beyond the offsets alarms", pins="max_offset_number", **manual("220: the tool diameter numbers range from 0 to 200"),
+    "D by a variable beyond the offsets alarms", **manual("220: the tool diameter numbers range from 0 to 200"),
     program="O1\nN10 #1=250\nN20 D#1\nN30 M30", runs="N10", alarm="radius-offset-number", at="O1 N20", word="D#1",
 )
 case(

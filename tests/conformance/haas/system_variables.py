@@ -18,7 +18,7 @@ case(
     program="O1\nN10 #10000=#11018+#11255+#11100\nN20 M30", vars={10000: 2},
 )
 case(
-    "#11256 is no variable", **manual("208", evidence="inferred"),
+    "#11256 is after the last input", **manual("208", evidence="inferred"),
     program="O1\nN10 #1=#11256\nN20 M30", runs="", alarm="illegal-variable", number="503", at="O1 N10",
 )
 case(
@@ -46,7 +46,7 @@ for number in (10000, 10149, 10200, 10400, 10700, 10999):
         program=f"O1\nN10 #{number}=7\nN20 #1=#{number}\nN30 M30", vars={1: 7, number: 7},
     )
 case(
-    "#3000 takes 1 to 999 and adds 1000", pins="user_alarm_offset user_alarm_last", **manual("210, #3000= 15"),
+    "#3000 takes 1 to 999 and adds 1000", pins="user_alarm_offset", **manual("210, #3000= 15"),
     program="O1\nN10 #3000= 15 (MESSAGE PLACED INTO ALARM LIST)\nN20 M30", runs="N10", alarm="user-alarm", number="1015", at="O1 N10",
 )
 case(
