@@ -112,7 +112,7 @@ std::optional<std::int64_t> last_met(Live& live, const py::list& given,
 bool back(Live& live, std::int64_t step) {
   const Work machine(live);
   if (step < 0 || step > machine->blocks()) throw py::index_error("no such step");
-  if (!machine->remembers()) throw py::value_error("the machine does not remember its way");
+  if (machine->history() == nullptr) throw py::value_error("the machine does not remember its way");
   return work_back(live, [&](const auto& interrupted) { machine->back(step, interrupted); });
 }
 

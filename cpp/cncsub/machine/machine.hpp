@@ -47,7 +47,6 @@ class Machine {
 
   /// Remember from now on where the run came from, to go back. It costs a snapshot now and then.
   void remember();
-  bool remembers() const { return history_.has_value(); }
   /// Go back to when so many blocks were executed, 0 to `blocks`; what was set from outside after
   /// that is forgotten, what was set before is set again, and blocks that were typed in at the step
   /// are not there. Return false where `interrupted` stopped it: it stands where it stood then.

@@ -395,11 +395,7 @@ inline double first_set(E, I, double a, double b) { return is_vacant(a) ? b : a;
 inline double smaller_of(E, I, double a, double b) { return a < b ? a : b; }
 inline double larger_of(E, I, double a, double b) { return a > b ? a : b; }
 
-inline double level(E e, I) {
-  const auto& frames = e.run.state.frames;
-  return static_cast<double>(std::count_if(frames.begin() + 1, frames.end(),
-                                           [](const OpenFrame& open) { return !open.typed; }));
-}
+inline double level(E e, I) { return calls_of_programs(e.run.state); }
 inline double line_number(E e, I) { return e.run.code->blocks[e.block].line; }
 
 }  // namespace cncsub::instruction
