@@ -186,7 +186,8 @@ GCodes::GCodes(const Control& control, MachineType machine) : places_(kCodes) {
   if (!roles.has(Role::ModalCall))
     for (const std::int16_t code : {660, 661, 670}) set({code, G::OneShot, M::None});
   for (GCode entry : control.motion.g_meanings.value) {
-    if (entry.meaning == M::Skip) entry.variant = static_cast<std::int16_t>(entry.code % 10);
+    if (entry.meaning == M::Skip && entry.variant == 0)
+      entry.variant = static_cast<std::int16_t>(entry.code % 10);
     if (const GCode own = find(entry.code); own.meaning == entry.meaning && entry.variant == 0)
       entry.variant = own.variant;
     set(entry);

@@ -164,8 +164,6 @@ void system_variables(Control& c) {
                            address, source, evidence});
   };
   add(1001, 1024, VariableKind::Input, 0, kKnown, Inferred);
-  add(3001, 1024, VariableKind::Output, 0, kKnown, Inferred);
-  c.variables.back().access = Access::ReadWrite;
   add(4901, 40, VariableKind::ModalCode, 0, "NCI, ggroups.json", Secondary);
   add(5001, 9, VariableKind::WorkPosition, 0, kPositions, Secondary);
   add(5021, 9, VariableKind::MachinePosition, 0, kPositions, Secondary);
@@ -177,12 +175,6 @@ void system_variables(Control& c) {
   add(5068, 1, VariableKind::SkipTouched, 0, kKnown, Inferred);
   add(5081, 9, VariableKind::MeasuredPosition, 0, "840slj p.5-24: $AA_MW", Secondary);
   add(5091, 9, VariableKind::MeasuredMachine, 0, "840slj p.5-24: $AA_MM", Secondary);
-  add(7001, 8, VariableKind::Kept, 'M', "general knowledge: $AC_MARKER, machine datum 28256",
-      Inferred);
-  c.variables.back().access = Access::ReadWrite;
-  add(7101, 50, VariableKind::Kept, 'P', "general knowledge: $AC_PARAM, machine datum 28254",
-      Inferred);
-  c.variables.back().access = Access::ReadWrite;
   add(5063, 1, VariableKind::Date, 0, kKnown, Inferred);
   add(5064, 1, VariableKind::Time, 0, kKnown, Inferred);
   constexpr const char* kFrames = "MD840, framevar.svar: $P_UIFR and kin";
@@ -194,14 +186,22 @@ void system_variables(Control& c) {
   add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
   add(5066, 1, VariableKind::ActiveWord, 'D', kKnown, Inferred);
   const auto add_written = [&c](std::int32_t first, std::int32_t count, VariableKind kind,
-                                const char* source) {
-    c.variables.push_back({first, first + count - 1, kind, Access::ReadWrite, 0, source, Inferred});
+                                const char* source, char address = 0) {
+    c.variables.push_back(
+        {first, first + count - 1, kind, Access::ReadWrite, address, source, Inferred});
   };
   constexpr std::int32_t kNames = 1'800'000'000, kEdges = 1'900'000'000;
   add_written(kNames, EdgeDatum::kTools, VariableKind::ToolName,
               "general knowledge of the SINUMERIK 840D: $TC_TP2");
   add_written(kEdges, EdgeDatum::kNumbers, VariableKind::EdgeDatum,
               "general knowledge of the SINUMERIK 840D: $TC_DP1 to $TC_DP35");
+  constexpr std::int32_t kOutputs = 1'950'003'001, kMarkers = 1'950'007'001,
+                         kParameters = 1'950'007'101;
+  add_written(kOutputs, 1024, VariableKind::Output, kKnown);
+  add_written(kMarkers, 8, VariableKind::Kept,
+              "general knowledge of the SINUMERIK 840D: $AC_MARKER, machine datum 28256", 'M');
+  add_written(kParameters, 50, VariableKind::Kept,
+              "general knowledge of the SINUMERIK 840D: $AC_PARAM, machine datum 28254", 'P');
 }
 
 }  // namespace

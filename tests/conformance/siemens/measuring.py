@@ -44,7 +44,7 @@ for words in ("MEAS=2", "MEAS=0", "MEAS=R1"):
     )
 case(
     "MEAS has a value", **KNOWN,
-    program="N10 G1 F100 MEAS X5\nN20 M30", runs="", alarm="missing-equals", at="MAIN N10",
+    program="N10 G1 F100 MEAS X5\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10",
 )
 case(
     "only the first probe is known", **KNOWN,

@@ -159,7 +159,7 @@ bool push_axis_of_plane(OpenExpression& open) {
     return true;
   }
   open.emit(Ins::Constant, 20);  // G17 is across Z, the third axis
-  constexpr int kPlane = 2;      // among the groups of ModalCode
+  constexpr int kPlane = 6;      // the G group of the planes
   open.emit(Ins::Variable, first_of(open, VariableKind::ModalCode) + kPlane - 1);
   open.emit(Ins::Subtract);
   return true;
