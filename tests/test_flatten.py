@@ -471,3 +471,22 @@ def test_comments_of_flatten_is_true_or_false() -> None:
     library = cncsub.loads("O1\nM30\n", control="fanuc-0i-f")
     with pytest.raises(TypeError, match="comments must be True or False, not 'x'"):
         library.flatten(comments="x")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("words", "flat"),
+    [
+        ("G1 X=AC(R1+1) Y=IC(R1*2) F100", "G1 X=AC(21) Y=IC(40) F100"),
+        ("G2 X10 Y20 I=AC(R1/4) J=IC(R1/2) F100", "G2 X10 Y20 I=AC(5) J=IC(10) F100"),
+        ("G1 A=DC(R1) B=ACP(R1+1) C=ACN(R1+2) F100", "G1 A=DC(20) B=ACP(21) C=ACN(22) F100"),
+        ("G111 X5 Y5", "G111 X5 Y5"),
+        ("G1 RP=R1 AP=IC(R1+10) F100", "G1 RP=20. AP=IC(30) F100"),
+        ("G1 X=IC(R1/3) F100", "G1 X=IC(6.667) F100"),
+    ],
+)
+def test_a_computed_value_keeps_the_form_of_its_word(words: str, flat: str) -> None:
+    text = f"R1=20\nG111 X1 Y2\nG0 G54 X0 Y0\n{words}\nM30\n"
+    setup = {"work_offsets": {"G54": {"X": 100.125, "Y": -20.25}}}
+    made = cncsub.loads(text, control="siemens-one").flatten(setup=setup)
+    made.verify()
+    assert made.text.splitlines()[2].strip() == flat

@@ -111,11 +111,13 @@ bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
 void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   const std::uint32_t mark = 1u << place;
   if ((left_ & mark) == 0) return;
-  if ((formed_ & mark) != 0) {  // as it is written, where its value is a number
-    if ((expressions_ & mark) != 0)
-      failed_ = word.text;
-    else
+  if ((formed_ & mark) != 0) {  // as it is written, with a number for what is computed
+    if ((expressions_ & mark) == 0)
       to_.add_text(word.text);
+    else if (const std::size_t open = word.text.find('('); open < word.text.size())
+      to_.add_formed(word.text.substr(0, open + 1), static_cast<std::uint8_t>(place));
+    else
+      failed_ = word.text;
   } else if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
     const std::int64_t n = (*profile_)[place == 'P' - 'A' ? 0 : 1];
     to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
@@ -204,6 +206,13 @@ void BlockWriter::add_text(std::string_view text) {
   parts_.back().size = static_cast<std::uint32_t>(texts_.size()) - parts_.back().at;
 }
 
+/// Add a word up to its value in brackets, which is written where the block is.
+void BlockWriter::add_formed(std::string_view before, std::uint8_t place) {
+  const auto at = static_cast<std::uint32_t>(texts_.size());
+  texts_ += before;
+  parts_.push_back({Part::Kind::Formed, 0, at, static_cast<std::uint32_t>(before.size()), place});
+}
+
 BlockWriter::Line BlockWriter::make(const Block& block, std::int32_t program,
                                     const std::array<std::int64_t, 2>* profile) {
   open_ = parts_.size();
@@ -250,6 +259,10 @@ bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) 
       to.append(texts_, part->at, part->size);
     } else if (values == nullptr) {
       continue;
+    } else if (part->kind == Part::Kind::Formed) {
+      to.append(texts_, part->at, part->size);
+      words_.value(to, part->place, values->value[part->place]);
+      to += ") ";
     } else if (part->kind == Part::Kind::Codes) {
       if (!put_codes(to, part->letter, *values->codes)) return false;
     } else if ((values->mask >> part->at & 1) != 0) {

@@ -28,9 +28,10 @@ class BlockWriter {
  private:
   /// A piece of a block's line.
   struct Part {
-    enum class Kind : std::uint8_t { Text, Word, Codes, Unwritten } kind = Kind::Text;
+    enum class Kind : std::uint8_t { Text, Word, Formed, Codes, Unwritten } kind = Kind::Text;
     char letter = 0;                 // Codes: G or M; Unwritten: what cannot be written
     std::uint32_t at = 0, size = 0;  // Text: in `texts_`; Word: its place in a mask
+    std::uint8_t place = 0;  // Formed: the same; `at` and `size` are its text up to the value
   };
   struct Line {
     std::uint32_t first = 0, parts = 0;  // in `parts_`; 0 where not made yet
@@ -40,6 +41,7 @@ class BlockWriter {
   Line make(const Block& block, std::int32_t program,
             const std::array<std::int64_t, 2>* profile = nullptr);
   void add_text(std::string_view text);
+  void add_formed(std::string_view before, std::uint8_t place);
   bool put(std::string& to, const Line& line, const NcWords* values);
   bool put_codes(std::string& to, char letter, const BlockCodes& codes);
 

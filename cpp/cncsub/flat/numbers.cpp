@@ -182,6 +182,11 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   return true;
 }
 
+void WordWriter::value(std::string& to, int place, double value) const {
+  round(place, value);
+  to += expression_text(value, code_);
+}
+
 bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
   const char letter = letter_of(place);
   const NumberText text(value);

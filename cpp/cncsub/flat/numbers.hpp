@@ -49,6 +49,8 @@ class WordWriter {
   void begin(const BlockCodes& codes);
   /// Write a computed word, `place` as in a mask; return false where the control cannot write it.
   bool computed(std::string& to, int place, double value) const;
+  /// Write the value of a word that stands in brackets of its own, as in AC(21).
+  void value(std::string& to, int place, double value) const;
   /// Write a word that was written as a number, with a point or, `whole`, without.
   bool constant(std::string& to, int place, double value, bool whole) const;
   /// Write a computed code: in brackets where it would call or end as a plain number.
