@@ -112,6 +112,11 @@ std::optional<Fault> pass(Code& code, CallRecord& call, const FormalParameter& f
   return std::nullopt;
 }
 
+/// Return whether the first block of a program is refused: the call enters it, and it alarms there.
+bool has_faulty_head(const Code& code, const Program& program) {
+  return program.first < program.last && code.blocks[program.first].op == Op::Fault;
+}
+
 }  // namespace
 
 std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
@@ -122,14 +127,16 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
   call.first_argument = static_cast<std::uint32_t>(code.arguments.size());
   const std::int32_t found = code.find(extras->name);
   std::span<const FormalParameter> formals;
-  if (found != kNoProgram) {
+  bool is_declared = found != kNoProgram;
+  if (is_declared) {
     const Program& program = code.programs[static_cast<std::size_t>(found)];
+    is_declared = !has_faulty_head(code, program);
     formals =
         std::span(code.formal_parameters).subspan(program.first_parameter, program.parameters);
   }
   for (std::size_t i = formals.size(); i < given.size(); ++i) {
     if (!is_given(given[i])) continue;
-    if (found != kNoProgram)
+    if (is_declared)
       return fault(
           given[i], Cause::TooManyArguments,
           code.name_of(found) + " declares " + std::to_string(formals.size()) + " parameters");

@@ -330,3 +330,9 @@ case(
     "an MPF alone is called too", **TWO,
     files={"MAIN.MPF": "N10 PART\nN20 M30\n", "PART.MPF": "N30 R1=1\nN40 M17\n"}, main="MAIN", runs="N10 N30 N40 N20",
 )
+
+case(
+    "a program whose PROC is refused is entered, and alarms there", control="siemens-one", source="policy, the fault that is to be mended is told", evidence="inferred",
+    program="N10 SUB1(5,6)\nN20 M30\n%_N_SUB1_SPF\nN30 PROC SUB1(REAL A1,REAL B1)\nN40 M17",
+    runs="N10", alarm="illegal-variable-name", at="SUB1 N30",
+)
