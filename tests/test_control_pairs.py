@@ -206,9 +206,9 @@ def test_values_of_variables_that_the_other_control_lacks() -> None:
     library = cncsub.loads("O1\nN10 G0 X#100\nN20 M30\n", control="fanuc-0i-f")
     flat = library.flatten(control="siemens-one", variables={100: 5})
     assert "X5" in flat.text
-    with pytest.raises(ValueError, match="siemens-one has no #100"):
+    with pytest.raises(ValueError, match="siemens-one has no R100"):
         cncsub.compare(library, controls=["fanuc-0i-f", "siemens-one"], variables={100: 5})
-    with pytest.raises(cncsub.TranslateError, match="siemens-one has no #100"):
+    with pytest.raises(cncsub.TranslateError, match="siemens-one has no R100"):
         cncsub.translate(library, "siemens-one", variables={100: 5})
 
 

@@ -52,6 +52,7 @@ objects = [
     *list(control.alarms.values())[:2], *control.variable_options.values(), library.external, run.calls.tree(), *run.calls.tree(),
     machine.core, machine.core.trace, machine.core.code, machine.core.code.program(0), _core.read_file(inspect.__file__, 1 << 20), *_core.read_found('', [inspect.__file__], 1 << 20, True),
     _core.flattening(library.machine().core, False), _core.flows(machine.core.code),
+    _core.rule_exchange(control, cncsub.controls["mitsubishi-m700"]),
     run.messages, run.position, run.modal,
 ]
 modules = [importlib.import_module(m.name) for m in pkgutil.walk_packages(cncsub.__path__, "cncsub.") if not m.name.endswith("__main__")]
