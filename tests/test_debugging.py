@@ -57,7 +57,7 @@ def stops(machine: cncsub.Machine, until: Any) -> list[int | None]:
         (("O2", 110), [110, 110, 110]),
         ("job.nc:10", [100]),
         ("O1:4", [30]),
-        ("O3:16", [210, 210]),
+        ("O3:16", [200, 200]),
         ("call", [100, 200]),
         ("call O3", [200]),
         ("return", [40, 70]),

@@ -317,7 +317,7 @@ std::vector<SourceFile> files_of(Code& code) {
 
 }  // namespace
 
-std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
+std::shared_ptr<const Code> compile(const std::shared_ptr<const Control>& control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted,
                                     const Sharing& sharing, bool general_only) {

@@ -19,7 +19,7 @@ namespace cncsub {
 /// `interrupted` is asked fifty times a second; once it gives true, the result is null. The library
 /// does not depend on how the reading is shared among threads. `general_only` turns every fast path
 /// off, of the reader and of what runs the library: a program does the same, but takes longer.
-std::shared_ptr<const Code> compile(std::shared_ptr<const Control> control,
+std::shared_ptr<const Code> compile(const std::shared_ptr<const Control>& control,
                                     std::vector<SourceFile> files, bool external_device,
                                     const std::function<bool()>& interrupted = {},
                                     const Sharing& sharing = {}, bool general_only = false);

@@ -44,6 +44,20 @@ void reading(Control& c) {
   c.reading.bare_g = {false, cite({kKnown, "005"}), Inferred};
 }
 
+void roles_of_codes(Control& c) {
+  give_role(c.calls.roles, "M198", Role::ExternalCall, kCl198, Secondary);
+  give_role(c.calls.roles, "M98", Role::Call, "source 003, M98 P", SourceDocument);
+  give_role(c.calls.roles, "M99", Role::Return, "source 003, M99", SourceDocument);
+  give_role(c.calls.roles, "M30", Role::End, "source 003, end of the program", SourceDocument);
+  give_role(c.calls.roles, "M03", Role::SpindleForward, "source 003, M03", SourceDocument);
+  give_role(c.calls.roles, "M05", Role::SpindleStop, "source 003, M05", SourceDocument);
+  give_role(c.calls.roles, "M00", Role::Stop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M01", Role::OptionalStop, kIsoM, Secondary);
+  give_role(c.calls.roles, "M02", Role::End, kIsoM, Secondary);
+  give_role(c.calls.roles, "M04", Role::SpindleBackward, kIsoM, Secondary);
+  give_role(c.calls.roles, "M06", Role::ToolChange, kIsoM, Secondary);
+}
+
 void calls_and_returns(Control& c) {
   c.calls.name_marks = {"+-_.", "general knowledge", Inferred};
   lacks(c.common.refuses, {Cause::IllegalWordWithReturn}, "general knowledge: no such alarm",
@@ -70,17 +84,7 @@ void calls_and_returns(Control& c) {
   c.calls.max_total_nesting = {8, cite({kRw, "4 + 4 levels"}), Secondary};
   c.calls.mdi_calls = {MdiCalls::Allowed,
                        "general knowledge; source 003 says no, for older controls", Inferred};
-  give_role(c.calls.roles, "M198", Role::ExternalCall, kCl198, Secondary);
-  give_role(c.calls.roles, "M98", Role::Call, "source 003, M98 P", SourceDocument);
-  give_role(c.calls.roles, "M99", Role::Return, "source 003, M99", SourceDocument);
-  give_role(c.calls.roles, "M30", Role::End, "source 003, end of the program", SourceDocument);
-  give_role(c.calls.roles, "M03", Role::SpindleForward, "source 003, M03", SourceDocument);
-  give_role(c.calls.roles, "M05", Role::SpindleStop, "source 003, M05", SourceDocument);
-  give_role(c.calls.roles, "M00", Role::Stop, kIsoM, Secondary);
-  give_role(c.calls.roles, "M01", Role::OptionalStop, kIsoM, Secondary);
-  give_role(c.calls.roles, "M02", Role::End, kIsoM, Secondary);
-  give_role(c.calls.roles, "M04", Role::SpindleBackward, kIsoM, Secondary);
-  give_role(c.calls.roles, "M06", Role::ToolChange, kIsoM, Secondary);
+  roles_of_codes(c);
   c.calls.device_word = {false, kKnown, Inferred};
   c.calls.return_search = {ReturnSearch::FromHead, cite({"policy", kFin}), Inferred};
   c.calls.return_with_p = {ReturnWithP::AtOnce, kPolicy, Inferred};

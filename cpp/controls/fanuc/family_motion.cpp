@@ -188,22 +188,8 @@ const Parameter kParameters[] = {
      {kLengthType}},
 };
 
-}  // namespace
-
-void add_family_motion(Control& c) {
-  c.motion.machine = {MachineType::Mill, "policy: the setup tells a lathe", Inferred};
-  c.motion.negative_radius = {NegativeRadius::LongWay, "source 003, example 5", SourceDocument};
-  c.motion.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
-  has(c.common.refuses,
-      {Cause::ReferenceInCycle, Cause::CornerOffset, Cause::GrooveEscape, Cause::RigidMove,
-       Cause::RigidSpeed, Cause::ArcFeedZero},
-      "ALM 025, 039, 044, 062; 200 and 204 from general knowledge", Secondary);
-  c.motion.computed_lengths = {ComputedLengths::Rounded, cite({kJix, kXia}), Secondary};
-  c.motion.idle_blocks = {1, "source 003, note a", SourceDocument};
-  c.motion.measuring = {Measuring::Of6241,
-                        "general knowledge; TDi 17, TApar 6241 to 6255: the same rule", Inferred};
-  measuring_parameters(c, kKnown, Inferred);
-  c.motion.skip_signals = {SkipSignals::Parameters, "general knowledge, multi-step skip", Inferred};
+/// Add the parameters that say which signals G31 and G04 watch.
+void skip_parameters(Control& c) {
   for (int p = 1; p <= 4; ++p) {
     const std::string number = std::to_string(p);
     c.parameters.push_back(
@@ -220,6 +206,25 @@ void add_family_motion(Control& c) {
       read_by(rule::skip_signals,
               {"6206", 0, "the skip signals of G04 without Q: bit 0 is SKIP, bit 7 SKIP8", kKnown,
                Inferred}));
+}
+
+}  // namespace
+
+void add_family_motion(Control& c) {
+  c.motion.machine = {MachineType::Mill, "policy: the setup tells a lathe", Inferred};
+  c.motion.negative_radius = {NegativeRadius::LongWay, "source 003, example 5", SourceDocument};
+  c.motion.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
+  has(c.common.refuses,
+      {Cause::ReferenceInCycle, Cause::CornerOffset, Cause::GrooveEscape, Cause::RigidMove,
+       Cause::RigidSpeed, Cause::ArcFeedZero},
+      "ALM 025, 039, 044, 062; 200 and 204 from general knowledge", Secondary);
+  c.motion.computed_lengths = {ComputedLengths::Rounded, cite({kJix, kXia}), Secondary};
+  c.motion.idle_blocks = {1, "source 003, note a", SourceDocument};
+  c.motion.measuring = {Measuring::Of6241,
+                        "general knowledge; TDi 17, TApar 6241 to 6255: the same rule", Inferred};
+  measuring_parameters(c, kKnown, Inferred);
+  c.motion.skip_signals = {SkipSignals::Parameters, "general knowledge, multi-step skip", Inferred};
+  skip_parameters(c);
   c.motion.helix = {Helix::MillsOnly, "ALM 021; helices of lathes are an option", Inferred};
   has(c.motion.data_forms, {DataForm::WithoutL},
       "general knowledge; a repost of the 0i manual: memory A", Inferred);

@@ -224,7 +224,7 @@ void variables(Control& c) {
   }
 }
 
-/// Add settings by their numbers, and the aliases of codes by the programs that they call.
+/// Add settings by their numbers.
 void settings(Control& c) {
   const auto add = [&c](const char* name, double value, const char* meaning,
                         std::vector<Setting> sets, const char* source = kHaas,
@@ -261,6 +261,10 @@ void settings(Control& c) {
   told("162", 0, "a number without a point counts 0 = least increments, 1 = mm, inches or degrees",
        {bit(rule::whole_numbers, WholeNumbers::Increments, WholeNumbers::Millimetres)},
        "HNGC p.393, setting 162");
+}
+
+/// Add the aliases of codes, by the programs that they call.
+void aliases(Control& c) {
   using Form = CodeCall::Form;
   c.code_calls = {{Form::List, 'M', CodeCallKind::Subprogram, 9000, 9000, 10, "", 0, 1, 255, "",
                    "HNGC p.233, aliasing", Manual},
@@ -318,6 +322,7 @@ Control haas_ngc() {
   motion(c);
   variables(c);
   settings(c);
+  aliases(c);
   alarms(c);
   return c;
 }

@@ -153,6 +153,27 @@ void iso_mode(Control& c) {
       "MD840, MD 18800; the delivered value is general knowledge");
 }
 
+/// Add the system variables that programs write by an index.
+void written_variables(Control& c) {
+  const auto add_written = [&c](std::int32_t first, std::int32_t count, VariableKind kind,
+                                const char* source, char address = 0) {
+    c.variables.push_back(
+        {first, first + count - 1, kind, Access::ReadWrite, address, source, Inferred});
+  };
+  constexpr std::int32_t kNames = 1'800'000'000, kEdges = 1'900'000'000;
+  add_written(kNames, EdgeDatum::kTools, VariableKind::ToolName,
+              "general knowledge of the SINUMERIK 840D: $TC_TP2");
+  add_written(kEdges, EdgeDatum::kNumbers, VariableKind::EdgeDatum,
+              "general knowledge of the SINUMERIK 840D: $TC_DP1 to $TC_DP35");
+  constexpr std::int32_t kOutputs = 1'950'003'001, kMarkers = 1'950'007'001,
+                         kParameters = 1'950'007'101;
+  add_written(kOutputs, 1024, VariableKind::Output, kKnown);
+  add_written(kMarkers, 8, VariableKind::Kept,
+              "general knowledge of the SINUMERIK 840D: $AC_MARKER, machine datum 28256", 'M');
+  add_written(kParameters, 50, VariableKind::Kept,
+              "general knowledge of the SINUMERIK 840D: $AC_PARAM, machine datum 28254", 'P');
+}
+
 /// Add the system variables that a run knows, at numbers that no R reaches: the language names
 /// them.
 void system_variables(Control& c) {
@@ -185,23 +206,6 @@ void system_variables(Control& c) {
   add(6301, 1, VariableKind::FrameNumber, 0, "SONE p.636: $P_UIFRNUM", Manual);
   add(5065, 1, VariableKind::ActiveWord, 'S', kKnown, Inferred);
   add(5066, 1, VariableKind::ActiveWord, 'D', kKnown, Inferred);
-  const auto add_written = [&c](std::int32_t first, std::int32_t count, VariableKind kind,
-                                const char* source, char address = 0) {
-    c.variables.push_back(
-        {first, first + count - 1, kind, Access::ReadWrite, address, source, Inferred});
-  };
-  constexpr std::int32_t kNames = 1'800'000'000, kEdges = 1'900'000'000;
-  add_written(kNames, EdgeDatum::kTools, VariableKind::ToolName,
-              "general knowledge of the SINUMERIK 840D: $TC_TP2");
-  add_written(kEdges, EdgeDatum::kNumbers, VariableKind::EdgeDatum,
-              "general knowledge of the SINUMERIK 840D: $TC_DP1 to $TC_DP35");
-  constexpr std::int32_t kOutputs = 1'950'003'001, kMarkers = 1'950'007'001,
-                         kParameters = 1'950'007'101;
-  add_written(kOutputs, 1024, VariableKind::Output, kKnown);
-  add_written(kMarkers, 8, VariableKind::Kept,
-              "general knowledge of the SINUMERIK 840D: $AC_MARKER, machine datum 28256", 'M');
-  add_written(kParameters, 50, VariableKind::Kept,
-              "general knowledge of the SINUMERIK 840D: $AC_PARAM, machine datum 28254", 'P');
 }
 
 }  // namespace
@@ -216,6 +220,7 @@ Control family() {
   modal_calls(c);
   standard_cycles(c);
   system_variables(c);
+  written_variables(c);
   return c;
 }
 

@@ -115,6 +115,27 @@ bool comment(OpenBlock& open, Block& block) {
   return open.refuse(block, Cause::CommentNotClosed, "the comment has no )", at);
 }
 
+/// Refuse what begins with no letter.
+bool other_character(OpenBlock& open, Block& block, std::uint32_t at) {
+  const char first = open.line.peek();
+  const std::string_view character = first_character(open.line.rest());
+  open.line.pass(character.size());
+  if (first == ',')
+    return open.not_computed(block,
+                             "a chamfer or a rounding in ISO mode: G290, CHR or RND after it", at);
+  if (first == '#') return open.not_computed(block, "variables in ISO mode", at);
+  return open.refuse(block, Cause::IllegalCharacter, "no word begins with this character", at);
+}
+
+/// Keep the value of P or L until the code that it belongs to is known.
+bool keep(OpenBlock& open, Block& block, std::optional<Given>& kept, const Given& given) {
+  if (kept)
+    return open.refuse(block, Cause::AddressGivenTwice, "the address is in the block twice",
+                       given.value.at);
+  kept = given;
+  return true;
+}
+
 // A line for each kind of word.
 // NOLINTNEXTLINE(readability-function-cognitive-complexity)
 bool iso_word(OpenBlock& open, Block& block, Words& words, IsoWords& iso) {
@@ -127,17 +148,7 @@ bool iso_word(OpenBlock& open, Block& block, Words& words, IsoWords& iso) {
         block, name + " in ISO mode: G290 before it begins the control's own language", at);
   }
   const char letter = open.line.peek();
-  if (!is_letter(letter)) {
-    const std::string_view character = first_character(open.line.rest());
-    open.line.pass(character.size());
-    if (letter == ',' || letter == '#')
-      return open.not_computed(
-          block,
-          letter == ',' ? "a chamfer or a rounding in ISO mode: G290, CHR or RND after it"
-                        : "variables in ISO mode",
-          at);
-    return open.refuse(block, Cause::IllegalCharacter, "no word begins with this character", at);
-  }
+  if (!is_letter(letter)) return other_character(open, block, at);
   open.line.pass(1);
   Given given;
   if (!number_of(open, block, letter, at, given)) return false;
@@ -149,14 +160,9 @@ bool iso_word(OpenBlock& open, Block& block, Words& words, IsoWords& iso) {
     case 'O':
       return reported(open, words, at);
     case 'P':
-    case 'L': {
-      std::optional<Given>& kept = letter == 'P' ? iso.p : iso.l;
-      if (kept)
-        return open.refuse(block, Cause::AddressGivenTwice, "the address is in the block twice",
-                           at);
-      kept = given;
-      return true;
-    }
+      return keep(open, block, iso.p, given);
+    case 'L':
+      return keep(open, block, iso.l, given);
     case 'D':
     case 'H':
       return open.not_computed(
@@ -199,11 +205,12 @@ Operand constant(const Value& value, double number) {
 }
 
 /// Write M98 P21, M98 P30021 for three passes of 0021, or M98 P21 L3.
-bool write_call(OpenBlock& open, Block& block, const Words& words, const IsoWords& iso) {
+bool write_call(OpenBlock& open, Block& block, const Words& words, const IsoWords& iso,
+                const Value& m98) {
   const auto refuse = [&](Cause cause, const char* detail, const Value& word) {
     return refuse_word(open, block, cause, detail, word);
   };
-  if (!iso.p) return refuse(Cause::ProgramNumberMissing, "M98 without P", *iso.call);
+  if (!iso.p) return refuse(Cause::ProgramNumberMissing, "M98 without P", m98);
   const std::string_view digits = iso.p->digits;
   const Value& p = iso.p->value;
   if (!std::all_of(digits.begin(), digits.end(), is_digit))
@@ -212,14 +219,14 @@ bool write_call(OpenBlock& open, Block& block, const Words& words, const IsoWord
     return refuse(Cause::TooManyDigits, "P has at most 8 digits", p);
   if (iso.back || words.ends)
     return refuse(Cause::CodeNotComputed,
-                  "cncsub does not compute M98 beside the end of the program", *iso.call);
+                  "cncsub does not compute M98 beside the end of the program", m98);
   const std::size_t before = digits.size() - std::min(digits.size(), kProgramDigits);
   if (before > 0 && iso.l)
     return refuse(Cause::CodeNotComputed, "cncsub does not compute a count in P and another in L",
                   iso.l->value);
-  CallRecord call = iso_call(open, digits.substr(before), iso.call->at);
+  CallRecord call = iso_call(open, digits.substr(before), m98.at);
   call.kind = CallKind::Subprogram;
-  call.width = iso.call->width;
+  call.width = m98.width;
   call.extras.make().name_at = p.at;
   call.extras.make().name_width = p.width;
   if (before > 0) call.l = constant(p, std::floor(p.number * 1e-4));
@@ -230,13 +237,14 @@ bool write_call(OpenBlock& open, Block& block, const Words& words, const IsoWord
 }
 
 /// Write M99, or M99 P100: the block to return to.
-bool write_return(OpenBlock& open, Block& block, const Words& words, const IsoWords& iso) {
+bool write_return(OpenBlock& open, Block& block, const Words& words, const IsoWords& iso,
+                  const Value& m99) {
   if (words.ends)
     return refuse_word(open, block, Cause::CodeNotComputed,
-                       "cncsub does not compute M30 beside the return", *iso.back);
+                       "cncsub does not compute M30 beside the return", m99);
   CallRecord back;
-  back.at = iso.back->at;
-  back.width = iso.back->width;
+  back.at = m99.at;
+  back.width = m99.width;
   if (iso.p) {
     CallExtras& to = back.extras.make();
     to.by_values = true;
@@ -258,8 +266,8 @@ bool write(OpenBlock& open, Block& block, Words& words, IsoWords& iso) {
     return refuse_word(open, block, Cause::AddressNotUsable, "P belongs to M98, M99 or G4",
                        iso.p->value);
   for (const Drop& drop : words.drops) open.to.drop(drop.at, drop.width);
-  if (iso.call) return write_call(open, block, words, iso);
-  if (iso.back) return write_return(open, block, words, iso);
+  if (iso.call) return write_call(open, block, words, iso, *iso.call);
+  if (iso.back) return write_return(open, block, words, iso, *iso.back);
   open.to.words(block, words.list);
   if (words.ends) block.op = Op::EndProgram;
   return true;

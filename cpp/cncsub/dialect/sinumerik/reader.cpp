@@ -34,9 +34,7 @@ class FileReader {
       ++line;
       const std::string_view said = trimmed(std::string_view(text).substr(at, end - at));
       const auto place = static_cast<std::uint32_t>(said.data() - text.data());
-      // In ISO mode a % alone begins and ends the tape.
-      const bool tape =
-          said == "%" && (begun ? blocks_.is_in_iso_mode() : begins_in_iso_mode(file));
+      const bool tape = is_tape(said, file, begun);
       const bool head = !tape && said.starts_with('%');
       if (head || (!begun && !tape && !said.empty() && said[0] != ';')) {
         if (begun) end_program(place, line);
@@ -52,8 +50,11 @@ class FileReader {
   }
 
  private:
-  bool begins_in_iso_mode(std::uint32_t file) const {
-    return blocks_.is_called_in_iso_mode(to_.code().files[file].stem);
+  /// Return whether a line is the % that begins or ends the tape of a program in ISO mode.
+  bool is_tape(std::string_view said, std::uint32_t file, bool begun) const {
+    if (said != "%") return false;
+    return begun ? blocks_.is_in_iso_mode()
+                 : blocks_.is_called_in_iso_mode(to_.code().files[file].stem);
   }
 
   /// Begin a program: %_N_SHAFT_MPF is SHAFT. Without a head the file gives the name. [SONE p.43]

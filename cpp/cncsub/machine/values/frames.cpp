@@ -47,24 +47,30 @@ Kept kept(const Run& run, double value) {
 FrameValue frame_of(const Run& run, double value) { return kept<FrameValue>(run, value); }
 FrameEntry entry_of(const Run& run, double value) { return kept<FrameEntry>(run, value); }
 
+/// Return the values of a part that differ from none, X,10,Y,5; nothing where the part has none.
+static std::optional<std::string> written(const FrameValue& frame, FramePart part) {
+  const int axes = part == FramePart::Shift || part == FramePart::Fine ? kAxes : 3;
+  std::string values;
+  for (int axis = 0; axis < axes; ++axis) {
+    const auto value = part_of(frame, part, axis);
+    if (!value) return std::nullopt;
+    if (*value == part_of(FrameValue(), part, axis)) continue;
+    values += (values.empty() ? "" : ",") + axis_letter(axis + 1);
+    if (part != FramePart::Mirror) values += "," + system::shortest(*value);
+  }
+  return values;
+}
+
 std::string written(const FrameValue& frame) {
   static constexpr std::array<std::string_view, 5> kMakers{"CTRANS", "CFINE", "CROT", "CSCALE",
                                                            "CMIRROR"};
   std::string all;
   for (std::size_t part = 0; part < kMakers.size(); ++part) {
-    const auto of = static_cast<FramePart>(part);
-    const int axes = of == FramePart::Shift || of == FramePart::Fine ? kAxes : 3;
-    std::string values;
-    for (int axis = 0; axis < axes; ++axis) {
-      const auto value = part_of(frame, of, axis);
-      if (!value) return "a frame that shears or turns inside out";
-      if (*value == part_of(FrameValue(), of, axis)) continue;
-      values += (values.empty() ? "" : ",") + axis_letter(axis + 1);
-      if (of != FramePart::Mirror) values += "," + system::shortest(*value);
-    }
-    if (values.empty()) continue;
+    const auto values = written(frame, static_cast<FramePart>(part));
+    if (!values) return "a frame that shears or turns inside out";
+    if (values->empty()) continue;
     all += all.empty() ? "" : ":";
-    all += std::string(kMakers[part]) + "(" + values + ")";
+    all += std::string(kMakers[part]) + "(" + *values + ")";
   }
   return all.empty() ? "CTRANS()" : all;
 }
