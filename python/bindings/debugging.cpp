@@ -85,12 +85,14 @@ py::tuple run_to(Live& live, const py::list& given, const ExpressionList& expres
 template <class Job>
 bool work_back(Live& live, Job&& job) {
   bool paused = false;
+  const auto pauses = [&] {
+    int asked = Live::kForGood;
+    return paused = paused || live.pause.compare_exchange_strong(asked, Live::kNone);
+  };
+  if (pauses()) return true;  // the work may be too short to look
   work_away([&](InterruptCheck& interrupt) {
-    std::forward<Job>(job)(std::function<bool()>([&] {
-      int asked = Live::kForGood;
-      paused = paused || live.pause.compare_exchange_strong(asked, Live::kNone);
-      return paused || interrupt.requested(kLook);
-    }));
+    std::forward<Job>(job)(
+        std::function<bool()>([&] { return pauses() || interrupt.requested(kLook); }));
   });
   return paused;
 }

@@ -86,11 +86,14 @@ def search(past: Machine, what: str, most: int = 20) -> Iterator[Written]:
     """
     for _ in range(most):
         step = Compiled(past.core, [Breakpoint(f"changes {what}")]).last_met()
-        if step is None:
-            raise InterruptedError("the search was paused")
-        if step < 0:
-            return
-        past.back(step)
+        try:
+            if step is None:
+                raise InterruptedError
+            if step < 0:
+                return
+            past.back(step)
+        except InterruptedError:
+            raise InterruptedError("the search was paused") from None
         block = past.next
         if block is None:
             return

@@ -172,6 +172,7 @@ std::optional<std::int64_t> History::last_met(const Run& run, const std::vector<
   std::int64_t end = run.state.executed;
   if (is_met_by_stop(probe, list, expressions)) return end;
   for (std::size_t i = snapshots_.size(); i-- > 0;) {
+    if (interrupted && interrupted()) return std::nullopt;  // each of the parts may be short
     restore(probe, *snapshots_[i]);
     Breakpoints breakpoints(list, expressions, run, true);
     breakpoints.begin(probe, true);
