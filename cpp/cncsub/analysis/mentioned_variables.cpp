@@ -97,11 +97,12 @@ void MentionReader::variables(const Block& block) {
   const std::string_view whole = code_.text_of(block, own());
   if (!may_name_variable(block, whole)) return;
   const std::vector<NamePiece> pieces = name_pieces(*code_.spelling, whole);
-  const bool names_them = block.op == Op::NameVariables;  // SETVN 500[ABC, DEF]
+  const bool names_them = block.op == Op::NameVariables;  // N10 SETVN 500[ABC, DEF]
+  const std::size_t list = names_them ? whole.find('[') : 0;
   for (const NamePiece& piece : pieces) {
     if (!names_them) {
       variable(piece, whole, block.text);
-    } else if (&piece != pieces.data()) {
+    } else if (piece.at > list) {
       Mention& mention =
           add(Mention::Kind::Variable, {block.text + piece.name_at, piece.name_width});
       mention.name = told_apart(piece.name_in(whole));

@@ -13,6 +13,7 @@ from cncsub.controls import rule_value
 from cncsub.editing.edits import Edits
 from cncsub.editing.errors import EditError, refusal
 from cncsub.editing.mentions import Mention, mention_at, mentions, thing
+from cncsub.editing.proof import same_as_written
 from cncsub.library import Library
 from cncsub.program import find_program
 
@@ -48,7 +49,9 @@ def rename(
     every = mentions(library, machine=machine)
     found = _mentioned(library, every, what, program, machine)
     job = _Renaming(library, every, found, _plain(library, found, new))
-    return replace(job.edits(), machine=machine)
+    made = replace(job.edits(), machine=machine)
+    same_as_written(made)
+    return made
 
 
 def _mentioned(
@@ -214,6 +217,8 @@ class _Renaming:
                 raise self._refused(m, f"{m.shown} stands here already")
         if found.kind == "program" and self._is_of_control():
             raise self._refused(found, f"{found.shown} is a program of the control")
+        if found.kind == "program" and self._has_namesake():
+            raise self._refused(found, f"two programs are called {found.shown}")
         if found.kind == "program" and self._taken_program():
             raise self._refused(found, f"there is a program {new} already")
         if found.kind == "variable" and found.number is not None:
@@ -225,6 +230,14 @@ class _Renaming:
     def _is_of_control(self) -> bool:
         to = self._found.to_program
         return to is not None and self._library.code.program(to).system
+
+    def _has_namesake(self) -> bool:
+        code, to = self._library.code, self._found.to_program
+        if to is None:
+            return False
+        own = code.program(to)
+        others = (code.program(i) for i in range(len(code)) if i != to)
+        return any((of.name, of.external) == (own.name, own.external) for of in others)
 
     def _taken_program(self) -> bool:
         other = find_program(
