@@ -6,13 +6,6 @@
 
 namespace cncsub {
 
-namespace {
-
-std::string line_of(const Run& run, Address at) {
-  return "line " + std::to_string(run.code->blocks[at].line);
-}
-
-/// Return why a run that has stopped does not go on; nothing where it does.
 std::optional<std::string> over(Stop stop) {
   switch (stop) {
     case Stop::End:
@@ -27,6 +20,12 @@ std::optional<std::string> over(Stop stop) {
       break;
   }
   return std::nullopt;
+}
+
+namespace {
+
+std::string line_of(const Run& run, Address at) {
+  return "line " + std::to_string(run.code->blocks[at].line);
 }
 
 /// Return why the program that runs cannot go on at a block, by where the two stand.

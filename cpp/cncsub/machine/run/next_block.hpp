@@ -8,6 +8,8 @@
 
 namespace cncsub {
 
+/// Return why a run that has stopped does not go on; nothing where it does.
+std::optional<std::string> over(Stop stop);
 /// Go on at another block of the program that runs, without executing one. Loops that do not hold
 /// it are left, as a jump of the program leaves them, and an alarm or a wait is over. Return why it
 /// cannot be, or nothing; then nothing has changed.

@@ -4,6 +4,7 @@
 
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/parts.hpp"
+#include "cncsub/machine/run/next_block.hpp"
 #include "cncsub/machine/state/layout.hpp"
 #include "cncsub/machine/state/stop.hpp"
 
@@ -46,18 +47,7 @@ void record_call(Run& run, OpenFrame& open) {
 
 std::optional<std::string> refused_text(const Run& run, const Code& with) {
   const Program& typed = with.programs.back();
-  switch (run.state.stop) {
-    case Stop::End:
-    case Stop::Cycles:
-      return "the program has ended: go back, or reset the machine";
-    case Stop::Limit:
-      return "the run has reached a limit of blocks, time or memory";
-    case Stop::Running:
-    case Stop::Alarm:
-    case Stop::Waiting:
-    case Stop::Interrupted:
-      break;
-  }
+  if (auto why = over(run.state.stop)) return why;
   if (typed.first == typed.last) return "no block was typed";
   const Program& before = with.programs[with.programs.size() - 2];
   const bool has_head = typed.name_length != Program::kOfFile || typed.parameters > 0;
