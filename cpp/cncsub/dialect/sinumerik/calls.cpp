@@ -8,6 +8,19 @@
 
 namespace cncsub::sinumerik {
 
+CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t at) {
+  CallRecord call;
+  call.kind = CallKind::Named;
+  call.at = at;
+  call.width = open.line.width_from(at);
+  CallExtras& named = call.extras.make();
+  named.name_at = at;
+  named.name_width = call.width;
+  named.name = std::string(open.to.code().spelling->bare_name(name));
+  named.count = 'P';
+  return call;
+}
+
 namespace {
 
 // The numbers of alarms that a user's program may raise. [general knowledge]
@@ -63,20 +76,6 @@ bool given_values(OpenBlock& open, Block& block, std::vector<ActualParameter>& g
       return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
   }
   return true;
-}
-
-/// Return a call of the program of this name, which was read from `at` on.
-CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t at) {
-  CallRecord call;
-  call.kind = CallKind::Named;
-  call.at = at;
-  call.width = open.line.width_from(at);
-  CallExtras& named = call.extras.make();
-  named.name_at = at;
-  named.name_width = call.width;
-  named.name = std::string(open.to.code().spelling->bare_name(name));
-  named.count = 'P';
-  return call;
 }
 
 /// Refuse a call of a program in another mode than the others call it in: it is read in one.

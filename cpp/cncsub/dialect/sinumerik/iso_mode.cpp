@@ -315,15 +315,8 @@ bool switch_mode(OpenBlock& open, Block& block, const Words& words, bool beside_
 }
 
 CallRecord iso_call(const OpenBlock& open, std::string_view name, std::uint32_t at) {
-  CallRecord call;
-  call.kind = CallKind::Named;
-  call.at = at;
-  call.width = open.line.width_from(at);
-  CallExtras& named = call.extras.make();
-  named.name_at = at;
-  named.name_width = call.width;
-  named.name = std::string(name);
-  named.count = kCount;
+  CallRecord call = call_of(open, name, at);
+  call.extras.make().count = kCount;
   return call;
 }
 

@@ -123,8 +123,11 @@ bool indexed(OpenBlock& open, Block& block, Words& words, char letter, std::uint
 bool value_of_code(OpenBlock& open, Block& block, std::uint32_t at, Value& value);
 /// Let T be the tool of a name, a text. Where no tool has it, the word is reported.
 bool tool_by_name(OpenBlock& open, Block& block, Words& words, const Value& name, std::uint32_t at);
-/// Read $TC_DP3[5,1]=120 where it stands here; return false where another variable does.
+/// Return a call of the program of this name, which was read from `at` on.
+CallRecord call_of(const OpenBlock& open, std::string_view name, std::uint32_t at);
+/// Read MEAS=1 or MEAS=-1, a line that ends where the first probe switches.
 bool measure(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
+/// Read $TC_DP3[5,1]=120 where it stands here; return false where another variable does.
 bool system_assignment(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
 /// Read a text that a message or an alarm shows.
 bool text_field(OpenBlock& open, Block& block, PrintField& field);
