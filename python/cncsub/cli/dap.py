@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import socket
 import sys
 import threading
 from collections.abc import Callable, Mapping
@@ -13,7 +12,7 @@ import typer
 
 from cncsub import dap as protocol
 from cncsub.cli.options import WrongUseError, wrong_use
-from cncsub.cli.ports import speaks_protocol
+from cncsub.cli.ports import Socket, listening_on, speaks_protocol
 from cncsub.cli.sessions import session_of
 from cncsub.debugging import Session
 from cncsub.system import protocol_output
@@ -40,18 +39,14 @@ def dap(
         with protocol_output() as writes:
             protocol.serve(sys.stdin.buffer, writes, make_session)
         return
-    try:
-        listening = socket.create_server((host, port))
-    except (OSError, OverflowError, UnicodeError) as error:
-        raise WrongUseError(f"--port {port} on {host}: {error}") from None
-    with listening:
+    with listening_on(host, port) as listening:
         where = ":".join(map(str, listening.getsockname()[:2]))
         typer.echo(f"cncsub dap: listening on {where}")
         sys.stdout.flush()
         _serve_clients(listening)
 
 
-def _serve_clients(listening: socket.socket) -> None:
+def _serve_clients(listening: Socket) -> None:
     """Serve each client with a session of its own, some at the same time."""
     free = threading.Semaphore(_MOST_CLIENTS)
     while True:
@@ -62,7 +57,7 @@ def _serve_clients(listening: socket.socket) -> None:
         threading.Thread(target=_serve_client, args=(client, free), daemon=True).start()
 
 
-def _serve_client(client: socket.socket, free: threading.Semaphore) -> None:
+def _serve_client(client: Socket, free: threading.Semaphore) -> None:
     try:
         with client:
             if not speaks_protocol(client):

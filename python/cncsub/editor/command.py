@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import socket
 import sys
 from typing import Annotated
 
 import typer
 
-from cncsub.cli.options import ControlName, WrongUseError, of_extra
-from cncsub.cli.ports import speaks_protocol
+from cncsub.cli.options import ControlName, of_extra
+from cncsub.cli.ports import Socket, listening_on, speaks_protocol
 from cncsub.system import protocol_output
 
 
@@ -40,13 +39,9 @@ def lsp(
             server.start_io(reads, writes)
 
 
-def _client(port: int) -> socket.socket:
+def _client(port: int) -> Socket:
     """Return the first one that speaks the protocol, of those that connect on this computer."""
-    try:
-        listening = socket.create_server(("127.0.0.1", port))
-    except OSError as error:
-        raise WrongUseError(f"--port {port}: {error}") from None
-    with listening:
+    with listening_on("127.0.0.1", port) as listening:
         while True:
             client, _ = listening.accept()
             if speaks_protocol(client):
