@@ -75,7 +75,7 @@ def test_every_function_of_the_c_face(installed: Path, tmp_path: Path) -> None:
     [
         ("run_files", "", 1),
         ("single_step", "O2 50 100", 1),
-        ("moves", "", 0),
+        ("moves", "", 1),
     ],
 )
 def test_the_examples(
