@@ -135,8 +135,8 @@ struct Run {
   }
   /// Return whether what runs was typed in MDI, or was called from there.
   bool in_mdi() const {
-    return std::any_of(state.frames.begin(), state.frames.end(),
-                       [](const OpenFrame& open) { return open.typed; });
+    return state.frames.front().typed ||
+           state.frames.size() - 1 > static_cast<std::size_t>(state.open_calls());
   }
   /// Go on with a library that has more at the ends of its tables.
   void extend(std::shared_ptr<const Code> with);

@@ -135,6 +135,8 @@ struct State {
   Address pc = 0;                   // the block to be executed next
   std::vector<OpenFrame> frames;    // the main program first
   int subprograms = 0, macros = 0;  // how many of the open calls are subprograms, and macros
+  /// Return how many calls are open, without texts that were typed in MDI.
+  int open_calls() const { return subprograms + macros; }
   Labels labels;
   std::vector<OpenLoop> loops;        // of all frames
   std::vector<ModalCall> modals;      // in the order they were declared

@@ -395,7 +395,7 @@ inline double first_set(E, I, double a, double b) { return is_vacant(a) ? b : a;
 inline double smaller_of(E, I, double a, double b) { return a < b ? a : b; }
 inline double larger_of(E, I, double a, double b) { return a > b ? a : b; }
 
-inline double level(E e, I) { return calls_of_programs(e.run.state); }
+inline double level(E e, I) { return e.run.state.open_calls(); }
 inline double line_number(E e, I) { return e.run.code->blocks[e.block].line; }
 
 }  // namespace cncsub::instruction

@@ -35,11 +35,4 @@ bool is_signal(const Code& code, std::int64_t number);
 /// Return whether a reset makes a variable vacant.
 bool cleared_by_reset(const Code& code, std::int64_t number);
 
-/// Return how many calls are open, without texts that were typed in MDI.
-inline double calls_of_programs(const State& state) {
-  const auto& frames = state.frames;
-  return static_cast<double>(std::count_if(frames.begin() + 1, frames.end(),
-                                           [](const OpenFrame& open) { return !open.typed; }));
-}
-
 }  // namespace cncsub
