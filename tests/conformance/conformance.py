@@ -137,6 +137,7 @@ def motion_causes() -> set[str]:
     return of_motion - {"code-not-computed", "position-in-offset"}
 
 
-def rows() -> list[Row]:
+@functools.cache
+def rows() -> tuple[Row, ...]:
     """Return every case once for each of its controls."""
-    return [Row(case, control) for case in cases() for control in case.controls]
+    return tuple(Row(case, control) for case in cases() for control in case.controls)

@@ -8,6 +8,7 @@ rule has one in `unpinned.py`.
 
 from __future__ import annotations
 
+import functools
 import json
 import re
 import sys
@@ -146,8 +147,7 @@ def unnoticed() -> list[str]:
                 mutant = without(control, rule, entry)
                 if case is not None and not passes(case, mutant):
                     continue
-                own = (row.case for row in rows() if row.control == name)
-                likely = (c for c in own if _may_notice(rule.name, entry, c, _text(c)))
+                likely = (c for c, text in _texts(name) if _may_notice(rule.name, entry, c, text))
                 lent = (on(c, name) for c in named_elsewhere(pins, by_place, rule.name, entry))
                 if all(passes(c, mutant) or not passes(c, control) for c in (*lent, *likely)):
                     found.append(f"{name}: {rule.name}: {entry}: {claims.get(entry)}")
@@ -162,6 +162,12 @@ def named_elsewhere(
         claim = _by_entry(pins, control, rule).get(entry, "")
         if (control, claim) in by_place:
             yield by_place[control, claim]
+
+
+@functools.cache
+def _texts(control: str) -> list[tuple[Case, str]]:
+    """Return the rows of a control, each with all that it reads."""
+    return [(row.case, _text(row.case)) for row in rows() if row.control == control]
 
 
 def _text(case: Case) -> str:
@@ -193,9 +199,7 @@ def _may_notice(rule: str, entry: str, case: Case, text: str) -> bool:
 def find_pins() -> Pins:
     """Return the pins that hold, and for the other entries the first row that notices."""
     old, pins = read_pins() if FILE.exists() else {}, {}
-    every = [(row, _text(row.case)) for row in rows()]
     for name, control in cncsub.controls.items():
-        own = [(row.case, text) for row, text in every if row.control == name]
         claims: dict[str, dict[str, list[str]]] = {}
         for rule in lists(control):
             known = _by_entry(old, name, rule.name)
@@ -204,7 +208,7 @@ def find_pins() -> Pins:
                 if excused(control, rule, entry):
                     continue
                 first = [known.get(entry), *tried_first]
-                likely = [case for case, text in own if _may_notice(rule.name, entry, case, text)]
+                likely = [c for c, text in _texts(name) if _may_notice(rule.name, entry, c, text)]
                 likely.sort(key=lambda case: first.index(case.claim) if case.claim in first else 99)
                 mutant = without(control, rule, entry)
                 for case in likely:
