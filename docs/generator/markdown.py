@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Iterable
 
@@ -45,6 +46,7 @@ def fenced(language: str, text: str) -> str:
     return f"{ticks}{language}\n{text.rstrip()}\n{ticks}\n"
 
 
+@functools.cache
 def anchor(key: str) -> str:
     """The anchor of a source, a rule or a parameter."""
     return re.sub(r"[^a-z0-9]+", "-", key.casefold()).strip("-")

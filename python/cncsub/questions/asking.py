@@ -85,18 +85,19 @@ def question(control: Control, name: str) -> Question:
     values = _values(control, name)
     meaning = f"{rule.meaning}: {example}" if (example := _example(rule, entry)) else rule.meaning
     asked = Question(rule_name, entry, meaning, values[0][0], _source_of(rule, entry)[0])
-    best: tuple[tuple[int, int, int], Short, list[tuple[Seen, list[int]]]] | None = None
+    best: tuple[Short, list[tuple[Seen, list[int]]]] | None = None
     for programs in (_of_rows(name), _of_examples(control, rule, name)):
-        for program in programs:
+        for program in sorted(programs, key=lambda of: (of.lines, len(of.text))):
             groups = _groups(program, [of for _, of in values])
-            worth = (len(groups), -program.lines, -len(program.text))
-            if len(groups) > 1 and (best is None or worth > best[0]):
-                best = worth, program, groups
+            if len(groups) > (1 if best is None else len(best[1])):
+                best = program, groups
+            if len(groups) == len(values):
+                break  # no other program can tell more
         if best is not None:
             break
     if best is None:
         return asked
-    _, program, groups = best
+    program, groups = best
     return Question(
         rule_name,
         entry,

@@ -4,13 +4,14 @@ codes, and where the tool goes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
 
 from cncsub.controls import Control
 from cncsub.loading import loads
 from cncsub.run import Run, Stop
 from cncsub.setup import Setup
+from cncsub.tables.table import Table
 
 MOST_BLOCKS = 3000
 _FIRST_SYSTEM = 1000  # variables from this number on are the control's own
@@ -41,7 +42,7 @@ def seen(program: Short, control: Control) -> Seen | None:
         return None
     return {
         "stop": _stop(run),
-        "blocks": _few([_block(step.program, step.n, step.line) for step in run.steps]),
+        "blocks": _few(run.steps, lambda step: _block(step.program, step.n, step.line)),
         "variables": _few(
             [
                 f"#{number} = {value:.6g}"
@@ -49,8 +50,8 @@ def seen(program: Short, control: Control) -> Seen | None:
                 if value is not None and number < _FIRST_SYSTEM
             ]
         ),
-        "codes": _few([str(code) for code in (*run.m_codes, *run.t_codes, *run.messages)]),
-        "moves": _few([_move(move) for move in run.moves]),
+        "codes": _few((*run.m_codes, *run.t_codes, *run.messages)),
+        "moves": _few(run.moves, _move),
         "time": f"{run.moves.total_time:.3g} s",
     }
 
@@ -79,8 +80,9 @@ def _move(move: object) -> str:
     return f"{getattr(move, 'kind', '')} {places}".strip()
 
 
-def _few(told: list[str]) -> str:
-    """Return what is told one by one, shortened where it is long; all of it counts."""
-    if len(told) <= _TOLD:
-        return ", ".join(told) or "none"
-    return f"{', '.join(told[: _TOLD - 1])}, ... {told[-1]} ({len(told)})"
+def _few(seen: Sequence[Any] | Table[Any], tell: Callable[[Any], str] = str) -> str:
+    """Return what is told one by one; of many the first ones, the last one and the count."""
+    if len(seen) <= _TOLD:
+        return ", ".join(map(tell, seen)) or "none"
+    first = ", ".join(tell(seen[place]) for place in range(_TOLD - 1))
+    return f"{first}, ... {tell(seen[-1])} ({len(seen)})"

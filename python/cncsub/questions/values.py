@@ -11,7 +11,12 @@ from cncsub.controls import Control, controls
 
 def rule_named(control: Control, name: str) -> Any:
     """Return a rule of a control; `None` of a group that the control does not have."""
-    return next((rule for rule in control.rules if rule.name == name), None)
+    return _rules(control).get(name)
+
+
+@functools.lru_cache(maxsize=4)
+def _rules(control: Control) -> Mapping[str, Any]:
+    return {rule.name: rule for rule in control.rules}
 
 
 def entries_of(rule: Any) -> list[str]:
