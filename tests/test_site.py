@@ -13,6 +13,7 @@ import generator
 from cncsub import _core
 from cncsub.checking import RULES
 from cncsub.cli import COMMANDS
+from cncsub.controls import inferred_rules
 from generator import api, assembling, control_pages, house
 from generator.markdown import source_anchor, words
 
@@ -138,7 +139,9 @@ def test_the_table_of_controls_says_what_the_rules_do(name: str, wanted: str) ->
     rows = control_pages.table_of_controls().splitlines()
     (row,) = (row for row in rows if row.startswith(f"| [`{name}`]"))
     counts = " / ".join(map(str, control_pages.worth(cncsub.controls[name])))
-    assert row.endswith(f"| {wanted} | {counts} |")
+    control = cncsub.controls[name]
+    inferred = f"{100 * inferred_rules(control) / len(control.rules):.0f} %"
+    assert row.endswith(f"| {wanted} | {counts} | {inferred} |")
 
 
 def test_the_worth_of_a_control_counts_its_rules_and_their_entries() -> None:

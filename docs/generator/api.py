@@ -71,8 +71,10 @@ PAGES: dict[str, tuple[str, str, list[str]]] = {
         [
             "control",
             "controls",
+            "aliases",
             "causes",
             "sources",
+            "Alias",
             "Cause",
             "Source",
             "Control",
