@@ -116,12 +116,57 @@ def test_modes_that_a_call_keeps_are_no_part_of_a_flat_program() -> None:
 
 @pytest.mark.parametrize(
     ("block", "reason"),
-    [("$P_UIFR[1]=CTRANS(X,10)", "a frame of the control"), ("POS[X]=5", "beside the path")],
+    [
+        ("$P_UIFR[1]=CTRANS(X,10)", "a frame of the control"),
+        ("POSA[X]=5", "code-not-computed, .*POSA: the axis moves on"),
+    ],
 )
-def test_frames_and_axes_beside_the_path_are_not_written(block: str, reason: str) -> None:
+def test_a_refusal_names_the_block_and_the_reason(block: str, reason: str) -> None:
     library = cncsub.loads(f"N10 {block}\nN20 M30\n", control="siemens-one")
-    with pytest.raises(cncsub.FlattenError, match=reason):
+    with pytest.raises(cncsub.FlattenError, match=f"MAIN N10, line 1: .*{reason}"):
         library.flatten()
+
+
+BESIDE = (
+    "G0 X5 Y0\nPOS[X]=R1+15 POS[Y]=IC(4) FA[X]=R1+600 FA[Y]=600\nX20\nG91 G1 Y1 F100\n"
+    "POS[X]=3\nY2\nM30\n"
+)
+
+
+def test_axes_beside_the_path_are_written_as_they_are() -> None:
+    library = cncsub.loads(BESIDE, control="siemens-one", name="MAIN")
+    flat = library.flatten()
+    flat.verify()
+    assert "POS[X]=(15) POS[Y]=IC(4) FA[X]=(600) FA[Y]=600\n" in flat.text
+    other = library.flatten(control="siemens-828d")
+    other.verify()
+    assert other.text == flat.text
+
+
+def test_axes_beside_the_path_become_path_moves_of_a_control_without_them() -> None:
+    flat = cncsub.loads(BESIDE, control="siemens-one", name="MAIN").flatten(control="fanuc-0i-f")
+    flat.verify()
+    lines = flat.text.split("\n")
+    at = lines.index("G01 X9. Y4. F848.5281374238571")
+    assert lines[at + 1 : at + 4] == ["G01 X15. F600.", "G00", "X20."]
+    assert "G90 G01 X23. F600." in lines
+
+
+@pytest.mark.parametrize(
+    ("word", "lacking"),
+    [
+        ("G1 X20 CHF=2 F100", "CHF"), ("G2 X10 Y0 I5 J0 TURN=1 F100", "TURN"), ("G1 X20 RNDM=1 F100", "RNDM"),
+        ("G1 X20 RND=1 FRC=50 F100", "FRC"), ("G41 G1 X20 OFFN=1 F100", "OFFN"),
+    ],
+)  # fmt: skip
+def test_a_word_that_the_other_control_lacks_is_named(word: str, lacking: str) -> None:
+    library = cncsub.loads(f"G0 X0 Y0\n{word}\nG1 Y20\nM30\n", control="siemens-one", name="MAIN")
+    library.flatten().verify()
+    library.flatten(control="siemens-828d").verify()
+    with pytest.raises(
+        cncsub.FlattenError, match=f"line 2: .*no word that says what {lacking} says"
+    ):
+        library.flatten(control="fanuc-0i-f")
 
 
 def test_data_of_tools_are_written_by_their_names() -> None:
@@ -150,8 +195,9 @@ def test_a_flat_program_holds_the_blocks_of_a_part_that_texts_name() -> None:
 @pytest.mark.parametrize("word", ["AX[X]=IC(2)", "G91 AX[X]=AC(2)", "AX[AXX]=IC(2)"])
 def test_a_form_whose_word_names_no_address_is_not_lost(word: str) -> None:
     library = cncsub.loads(f"DEF AXIS AXX=X\nG0 X5 F100\nG1 {word}\nM30\n", control="siemens-one")
-    with pytest.raises(cncsub.FlattenError, match="the value of"):
-        library.flatten()
+    flat = library.flatten()
+    flat.verify()
+    assert word.replace("AX[AXX]", "X") in flat.text
 
 
 def test_arcs_about_a_pole_and_tangential_arcs_are_written_as_they_are() -> None:

@@ -75,7 +75,14 @@ WORDS = {
         re.MULTILINE,
     )
 }
-LENT = {"rotation_words": {"E": "RPL"}, "chamfer_words": {",D": "CHF"}}
+LENT = {
+    "rotation_words": {"E": "RPL"},
+    "chamfer_words": {",D": "CHF"},
+    "modal_round_words": {"O": "RNDM"},
+    "corner_feed_words": {"G": "FRC"},
+    "modal_corner_feed_words": {"M": "FRCM"},
+    "contour_offset_words": {"N": "OFFN"},
+}
 
 # Control, rule, claim, and the entries whose absence that row notices, separated by blanks.
 Pins = dict[str, dict[str, dict[str, str]]]

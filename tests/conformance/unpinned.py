@@ -76,12 +76,15 @@ _TABLE = _joined(
     _all("max_program_number", (TE, HNC), "the control's heads and calls are not held to it"),
     # Words of other languages
     _all(
-        "arc_angle_words added_turns poles extra_system_codes tool_edges shifts_move_increments",
+        "arc_angle_words added_turns poles extra_system_codes tool_edges shifts_move_increments"
+        " modal_round_words corner_feed_words modal_corner_feed_words contour_offset_words"
+        " fine_shift",
         (*EVERY, "syntec-22ma"),
         "no source tells of such words, or of such a D",
     ),
     _all(
-        "unused_words_told corner_idle_blocks",
+        "unused_words_told corner_idle_blocks corner_feed_of_next round_before_chamfer"
+        " corner_reduced corners_in_rapid",
         (*EVERY, "syntec-22ma"),
         "no source says what the control makes of such words and blocks",
     ),

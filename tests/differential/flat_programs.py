@@ -35,7 +35,7 @@ REASONS = {
     "axes that go beside the path cannot be written as a block of another program",
     "M02 or M30 returns from a subprogram, and the flat program would end there",
     "a code starts the program over, and the flat program goes on after it",
-    "the run ends by an alarm:  user-alarm",
+    "the run ends by an alarm: user-alarm",
     "the program raises an alarm with a number of its own",
     "a return brings back the frame of the caller, and a flat program has no calls",
     "M70 to M73 save and restore the modes of each call, and a flat program has no calls",

@@ -282,6 +282,7 @@ void FlowReader::alternatives(const Statement& choice) {
 /// code calls. There it might not have been a call of another program.
 void FlowReader::select(const Select& choice) {
   variant(code_.variants[choice.first]);
+  if (choice.of_called) return;  // the other one alarms
   const Block& second = code_.variants[choice.second];
   if (choice.address != 0 && second.op == Op::Fault) return next();
   variant(second);

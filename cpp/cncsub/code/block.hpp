@@ -201,6 +201,7 @@ struct Select {
   std::uint16_t skip = 0;  // != 0: `second` when one of these switches is on
   char address = 0;  // != 0: `second` when the frame was entered by a code that keeps this address
                      // from calling
+  bool of_called = false;   // `second` when the program returns at its end and does not end the run
   std::uint32_t first = 0;  // into Code::variants
   std::uint32_t second = 0;
 };

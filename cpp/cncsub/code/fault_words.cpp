@@ -36,7 +36,16 @@ struct Finder {
         return &word;
       if ((group_of(word) & name.groups) != 0) return &word;
     }
-    return nullptr;
+    return find_code(name);
+  }
+  /// Find a G or an M by its letter, which has no place where the language lends it to a word.
+  const WrittenWord* find_code(const WordName& name) const {
+    const auto is_it = [&](const WrittenWord& word) {
+      return (word.address == "G" && (name.addresses & bit('G')) != 0) ||
+             (word.address == "M" && (name.addresses & bit('M')) != 0);
+    };
+    const auto found = std::find_if(words.begin(), words.end(), is_it);
+    return found == words.end() ? nullptr : &*found;
   }
   /// Return the bit of the group of a G code that does something.
   std::uint32_t group_of(const WrittenWord& word) const {

@@ -28,18 +28,6 @@ std::string Spelling::name_of_variable(const Control& control, std::int64_t numb
   return name.empty() ? std::string(variable) + std::to_string(number) : name;
 }
 
-int Spelling::place_of(std::string_view address) const {
-  if (address == radius) return 'R' - 'A';
-  for (const LongAddress& of : long_addresses)
-    if (of.name == address) return of.place;
-  if (address.size() == 2 && address[0] == ',') return comma_place(upper(address[1]));
-  if (address.size() != 1) return -1;
-  if (const auto sign = polar.find(address[0]); sign != std::string_view::npos)
-    return kRadius + static_cast<int>(sign);
-  const int place = is_letter(address[0]) ? upper(address[0]) - 'A' : -1;
-  return place == 'R' - 'A' && radius.size() > 1 ? -1 : place;  // the place is that of CR
-}
-
 namespace {
 
 /// Return whether a place has no letter of its own in a language that has a long address there.
@@ -49,6 +37,28 @@ bool is_lent(int place) {
 }
 
 }  // namespace
+
+int Spelling::place_of(std::string_view address) const {
+  for (const IndexedAddress& of : indexed_addresses)  // POS[X]
+    if (address.size() == of.name.size() + 3 && address.starts_with(of.name) &&
+        address[of.name.size()] == '[' && is_letter(address[of.name.size() + 1]))
+      return upper(address[of.name.size() + 1]) - 'A' + of.after;
+  if (address == radius) return 'R' - 'A';
+  for (const LongAddress& of : long_addresses)
+    if (of.name == address) return of.place;
+  if (address.size() == 2 && address[0] == ',') return comma_place(upper(address[1]));
+  if (address.size() != 1) return -1;
+  if (const auto sign = polar.find(address[0]); sign != std::string_view::npos)
+    return kRadius + static_cast<int>(sign);
+  const int place = is_letter(address[0]) ? upper(address[0]) - 'A' : -1;
+  if (lends(place)) return -1;
+  return place == 'R' - 'A' && radius.size() > 1 ? -1 : place;  // the place is that of CR
+}
+
+bool Spelling::lends(int place) const {
+  return is_lent(place) && std::any_of(long_addresses.begin(), long_addresses.end(),
+                                       [place](const auto& of) { return of.place == place; });
+}
 
 std::string Spelling::address_of(int place) const {
   for (const LongAddress& of : long_addresses)

@@ -47,10 +47,20 @@ struct Spelling {
     int place;
   };
 
+  /// A word of an axis that stands in brackets after it, POS[X]=5, and how far its place in the
+  /// mask is after that of the axis.
+  struct IndexedAddress {
+    std::string_view name;
+    int after = 0;
+  };
+
   Around program_name{"<", ">"};  // what stands around the name of a program that a call names
 
   // The spelling of words.
   std::span<const LongAddress> long_addresses{};
+  std::span<const IndexedAddress> indexed_addresses{};
+  // What stands around a value that is a coordinate, or an increment, whatever the mode is: IC(5).
+  Around absolute{}, incremental{};
   std::string_view radius = "R";  // the address of an arc's radius
   std::string_view polar{};       // the signs of a point's radius and angle, each an address
   Codes own_m_codes{};            // the M codes that a machine gives a meaning
@@ -73,6 +83,8 @@ struct Spelling {
   int place_of(std::string_view address) const;
   /// Return the address of a place in the mask as it is written.
   std::string address_of(int place) const;
+  /// Return whether the place of a letter is that of a long address: RPL has that of E.
+  bool lends(int place) const;
 };
 
 /// What parts the names of a path that a call writes, the drive among them.

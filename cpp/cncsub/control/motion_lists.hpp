@@ -117,6 +117,8 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"spindle-speed-per-minute", Group::Surface, Meaning::SpindleSpeed, 2},
     {"frame-shift", Group::OneShot, Meaning::FrameShift},
     {"frame-shift-added", Group::OneShot, Meaning::FrameShift, 1},
+    {"frame-shift-by-axis", Group::OneShot, Meaning::FrameShiftByAxis},
+    {"frame-fine-shift-by-axis", Group::OneShot, Meaning::FrameShiftByAxis, 1},
     {"frame-rotation", Group::OneShot, Meaning::FrameRotation},
     {"frame-rotation-added", Group::OneShot, Meaning::FrameRotation, 1},
     {"frame-scale", Group::OneShot, Meaning::FrameScale},

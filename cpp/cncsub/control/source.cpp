@@ -39,6 +39,13 @@ bool stands_at(std::string_view text, std::size_t place, std::string_view key) {
   return !is_letter(after) && after != '-';
 }
 
+/// Return whether a part of a text begins here that cites nothing, whatever words it has: general
+/// knowledge of the ISO mode is not the source ISO.
+bool is_knowledge(std::string_view text, std::size_t place) {
+  const bool first = place == 0 || text.substr(0, place).ends_with("; ");
+  return first && text.substr(place).starts_with("general knowledge of ");
+}
+
 bool has_word(std::string_view list, std::string_view word) {
   for (std::size_t from = 0; from <= list.size();) {
     const std::size_t to = std::min(list.find(' ', from), list.size());
@@ -71,6 +78,10 @@ std::vector<const Source*> cited(std::string_view text) {
   std::vector<const Source*> found;
   for (std::size_t place = 0; place < text.size(); ++place) {
     if (!begins(text, place)) continue;
+    if (is_knowledge(text, place)) {
+      place = std::min(text.find(';', place), text.size());
+      continue;
+    }
     const Source* longest = nullptr;
     for (const Source* source : sources_by_first()[static_cast<unsigned char>(text[place])])
       if ((longest == nullptr || source->key.size() > longest->key.size()) &&

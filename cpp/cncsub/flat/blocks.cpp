@@ -36,6 +36,7 @@ class BlockWriter::Maker {
     if ((block.flags & Block::kHasForms) != 0) {
       const Cell::Extra forms = cells_[std::popcount(block.mask)].extra;
       formed_ = forms.expressions | forms.whole;
+      increments_ = forms.whole;
     }
     if ((block.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'G', 0, 0});
   }
@@ -58,6 +59,7 @@ class BlockWriter::Maker {
   }
   bool take_code(char letter, const WrittenWord& word);
   bool take_code_word(const WrittenWord& word);
+  void pass_code(const std::string& name);
   bool take_end(const WrittenWord& word);
   void take_value(int place, const WrittenWord& word);
   void text(char letter, const WrittenWord& word);
@@ -68,7 +70,8 @@ class BlockWriter::Maker {
   CodeList codes_;
   const Cell* cells_ = nullptr;
   std::uint32_t expressions_ = 0, whole_ = 0, left_ = 0;
-  std::uint32_t formed_ = 0;  // the words whose value has a form of its own
+  std::uint32_t formed_ = 0;      // the words whose value has a form of its own
+  std::uint32_t increments_ = 0;  // those of them that are increments
   std::uint32_t g_taken_ = 0, m_taken_ = 0;
   bool ended_ = false;
   std::string failed_;
@@ -121,6 +124,8 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   } else if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
     const std::int64_t n = (*profile_)[place == 'P' - 'A' ? 0 : 1];
     to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
+  } else if ((expressions_ & mark) != 0 && word.address.ends_with(']')) {  // POS[X]=R1
+    to_.add_formed(word.address + "=(", static_cast<std::uint8_t>(place));
   } else if ((expressions_ & mark) != 0 && word.address.size() > 1 &&
              to_.code_.spelling->address_of(place) != word.address) {
     failed_ = word.text;  // of two addresses in one place the other would be written
@@ -134,6 +139,13 @@ void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
     return;
   }
   left_ &= ~mark;
+}
+
+/// Take the G code that a word with an index stands for: POS[X]=5.
+void BlockWriter::Maker::pass_code(const std::string& name) {
+  const int code = code_of_word(name);
+  for (std::size_t i = 0; code >= 0 && i < codes_.g_count; ++i)
+    if (codes_.g_codes[i] == code) g_taken_ |= 1u << i;
 }
 
 /// Add a G code that is written as a word, where the block has it.
@@ -151,12 +163,12 @@ bool BlockWriter::Maker::take_code_word(const WrittenWord& word) {
 
 void BlockWriter::Maker::take(const WrittenWord& word) {
   if (take_code_word(word)) return;
-  const int place = to_.code_.spelling->place_of(word.address);
-  if (place < 0) return;
-  const char letter = place < 26 ? static_cast<char>('A' + place) : ',';
-  if (letter == 'G' || letter == 'M')
-    static_cast<void>(word.known && take_code(letter, word));
-  else
+  if (word.address.ends_with(']')) pass_code(word.address.substr(0, word.address.find('[')));
+  if (word.address == "G" || word.address == "M") {
+    if (word.known) take_code(word.address.front(), word);
+    return;
+  }
+  if (const int place = to_.code_.spelling->place_of(word.address); place >= 0)
     take_value(place, word);
 }
 
@@ -169,7 +181,15 @@ void BlockWriter::Maker::take_rest() {
     }
   for (; left_ != 0; left_ &= left_ - 1) {
     const int place = std::countr_zero(left_);
-    if ((formed_ >> place & 1) != 0) {  // AX[X]=IC(2): its word names no place
+    if ((formed_ >> place & 1) != 0 && (expressions_ >> place & 1) != 0) {  // AX[AXIS]=IC(2)
+      const Spelling& spelling = *to_.code_.spelling;
+      const bool adds = (increments_ >> place & 1) != 0;
+      const Spelling::Around& form = adds ? spelling.incremental : spelling.absolute;
+      to_.add_formed(spelling.address_of(place) + "=" + std::string(form.before),
+                     static_cast<std::uint8_t>(place));
+      continue;
+    }
+    if ((formed_ >> place & 1) != 0) {
       failed_ = to_.code_.spelling->address_of(place);
       continue;
     }
@@ -260,6 +280,7 @@ bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) 
     } else if (values == nullptr) {
       continue;
     } else if (part->kind == Part::Kind::Formed) {
+      if ((values->mask >> part->place & 1) == 0) continue;
       to.append(texts_, part->at, part->size);
       words_.value(to, part->place, values->value[part->place]);
       to += ") ";

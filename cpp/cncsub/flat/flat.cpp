@@ -166,6 +166,7 @@ bool FlatRun::before_block(std::string& text, FlatOrigins& origins) {
   coming_.repeat = s.frames.back().repeat;
   coming_.plain = (op == Op::Linear || op == Op::Arc) && !takes_words(s);
   observer_.forget();
+  if (other_) other_->begin_block();
   return refusal_ || text.size() >= kPiece;
 }
 
@@ -260,8 +261,6 @@ bool FlatRun::write_own(std::string& text, FlatOrigins& origins) {
     return refuse(
         "M70 to M73 save and restore the modes of each call, and a flat program has no "
         "calls");
-  if (codes_of(machine_, observer_, *block).all.test(at(Meaning::PositionAxes)))
-    return refuse("axes that go beside the path cannot be written as a block of another program");
   if (!write_words(text, origins, *block)) return false;
   if (text.size() == before) return true;
   end_line(text, origins);

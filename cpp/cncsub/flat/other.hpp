@@ -27,6 +27,8 @@ class OtherWriter {
   /// Write the words of a block that has been executed. Return false where they cannot be written:
   /// then `refused` says why.
   bool write(std::string& to, const Block& block, const NcWords& words);
+  /// Keep the point from which the block that comes next moves.
+  void begin_block();
   /// Return what ends a program; empty where the control has no such code.
   std::string end() const;
   const std::string& refused() const { return refused_; }
@@ -45,6 +47,10 @@ class OtherWriter {
   bool put_dwell(std::string& to, double seconds);
   double value_of(const NcWords& words, int place) const;
   bool put_hole_dwell(std::string& to, double seconds);
+  bool put_beside_path(std::string& to, const NcWords& words);
+  bool put_as_path(std::string& to);
+  std::string code_text(const GCode& own) const;
+  bool put_lent(std::string& to, int place, const NcWords& words);
   bool put_letter(std::string& to, const NcWords& words, char letter);
   bool drills(const NcWords& words) const;
   void put_repeats(std::string& to, char letter, double count) const;
@@ -52,6 +58,7 @@ class OtherWriter {
   const Machine &from_, &to_;
   WordWriter words_;
   std::array<GCode, kGroups> at_power_on_;  // what was in force before the first block
+  Axes start_{};                            // where the block began that is written
   bool line_is_owed_ = false;               // G01 is in force here, and not yet written there
   std::string refused_;
 };

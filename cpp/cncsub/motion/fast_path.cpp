@@ -54,8 +54,8 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state) {
       facts.limits.empty() && !checks_area(state) && !lacks_speed(m) && !state.tool_pending &&
       !state.rigid_waits && facts.control->motion.max_feed.value == 0 && state.frame_angle == 0 &&
       !state.diameter && !state.no_motion && !centre_is_absolute(state) && !feed_of_each_cut(m) &&
-      !is_turned(state) && same_bits(state.unmoved, Axes{}) && !state.surface &&
-      state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
+      !is_turned(state) && state.modal_round == 0 && same_bits(state.unmoved, Axes{}) &&
+      !state.surface && state.modal[at(Group::Feed)].meaning != Meaning::InverseTime;
 }
 
 void take_code(const MotionFacts& facts, MotionState& state, int code) {

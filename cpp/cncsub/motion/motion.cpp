@@ -85,7 +85,9 @@ std::optional<Fault> Motion::finish(Moves* moves) {
   if (state().plain) return std::nullopt;
   const std::size_t rows = moves != nullptr ? moves->size() : 0;
   MoveSink plan{*facts_, begin_plan(), moves};
-  return commit(end_waiting(plan), moves, rows);
+  Result wrong = leave_corner(plan);
+  if (!wrong) wrong = end_waiting(plan);
+  return commit(std::move(wrong), moves, rows);
 }
 
 void Motion::set_frame(const FrameValue& frame) {
@@ -163,6 +165,7 @@ void Motion::reset() {
   state.transform = {};
   state.unmoved = {};
   state.pole = {};
+  state.modal_round = state.corner_feed = state.contour_offset = 0;
   if (state.frames->program != FrameValue()) state.frames.change().program = {};
   if (c.common.reset_clears.value.has(Cleared::LocalSystem)) {
     state.local = {};

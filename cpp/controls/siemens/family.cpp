@@ -38,6 +38,13 @@ void frames_and_tools(Control& c) {
                                      Secondary};
   c.motion.written_offset = {WrittenOffset::WhenProgrammed,
                              "840Dk p.2-58: $P_UIFR is activated by G500, G54 to G599", Manual};
+  add_parameter(c, {"24000",
+                    0,
+                    "1 = shifts that ATRANS adds are the fine shift of the program's frame, which "
+                    "TRANS leaves alone: G58 and G59 change either part",
+                    "MD840, MD 24000; the delivered value is general knowledge",
+                    Secondary,
+                    {bit(rule::fine_shift)}});
   c.motion.rotation_words = {"E", "SONE p.309: RPL", Secondary};
 }
 
@@ -52,6 +59,20 @@ void paths(Control& c) {
   c.motion.round_words = {",R", "840De p.4-72: RND", Secondary};
   c.motion.corner_idle_blocks = {3, "CNCF, chamfers and roundings: no more than three blocks",
                                  Secondary};
+  c.motion.modal_round_words = {"O", "840Df p.193: RNDM", Secondary};
+  c.motion.corner_feed_words = {"G", "840Df p.193: FRC", Secondary};
+  c.motion.modal_corner_feed_words = {"M", "840Df p.193: FRCM", Secondary};
+  c.motion.round_before_chamfer = {true, "808Dm p.89: radius and chamfer in one block", Secondary};
+  c.motion.corners_in_rapid = {true, "CNCF, a chamfer that is traversed with G0", Secondary};
+  c.motion.corner_reduced = {true, "CNCF, a value that a block has no room for", Secondary};
+  add_parameter(c, {"20201#0",
+                    0,
+                    "the chamfer or the rounding takes its feed from 1 = the block before it, 0 = "
+                    "the block after it",
+                    "MD840, MD 20201; CNCF, the delivered value",
+                    Secondary,
+                    {bit(rule::corner_feed_of_next, true, false)}});
+  c.motion.contour_offset_words = {"N", "SONE p.251: OFFN", Manual};
   c.motion.angle_words = {",A", "SONE p.220: ANG", Secondary};
   c.motion.angles_on_mills = {true, "SONE p.220: ANG", Secondary};
   c.motion.start_up = {StartUp::TypeA, "general knowledge of the SINUMERIK 840D: NORM", Inferred};
@@ -62,8 +83,8 @@ void paths(Control& c) {
 void meanings(Control& c) {
   c.motion.g_meanings = {
       "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
-      "332=thread-by-axis 34=thread-growing 35=thread-shrinking 58=not-computed "
-      "59=not-computed 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
+      "332=thread-by-axis 34=thread-growing 35=thread-shrinking 58=frame-shift-by-axis "
+      "59=frame-fine-shift-by-axis 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
       "75=second-reference-direct 96=surface-speed-per-revolution 97=spindle-speed-per-revolution "
       "961=surface-speed-per-minute 971=spindle-speed-per-minute "
       "973=spindle-speed-per-revolution "
@@ -78,6 +99,8 @@ void meanings(Control& c) {
       "601=neutral 602=neutral 603=neutral 700=inch 710=metric "
       "621=neutral 641=neutral 642=neutral 643=neutral 644=neutral 645=neutral",
       "NCI, ggroups.json", Secondary};
+  c.motion.g_meanings.tell("58=frame-shift-by-axis", "SONE p.315: G58", Manual);
+  c.motion.g_meanings.tell("59=frame-fine-shift-by-axis", "SONE p.315: G59", Manual);
   c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
   c.motion.g_meanings.tell("MEAS=skip-on-line", "840slj p.5-24: MEAS", Secondary);
   c.motion.g_meanings.tell("CT=tangent-arc", "SONE p.201: CT", Manual);

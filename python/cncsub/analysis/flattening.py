@@ -292,8 +292,10 @@ def _parts(
 def _does_not_end(core: _core.Flattening) -> FlattenError:
     alarm = core.alarm
     if alarm is not None:
+        what = " ".join(filter(None, (alarm.number, alarm.cause)))
+        why = f", {alarm.detail}" if alarm.detail else ""
         return FlattenError(
-            f"the run ends by an alarm: {alarm.number or ''} {alarm.cause}",
+            f"the run ends by an alarm: {what}{why}",
             alarm.program,
             alarm.n,
             alarm.line,

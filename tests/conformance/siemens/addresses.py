@@ -88,7 +88,7 @@ case(
     "so are the axes E and Q", **POLICY, setup=ZERO,
     program="N10 G1 X1 E=IC(2) Q=5 F100\nN20 M30", moves="F X1", dropped=["E=IC(2)", "Q=5"],
 )
-for text in ("FA[X]=500", "LIMS[2]=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FRC=50", "FZ=0.1"):
+for text in ("FA[X]=500", "LIMS[2]=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FZ=0.1", "FINEA[X]", "COARSEA[X]", "IPOENDA=X"):
     case(
         f"{text} is reported and changes no path", **POLICY, setup=ZERO,
         program=f"N10 G0 X5 {text}\nN20 M30", moves="R X5", dropped=[text],
@@ -101,8 +101,8 @@ for text in (
         f"{text} is reported and changes no path", **POLICY, setup=ZERO, program=f"N10 G0 X5 {text}\nN20 M30", moves="R X5", dropped=[text],
     )
 for text in (
-    "TRAORI", "TRANSMIT", "TRACYL(40)", "CYCLE800()", "BSPLINE", "ASPLINE", "CSPLINE", "POLY", "KONT", "KONTC", "RNDM=2", "OFFN=1",
-    "POSA[X]=5", "DIAM90", "ROTS X5", "G58 X5",
+    "TRAORI", "TRANSMIT", "TRACYL(40)", "CYCLE800()", "BSPLINE", "ASPLINE", "CSPLINE", "POLY", "KONT", "KONTC", "KONTT",
+    "POSA[X]=5", "DIAM90", "ROTS X5", "TOFFL=1", "DISC=5", "CUT3DC", "CUT2DF",
 ):
     case(
         f"{text} is not computed, and says so", **POLICY, program=f"N10 {text}\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
@@ -255,7 +255,7 @@ case(
     "the centre across the plane does not count", pins="drops_centre_across", control=ONE, source="NCI, arc.mpf with its table", evidence="secondary", setup=ZERO,
     program="N10 G0 X0 Y50\nN20 G2 X0 Y0 Z10 I0 J-25 K5 F100\nN30 M30", moves="R X0 Y50\nCW X0 Y0 Z10 C X0 Y25", dropped=["K5"],
 )
-for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "RNDM=0", "OFFN=0", "TOFFL=0", "DL=0", "COMPSURF", "ORISON"):
+for text in ("FGROUP(X,Y,Z)", "SETMS(1)", "WAITP(X)", 'GROUP_BEGIN(0,"a)b",0,0)', "GROUP_END(0,0)", "SPCON(1)", "SETMS", "TOFFL=0", "DL=0", "DISC=0", "BRISKA(X)", "SOFTA(X,Y)", "JERKA(X)", "ADISPOSA(X)", "IPOBRKA(X,80)", "FPRAON(X)", "TRAFOOF()", "AFISON", "WALCS1", "COMPSURF", "ORISON"):
     case(
         f"{text} changes no path", **POLICY, setup=ZERO, program=f"N10 G0 X1\nN20 {text}\nN30 X2\nN40 M30", moves_x=[1, 2], dropped=[text],
     )

@@ -79,7 +79,7 @@ for value in ("FA[X]=-5", "FA[X]=-0.1", "FA[Q1]=-5"):
     )
 case(
     "a computed one is too, where its axis moves", control=ONE, source="general knowledge of the SINUMERIK alarms", evidence="inferred",
-    program="N10 R1=-5\nN20 POS[X]=5 FA[X]=R1\nN30 M30", runs="N10", alarm="axis-feed-negative", number="14810", at="MAIN N20", word="POS[X]=5",
+    program="N10 R1=-5\nN20 POS[X]=5 FA[X]=R1\nN30 M30", runs="N10", alarm="axis-feed-negative", number="14810", at="MAIN N20", word="FA[X]=R1",
 )
 for value, cause, number in (("FA=500", "bracket-not-opened", "12080"), ("FA[]=500", "expression-format", "12080"), ("ACC[]=50", "expression-format", "12080")):
     case(f"{value} names no axis", **KNOWN, program=f"N10 {value}\nN20 M30", runs="", alarm=cause, number=number, at="MAIN N10")

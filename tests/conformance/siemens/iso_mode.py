@@ -65,6 +65,15 @@ case(
     program="%_N_MAIN_MPF\nN10 SUB\nN20 M30\n%_N_SUB_SPF\nN30 G291\nN40 G0 X1.\nN50 M17",
     runs="N10 N30 N40", alarm="code-not-computed", at="SUB N50", setup=CROSSED,
 )
+case(
+    "nor is that by M30 of a program that another one calls", **{**KNOWN, "source": "policy, nobody says"},
+    program="%_N_MAIN_MPF\nN10 SUB\nN20 M30\n%_N_SUB_SPF\nN30 G291\nN40 G0 X1.\nN50 M30",
+    runs="N10 N30 N40", alarm="code-not-computed", at="SUB N50", setup=CROSSED,
+)
+case(
+    "M30 of a program called so returns where it is in the mode that it began in", **KNOWN,
+    program="%_N_MAIN_MPF\nN10 SUB\nN20 M30\n%_N_SUB_SPF\nN30 G291\nN40 G0 X1.\nN45 G290\nN50 M30", runs="N10 N30 N40 N45 N50 N20", setup=CROSSED,
+)
 
 # ---- what the words mean ----
 

@@ -309,7 +309,23 @@ bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view n
   return reported(open, words, at);
 }
 
-/// Read RNDM=0: what begins with another value is not computed.
+bool axis_end(OpenBlock& open, Block& block, Words& words, std::string_view name,
+              std::uint32_t at) {
+  open.line.pass(name.size());
+  if (open.line.peek() == '[') {
+    if (!open.line.pass_brackets('[', ']'))
+      return open.refuse(block, Cause::BracketNotClosed, "] is missing", at);
+    return reported(open, words, at);
+  }
+  if (!open.line.take('='))
+    return open.refuse(block, Cause::MissingEquals, std::string(name) + " without =", at);
+  Value value;
+  Type type = Type::Axis;
+  if (!open.expression.value_of_any(value, type)) return open.refuse(block);
+  return reported(open, words, at);
+}
+
+/// Read TOFFL=0: what begins with another value is not computed.
 bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view name,
                  std::uint32_t at) {
   open.line.pass(name.size());

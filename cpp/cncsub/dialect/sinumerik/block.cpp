@@ -226,6 +226,9 @@ bool named(OpenBlock& open, Block& block, Words& words) {
   if (is_reported(name)) return report(open, block, words, name, at);
   if (is_reported_call(name)) return report_call(open, block, words, name, at);
   if (is_off_at_zero(name)) return off_at_zero(open, block, words, name, at);
+  if (is_axis_end(name)) return axis_end(open, block, words, name, at);
+  if (is_neutral(name) && open.line.ahead(open.line.past_blanks(name.size())) == '(')
+    return report_call(open, block, words, name, at);
   if (is_neutral(name)) {
     open.line.pass(name.size());
     if (!words.take_group(group_of(name)))
@@ -349,11 +352,22 @@ bool BlockReader::read(std::string_view text, Block& block, std::string& label, 
 }
 
 /// Refuse a return from a program in another mode than it began in: no source says in which mode
-/// its caller goes on.
+/// its caller goes on. M30 returns where another program has called this one.
 void BlockReader::hold_mode(Block& block) {
-  const bool returns = block.op == Op::Return;
-  const bool ends = block.op == Op::EndProgram && began_in_iso_mode_;
+  const bool returns = block.op == Op::Return, ends = block.op == Op::EndProgram;
   if ((!returns && !ends) || open_.iso_mode == began_in_iso_mode_) return;
+  if (!ends || began_in_iso_mode_) return refuse_mode(block);
+  Block called = block;
+  refuse_mode(called);
+  Select variant;
+  variant.of_called = true;
+  variant.first = open_.to.keep(block);
+  variant.second = open_.to.keep(called);
+  open_.to.become(block, Op::Select, variant);
+}
+
+void BlockReader::refuse_mode(Block& block) {
+  const bool returns = block.op == Op::Return;
   std::uint32_t at = block.text, width = 1;
   if (returns) {
     const CallRecord& back = open_.to.record<CallRecord>(block.aux);

@@ -38,6 +38,7 @@ class BlockReader {
   bool plain(std::string_view text, Block& block);
   void read_own(Block& block, std::string& label, Link& link);
   void hold_mode(Block& block);
+  void refuse_mode(Block& block);
   void skip_level(Block& block);
   bool number(Block& block);
   void take_label(std::string& label);

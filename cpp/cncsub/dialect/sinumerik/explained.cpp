@@ -43,10 +43,11 @@ struct TreatedWords {
   std::span<const std::string_view> words;
   std::string_view does;
 };
-const std::array<TreatedWords, 4> kLists = {
+const std::array<TreatedWords, 5> kLists = {
     {{kNeutralWords, kWithoutPath},
      {kReportedWords, "has a value that changes no path: a run reports it as dropped and goes on"},
      {kReportedCallWords, kWithoutPath},
+     {kAxisEndWords, "says how exactly an axis comes to its end: a run reports it as dropped"},
      {kOffAtZeroWords,
       "with the value 0 only says that what it begins is off; with another value a run stops "
       "there"}}};

@@ -53,15 +53,16 @@ constexpr std::string_view kNeutral[] = {
     "ORISOF",    "COMPSURF",  "COMPPATH", "DYNPREC",    "FTOCOF",     "OSSE",     "OSD",
     "OST",       "PTPG0",     "CP",       "LFON",       "LFOF",       "FENDNORM", "WAITENC",
     "RELIEVEON", "RELIEVEOF", "SUPD",     "DELAYFSTON", "DELAYFSTOF", "IPTRLOCK", "IPTRUNLOCK",
-    "WALCS0"};
+    "WALCS0",    "WALCS1",    "WALCS2",   "WALCS3",     "WALCS4",     "WALCS5",   "WALCS6",
+    "WALCS7",    "WALCS8",    "WALCS9",   "WALCS10",    "AFISON",     "AFISOF",   "ICYCON",
+    "ICYCOF"};
 
 // Words with a value, of an axis or a spindle in brackets too. [NCI grammar; general knowledge of
 // the SINUMERIK 840D]
 constexpr std::string_view kReported[] = {
-    "ACC",  "ACCLIMA", "JERKLIMA", "VELOLIMA", "VELOLIM", "ADIS", "ADISPOS", "FA",
-    "FB",   "FD",      "FDA",      "FRC",      "FRCM",    "FL",   "FMA",     "LIMS",
-    "OVR",  "OVRA",    "OVRRAP",   "SPOS",     "SPOSA",   "SCC",  "SVC",     "FZ",
-    "DISC", "DITS",    "DITE",     "CTOL",     "OTOL",    "ATOL", "STOLF",   "FGREF"};
+    "ACC", "ACCLIMA", "JERKLIMA", "VELOLIMA", "VELOLIM", "ADIS", "ADISPOS", "FA",    "FB",    "FD",
+    "FDA", "FL",      "FMA",      "LIMS",     "OVR",     "OVRA", "OVRRAP",  "SPOS",  "SPOSA", "SCC",
+    "SVC", "FZ",      "DITS",     "DITE",     "CTOL",    "OTOL", "ATOL",    "STOLF", "FGREF", "SF"};
 
 // Calls that change no path: spindles, feeds, channels, tool management, and the marks of editors.
 // [general knowledge of the SINUMERIK 840D]
@@ -71,34 +72,39 @@ constexpr std::string_view kReportedCalls[] = {
     "BLSYNC",   "TMON",     "TMOF",        "GWPSON",    "GWPSOF",       "DISABLE",   "ENABLE",
     "CLRINT",   "STOPREOF", "GROUP_BEGIN", "GROUP_END", "GROUP_ADDEND", "WORKPIECE", "LOCK",
     "UNLOCK",   "CLGON",    "CLGOF",       "NPROT",     "CPROT",        "MSGL",      "DRFOF",
+    "ADISPOSA", "AUXFUDEL", "AUXFUDELG",   "AUXFUMSEQ", "AUXFUSYNC",    "CADAPTON",  "CADAPTOF",
+    "ESRR",     "ESRS",     "FPR",         "FPRAOF",    "FPRAON",       "IPOBRKA",   "JERKA",
+    "RESETMON", "SIRELIN",  "SIRELOUT",    "SIRELTIME", "TML",          "POSM",      "POSMT",
     "CYCLE832", "NEWCONF",  "CHANDATA",    "CANCEL",    "MMC",          "CTABDEL",   "PROTA",
     "PROTS"};
 
+// Words of an axis, which stands in brackets after them. [840D sl, function manual p.1208: FINEA]
+constexpr std::string_view kAxisEnds[] = {"FINEA", "COARSEA", "IPOENDA"};
+
 // [general knowledge of the SINUMERIK 840D]
-constexpr std::string_view kOffAtZero[] = {"RNDM", "OFFN",  "TOFFL",  "TOFFR",
-                                           "TOFF", "TCARR", "CUTMOD", "DL"};
+constexpr std::string_view kOffAtZero[] = {"TOFFL",  "TOFFR", "TOFF", "TCARR",
+                                           "CUTMOD", "DL",    "DISC"};
 
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNotComputed[] = {
-    "AROTS",      "ASPLINE",     "AXIS",     "BLOCK",    "BOOL",     "BSPLINE",  "CALL",
-    "CALLPATH",   "CASE",        "CHAR",     "CROTS",    "CSPLINE",  "CUT3DC",   "DEFAULT",
-    "DEFINE",     "DELETE",      "DIAM90",   "DO",       "ENDFOR",   "ENDLABEL", "EVERY",
-    "EXECSTRING", "EXTCALL",     "FOR",      "FP",       "FRAME",    "FROM",     "FXS",
-    "GOTOS",      "ID",          "IDS",      "INIT",     "INT",      "INVCCW",   "INVCW",
-    "ISFILE",     "KONT",        "KONTC",    "KONTT",    "MEAW",     "MPF",      "OF",
-    "OFFN",       "PCALL",       "POLF",     "POLY",     "POSA",     "POSP",     "PRESETON",
-    "RDISABLE",   "READ",        "REAL",     "REPEATB",  "RNDM",     "ROTS",     "ROUNDUP",
-    "SAVE",       "SET",         "SETINT",   "START",    "STRING",   "TO",       "TOFRAME",
-    "TOROT",      "TRACYL",      "TRAILON",  "TRAILOF",  "TRANSMIT", "TRAORI",   "WHEN",
-    "WHENEVER",   "WRITE",       "BAUTO",    "BNAT",     "BTAN",     "EAUTO",    "ENAT",
-    "ETAN",       "PW",          "SD",       "PL",       "AC",       "IC",       "DC",
-    "ACP",        "ACN",         "CTABDEF",  "CTABEND",  "EGDEF",    "EGON",     "EGONSYN",
-    "EGOFS",      "EGOFC",       "LEADON",   "LEADOF",   "COUPDEF",  "COUPON",   "COUPOF",
-    "TRAANG",     "TRACON",      "TRACOORD", "GEOAX",    "PAROT",    "MEAFRAME", "SETPIECE",
-    "GETT",       "REPOS",       "REPOSA",   "REPOSL",   "REPOSH",   "REPOSHA",  "REPOSQ",
-    "REPOSQA",    "INITIAL_INI", "CONTPRON", "CONTDCON", "EXECTAB",  "EXECUTE",  "CORROF",
-    "POLFMASK",   "POLFMLIN"};
+    "AROTS",      "ASPLINE",  "AXIS",     "BLOCK",    "BOOL",     "BSPLINE",  "CALL",
+    "CALLPATH",   "CASE",     "CHAR",     "CROTS",    "CSPLINE",  "CUT3DC",   "DEFAULT",
+    "DEFINE",     "DELETE",   "DIAM90",   "DO",       "ENDFOR",   "ENDLABEL", "EVERY",
+    "EXECSTRING", "EXTCALL",  "FOR",      "FP",       "FRAME",    "FROM",     "FXS",
+    "GOTOS",      "ID",       "IDS",      "INIT",     "INT",      "INVCCW",   "INVCW",
+    "ISFILE",     "KONT",     "KONTC",    "KONTT",    "MEAW",     "MPF",      "OF",
+    "PCALL",      "POLF",     "POLY",     "POSA",     "POSP",     "PRESETON", "RDISABLE",
+    "READ",       "REAL",     "REPEATB",  "ROTS",     "ROUNDUP",  "SAVE",     "SET",
+    "SETINT",     "START",    "STRING",   "TO",       "TOFRAME",  "TOROT",    "TRACYL",
+    "TRAILON",    "TRAILOF",  "TRANSMIT", "TRAORI",   "WHEN",     "WHENEVER", "WRITE",
+    "BAUTO",      "BNAT",     "BTAN",     "EAUTO",    "ENAT",     "ETAN",     "PW",
+    "SD",         "PL",       "AC",       "IC",       "DC",       "ACP",      "ACN",
+    "CTABDEF",    "CTABEND",  "EGDEF",    "EGON",     "EGONSYN",  "EGOFS",    "EGOFC",
+    "LEADON",     "LEADOF",   "COUPDEF",  "COUPON",   "COUPOF",   "TRAANG",   "TRACON",
+    "TRACOORD",   "GEOAX",    "PAROT",    "MEAFRAME", "SETPIECE", "GETT",     "REPOS",
+    "REPOSA",     "REPOSL",   "REPOSH",   "REPOSHA",  "REPOSQ",   "REPOSQA",  "INITIAL_INI",
+    "CONTPRON",   "CONTDCON", "EXECTAB",  "EXECUTE",  "CORROF",   "POLFMASK", "POLFMLIN"};
 
 // The same, of words that some programs define as names of their own. [general knowledge of the
 // SINUMERIK 840D]
@@ -131,12 +137,14 @@ constexpr std::string_view kFurther[] = {
     "TOROTX",    "TOROTY",     "TOROTZ",     "TOWBCS",   "TOWKCS",     "TOWMCS",     "TOWSTD",
     "TOWTCS",    "TOWWCS",     "WAITC",      "WRTPR"};
 
-// E, P and Q are no addresses of the language: others have their places. [NCI grammar]
+// E, N, O, P and Q, G and M are no addresses with a value in the mask: others have their places.
+// [NCI grammar]
 constexpr Spelling::LongAddress kLong[] = {
-    {"CR", 'R' - 'A'}, {"RPL", 'E' - 'A'}, {"AR", 'Q' - 'A'}, {"TURN", 'P' - 'A'},
-    {"I1", 'I' - 'A'}, {"J1", 'J' - 'A'},  {"K1", 'K' - 'A'}, {"RP", kRadius},
-    {"AP", kAngle},    {"CHR", kCommaC},   {"CHF", kCommaD},  {"RND", kCommaR},
-    {"ANG", kCommaA},  {"LIMS", 'L' - 'A'}};
+    {"CR", 'R' - 'A'},  {"RPL", 'E' - 'A'},  {"AR", 'Q' - 'A'},   {"TURN", 'P' - 'A'},
+    {"I1", 'I' - 'A'},  {"J1", 'J' - 'A'},   {"K1", 'K' - 'A'},   {"RP", kRadius},
+    {"AP", kAngle},     {"CHR", kCommaC},    {"CHF", kCommaD},    {"RND", kCommaR},
+    {"ANG", kCommaA},   {"LIMS", 'L' - 'A'}, {"RNDM", 'O' - 'A'}, {"OFFN", 'N' - 'A'},
+    {"FRC", 'G' - 'A'}, {"FRCM", 'M' - 'A'}};
 
 /// The words that are not computed, and what they would need.
 struct Need {
@@ -147,6 +155,8 @@ constexpr std::string_view kInterrupts =
 constexpr std::string_view kSynchronous =
     "a synchronized action runs beside the blocks, in the cycle of the drives: leave it out for a "
     "run without it";
+constexpr std::string_view kFiles = "files are not written while a program runs";
+constexpr std::string_view kToolPlaces = "a run has no magazine: write T and M6";
 constexpr std::string_view kOscillates = "an axis that oscillates moves beside the path";
 constexpr Need kNeeds[] = {
     {"SETINT", kInterrupts},
@@ -158,6 +168,8 @@ constexpr Need kNeeds[] = {
     {"WHEN", kSynchronous},
     {"WHENEVER", kSynchronous},
     {"EVERY", kSynchronous},
+    {"RESET", kSynchronous},
+    {"CANCELSUB", kSynchronous},
     {"FROM", kSynchronous},
     {"DO", kSynchronous},
     {"OS", kOscillates},
@@ -170,6 +182,11 @@ constexpr Need kNeeds[] = {
     {"CALLPATH", "all programs that are given are searched already: leave it out"},
     {"INIT", "a run has one channel"},
     {"START", "a run has one channel"},
+    {"EXTOPEN", kFiles},
+    {"EXTCLOSE", kFiles},
+    {"TCA", kToolPlaces},
+    {"MVTOOL", kToolPlaces},
+    {"DISC", "an outside corner between an arc and a meeting point: G450 or G451 without it"},
     {"TRAORI", "it needs the kinematics of the machine"},
     {"TRANSMIT", "it needs the data of the transformation"},
     {"TRACYL", "it needs the data of the transformation"},
@@ -181,8 +198,6 @@ constexpr Need kNeeds[] = {
     {"POLY", "the path of a polynomial is not computed"},
     {"POSA", "the axis moves on while the next blocks run: write POS where they can wait for it"},
     {"POSP", "the axis comes in parts while the next blocks run: write POS where they can wait"},
-    {"RNDM", "write RND in each block whose corner is rounded"},
-    {"OFFN", "give the tool a radius that is larger by it"},
     {"KONT", "how the tool goes around the first point is not computed"},
     {"KONTC", "how the tool goes around the first point is not computed"},
     {"KONTT", "how the tool goes around the first point is not computed"}};
@@ -193,6 +208,7 @@ const std::span<const std::string_view> kNeutralWords = kNeutral;
 const std::span<const std::string_view> kReportedWords = kReported;
 const std::span<const std::string_view> kReportedCallWords = kReportedCalls;
 const std::span<const std::string_view> kOffAtZeroWords = kOffAtZero;
+const std::span<const std::string_view> kAxisEndWords = kAxisEnds;
 const std::span<const std::string_view> kNotComputedWords = kNotComputed;
 const std::span<const std::string_view> kFurtherWords = kFurther;
 
@@ -216,6 +232,8 @@ int group_of(std::string_view word) {
 bool is_neutral(std::string_view word) { return is_among(kNeutral, word); }
 
 bool is_reported_call(std::string_view word) { return is_among(kReportedCalls, word); }
+
+bool is_axis_end(std::string_view word) { return is_among(kAxisEnds, word); }
 
 bool is_off_at_zero(std::string_view word) { return is_among(kOffAtZero, word); }
 

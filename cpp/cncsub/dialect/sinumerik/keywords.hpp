@@ -33,7 +33,7 @@ extern const std::span<const Spelling::LongAddress> kLongAddresses;
 /// The words that the reader passes over: those on which no path depends, those with a value, the
 /// calls, and those that only say that something is off.
 extern const std::span<const std::string_view> kNeutralWords, kReportedWords, kReportedCallWords,
-    kOffAtZeroWords;
+    kOffAtZeroWords, kAxisEndWords;
 /// The words that are not read here. The further ones are no names that the language keeps for
 /// itself: a program may define a variable of such a name.
 extern const std::span<const std::string_view> kNotComputedWords, kFurtherWords;
@@ -45,7 +45,9 @@ bool is_reported(std::string_view word);
 /// Return whether a call of the language, WAITP(X) or GROUP_END(0,0), changes no path: it is
 /// reported.
 bool is_reported_call(std::string_view word);
-/// Return whether a word with the value 0 only says that what it begins is off: RNDM=0.
+/// Return whether a word says how exactly an axis beside the path comes to its end: FINEA[X].
+bool is_axis_end(std::string_view word);
+/// Return whether a word with the value 0 only says that what it begins is off: TOFFL=0.
 bool is_off_at_zero(std::string_view word);
 
 /// Return whether no path depends on a word, as on how fast an axis starts or what the screen

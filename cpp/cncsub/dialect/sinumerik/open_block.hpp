@@ -110,7 +110,9 @@ bool move_beside_path(OpenBlock& open, Block& block, Words& words);
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
 bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view name,
                  std::uint32_t at);
-/// Read RNDM=0: what begins with another value is not computed.
+/// Read FINEA[X] or FINEA=X, how exactly an axis beside the path comes to its end.
+bool axis_end(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at);
+/// Read TOFFL=0: what begins with another value is not computed.
 bool off_at_zero(OpenBlock& open, Block& block, Words& words, std::string_view name,
                  std::uint32_t at);
 /// Read a G code that is written as a word.

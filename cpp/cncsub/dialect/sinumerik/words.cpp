@@ -116,7 +116,7 @@ void pass_word(Line& line, WrittenWord& word) {
     if (line.ahead(0) == '(') line.pass_brackets('(', ')');
     const std::string_view index = line.rest();
     if (line.ahead(0) == '[') line.pass_brackets('[', ']');
-    if (capital == "AX" || capital == "POS")  // AX[X]=5
+    if (capital == "AX" || capital == "POS" || capital == "FA")  // AX[X]=5
       word.address = capital + capitals(index.substr(0, index.size() - line.rest().size()));
     if (!line.take('=')) return;
     if (place_of(capital) >= 0) word.address = capital;
@@ -158,9 +158,14 @@ const std::string_view sinumerik_rules =
     "shifts_move_increments written_offset rotation_words start_up acute_corner idle_blocks "
     "chamfer_words round_words angle_words angles_on_mills "
     "dwell_turn_words unit_change computed_lengths feed_mode_change speed_limit "
-    "unused_words_told corner_idle_blocks";
+    "unused_words_told corner_idle_blocks modal_round_words corner_feed_words "
+    "modal_corner_feed_words corner_feed_of_next round_before_chamfer corner_reduced "
+    "corners_in_rapid "
+    "contour_offset_words fine_shift";
 
 const std::span<const WordUse> sinumerik_word_uses;
+// The feed of POS[X] stands where the centre of an arc along X does.
+static constexpr Spelling::IndexedAddress kIndexed[] = {{"AX"}, {"POS"}, {"FA", 'I' - 'X'}};
 const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .value = {"=(", ")"},
                                   .message = {"MSG(\"", "\")"},
@@ -174,6 +179,9 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .variable_name = sinumerik::name_of_variable,
                                   .program_name = {"", ""},
                                   .long_addresses = sinumerik::kLongAddresses,
+                                  .indexed_addresses = kIndexed,
+                                  .absolute = {"AC(", ")"},
+                                  .incremental = {"IC(", ")"},
                                   .radius = "CR",
                                   .own_m_codes = {100, 999},
                                   .definitions = ".DEF"};

@@ -148,6 +148,7 @@ bool choose(Run& run, const Block& block) {
         break;
     }
   }
+  if (variant.of_called) second = !ends_the_run(run);
   return dispatch(run, run.code->variants[second ? variant.second : variant.first]);
 }
 

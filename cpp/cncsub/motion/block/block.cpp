@@ -75,6 +75,7 @@ Result one_shot(MotionContext& m, BlockWords& block) {
     case Meaning::Local:
       return set_local(m, block);
     case Meaning::FrameShift:
+    case Meaning::FrameShiftByAxis:
     case Meaning::FrameRotation:
     case Meaning::FrameScale:
     case Meaning::FrameMirror:
@@ -182,14 +183,26 @@ Result leave_axes(MotionContext& m, BlockWords& block) {
   return has_motion(block) && !block.consumed ? make_motion(m, block) : std::nullopt;
 }
 
+/// Return the words of chamfers and corner rounds in a block that another one of it comes before.
+std::uint32_t other_corners(const MotionFacts& facts, const BlockWords& block) {
+  const std::uint32_t all = (facts.chamfers.mask | facts.rounds.mask) & block.words.mask;
+  const int round = facts.rounds.find(all);
+  const int first = round >= 0 ? round : facts.chamfers.find(all);
+  return first < 0 ? 0 : all & ~(1u << first);
+}
+
 /// Drop the words of arcs and frames that no code of the block takes.
 void drop_unused_words(MotionContext& m, const BlockWords& block) {
   const MotionRules& rules = m.facts.control->motion;
   if (!rules.unused_words_told.value) return;
-  std::uint32_t turns = 0, angles = 0, frames = 0, taken = 0;
+  std::uint32_t turns = 0, angles = 0, frames = 0, corners = 0, taken = 0;
   for (const char name : rules.added_turns.value) turns |= bit(name);
   for (const char name : rules.arc_angle_words.value) angles |= bit(name);
   for (const char name : rules.rotation_words.value) frames |= bit(name);
+  for (const char name : rules.corner_feed_words.value) corners |= bit(name);
+  const bool has_corner =
+      !m.state.lookahead.corner.empty() && m.state.lookahead.corner.back().at == block.words.at;
+  if (has_corner) corners = other_corners(m.facts, block);
   const Meaning once = block.meaning(Group::OneShot);
   const Meaning motion = m.state.modal[at(Group::Motion)].meaning;
   if (once == Meaning::FrameRotation) taken = frames;
@@ -202,7 +215,8 @@ void drop_unused_words(MotionContext& m, const BlockWords& block) {
         motion == Meaning::Thread)
       taken = kCentreWords;
   }
-  m.outcome.drop((bit('R') | kCentreWords | turns | angles | frames) & ~taken & block.words.mask);
+  m.outcome.drop(((bit('R') | kCentreWords | turns | angles | frames) & ~taken | corners) &
+                 block.words.mask);
 }
 
 /// Do what the block does with its axis words.
@@ -262,6 +276,8 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   const bool edges = m.facts.control->motion.tool_edges.value;
   if (block.has(Group::Radius) || (!edges && block.words.has('D') && !takes_word(m, block, 'D')))
     if (auto wrong = set_radius(m, block)) return wrong;
+  set_contour_offset(m, block);
+  if (auto wrong = set_corner_modes(m, block)) return wrong;
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;
   if (auto wrong = act(m, block)) return wrong;
@@ -274,8 +290,16 @@ Result stand_in_corner(MotionContext& m, const BlockWords& block) {
   const NcWords& w = block.words;
   const bool plain = w.codes->groups == 0 && (w.mask & (bit('T') | bit('D'))) == 0 && !w.ends &&
                      !w.stops && !w.has(Role::ToolChange);
-  if (plain && ++m.state.lookahead.idle <= m.facts.control->motion.corner_idle_blocks.value)
+  LookaheadQueue& lookahead = m.state.lookahead;
+  const bool modal = lookahead.corner.back().modal_corner;
+  if (modal && w.ends) return leave_corner(m);
+  if (modal && m.state.modal_round == 0) lookahead.round_ended = true;
+  if (plain && ++lookahead.idle <= m.facts.control->motion.corner_idle_blocks.value)
     return std::nullopt;
+  if (modal)
+    return fault(Cause::CodeNotComputed, block,
+                 "cncsub does not compute this block between two sides whose corner is rounded as "
+                 "all are: end the rounding in the block of the last side");
   return fault(Cause::CornerNoMove, block);
 }
 

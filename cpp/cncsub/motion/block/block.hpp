@@ -2,6 +2,7 @@
 #pragma once
 
 #include <bit>
+#include <vector>
 
 #include "cncsub/motion/state/context.hpp"
 
@@ -51,6 +52,14 @@ Result check_reference(MotionContext& m, BlockWords& block);
 /// G60: rapid past the point on the same side every time, then rapid to the point.
 Result one_way(MotionContext& m, BlockWords& block);
 
+/// One of the moves that axes make which go beside the path: until the first of them arrives.
+struct BesideMove {
+  Axes end{};
+  std::uint32_t axes = 0;  // those on their way
+  double feed = 0;         // of them together, mm/min
+};
+/// Return the moves from one point to another, each axis at its own feed in force.
+std::vector<BesideMove> moves_beside_path(MotionView m, const Axes& from, const Axes& end);
 /// Move axes beside the path.
 Result position_axes(MotionContext& m, BlockWords& block);
 
@@ -59,6 +68,8 @@ Result position_axes(MotionContext& m, BlockWords& block);
 /// Move the axis of a changed tool vector at once, unless the block moves it anyway.
 Result move_by_length(MotionContext& m, BlockWords& block, const Axes& before);
 Result set_radius(MotionContext& m, BlockWords& block);
+/// Take over the allowance beside the contour.
+void set_contour_offset(MotionContext& m, const BlockWords& block);
 
 // Skip signals and measuring.
 

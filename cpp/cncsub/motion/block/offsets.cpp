@@ -49,6 +49,11 @@ Result check_orientation(MotionView m, const BlockWords& block) {
 
 }  // namespace
 
+void set_contour_offset(MotionContext& m, const BlockWords& block) {
+  for (const char name : m.facts.control->motion.contour_offset_words.value)
+    if (block.words.has(name)) m.state.contour_offset = number(m, block, name);
+}
+
 // NOLINTNEXTLINE(readability-function-cognitive-complexity): one case after the other
 Result set_radius(MotionContext& m, BlockWords& block) {
   const Control& c = *m.facts.control;

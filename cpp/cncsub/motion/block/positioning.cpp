@@ -35,11 +35,11 @@ Result read_feeds(MotionContext& m, const BlockWords& block) {
   return std::nullopt;
 }
 
-Way way_of(MotionView m, const Axes& end) {
+Way way_of(MotionView m, const Axes& from, const Axes& end) {
   Way way;
   for (std::size_t i = 0; i < kStraight; ++i) {
     const int axis = static_cast<int>(i);
-    way.length[i] = (end[i] - m.state.work[i]) * m.facts.share(axis);
+    way.length[i] = (end[i] - from[i]) * m.facts.share(axis);
     way.speed[i] = m.state.axis_feeds[i] > 0 ? m.state.axis_feeds[i] : m.facts.rapid[i];
     way.minutes[i] = way.speed[i] > 0 ? std::fabs(way.length[i]) / way.speed[i] : 0;
   }
@@ -47,6 +47,31 @@ Way way_of(MotionView m, const Axes& end) {
 }
 
 }  // namespace
+
+std::vector<BesideMove> moves_beside_path(MotionView m, const Axes& from, const Axes& end) {
+  const Way way = way_of(m, from, end);
+  std::array<double, kStraight> times = way.minutes;
+  std::sort(times.begin(), times.end());
+  std::vector<BesideMove> moves;
+  double before = 0;
+  for (const double time : times) {
+    if (time <= before) continue;
+    BesideMove move{.end = from};
+    double square = 0;  // of the speed
+    for (std::size_t i = 0; i < kStraight; ++i) {
+      const int axis = static_cast<int>(i);
+      move.end[i] =
+          time >= way.minutes[i] ? end[i] : from[i] + way.at(i, time) / m.facts.share(axis);
+      if (way.minutes[i] <= before) continue;
+      square += way.speed[i] * way.speed[i];
+      move.axes |= axis_bit(axis);
+    }
+    move.feed = std::sqrt(square);
+    moves.push_back(move);
+    before = time;
+  }
+  return moves;
+}
 
 Result position_axes(MotionContext& m, BlockWords& block) {
   block.consumed = true;
@@ -56,28 +81,11 @@ Result position_axes(MotionContext& m, BlockWords& block) {
                  "cncsub computes axes beside the path neither in a frame that turns, scales or "
                  "mirrors nor while a radius is compensated or a corner waits");
   const auto [end, named] = target(m, block);
-  const Axes start = m.state.work;
-  const Way way = way_of(m, end);
-  std::array<double, kStraight> times = way.minutes;
-  std::sort(times.begin(), times.end());
-  double before = 0;
-  for (const double time : times) {
-    if (time <= before) continue;
-    Axes next = start;
-    double square = 0;  // of the speed
-    std::uint32_t moved = 0;
-    for (std::size_t i = 0; i < kStraight; ++i) {
-      const int axis = static_cast<int>(i);
-      next[i] = time >= way.minutes[i] ? end[i] : start[i] + way.at(i, time) / m.facts.share(axis);
-      if (way.minutes[i] <= before) continue;
-      square += way.speed[i] * way.speed[i];
-      moved |= axis_bit(axis);
-    }
-    Piece piece = make_piece(m, block, MoveKind::Feed, next, moved & named);
-    piece.state.feed = std::sqrt(square);
+  for (const BesideMove& of : moves_beside_path(m, m.state.work, end)) {
+    Piece piece = make_piece(m, block, MoveKind::Feed, of.end, of.axes & named);
+    piece.state.feed = of.feed;
     piece.state.feed_mode = FeedMode::PerMinute;
     if (auto wrong = move(m, block, piece)) return wrong;
-    before = time;
   }
   return std::nullopt;
 }

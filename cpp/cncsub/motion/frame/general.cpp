@@ -77,18 +77,62 @@ Result read_frame(MotionView m, const BlockWords& block, Meaning meaning, FrameV
 
 }  // namespace
 
+namespace {
+
+/// Return the frame of the program after a shift that changes it. Where added shifts are fine ones,
+/// an absolute shift leaves the fine one alone. [SONE p.315]
+FrameValue shifted(const FrameValue& before, const FrameValue& shift, bool added, bool fine) {
+  if (!fine) return added ? chained(before, shift) : shift;
+  FrameValue frame = shift;
+  if (!added) {
+    frame.fine = before.fine;
+    return frame;
+  }
+  frame.fine = frame.shift;
+  frame.shift = {};
+  return chained(before, frame);
+}
+
+/// Change one part of the shift of a frame, on the axes that the block names.
+FrameValue shifted_by_axis(MotionView m, const BlockWords& block, FrameValue frame) {
+  const bool fine = block.code(Group::OneShot).variant == 1;
+  Axes& part = fine ? frame.fine : frame.shift;
+  for (std::size_t i = 0; i < part.size(); ++i)
+    if (const char name = kAxisNames[i]; block.words.has(name)) part[i] = number(m, block, name);
+  return frame;
+}
+
+/// Return the frame of the program after a block that changes it.
+Result change_frame(MotionView m, const BlockWords& block, Meaning meaning, FrameValue& program) {
+  const bool fine = m.facts.control->motion.fine_shift.value;
+  if (meaning == Meaning::FrameShiftByAxis) {
+    if (!fine) return fault(Cause::FineShiftOff, block);
+    program = shifted_by_axis(m, block, program);
+    return std::nullopt;
+  }
+  FrameValue frame;
+  if (auto wrong = read_frame(m, block, meaning, frame)) return wrong;
+  const bool added = block.code(Group::OneShot).variant == 1;
+  const bool any = (block.words.mask & kAxisWords) != 0;  // TRANS alone ends the whole frame
+  if (meaning == Meaning::FrameShift && any)
+    program = shifted(program, frame, added, fine);
+  else
+    program = added ? chained(program, frame) : frame;
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result set_frame(MotionContext& m, BlockWords& block, Meaning meaning) {
   MotionState& s = m.state;
   block.consumed = true;
   if (moves_wait(s))
     return fault(Cause::CodeNotComputed, block,
                  "cncsub does not compute a frame while a radius is compensated or a corner waits");
-  FrameValue frame;
-  if (auto wrong = read_frame(m, block, meaning, frame)) return wrong;
+  FrameValue program = s.frames->program;
+  if (auto wrong = change_frame(m, block, meaning, program)) return wrong;
   const Axes from = increments_from(s);
-  const bool added = block.code(Group::OneShot).variant == 1;
-  FrameValue& program = s.frames.change().program;
-  program = added ? chained(program, frame) : frame;
+  s.frames.change().program = program;
   combine_frames(s);
   if (!in_range(program) || !in_range(s.frame.matrix) || !in_range(s.frame.shift))
     return out_of_range(block.words.at);

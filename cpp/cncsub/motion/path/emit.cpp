@@ -124,7 +124,7 @@ Piece make_piece(MotionView m, const BlockWords& block, MoveKind kind, const Axe
                  std::uint32_t named) {
   Piece piece = uncompensated(m, block, kind, work_end, named);
   piece.side = mirrored_plane(m.state) ? -side_of(m.state) : side_of(m.state);
-  piece.radius = piece.side != 0 ? radius_value(m) : 0;
+  piece.radius = piece.side != 0 ? radius_value(m) + m.state.contour_offset : 0;
   if (piece.side != 0) piece.tip = tip_vector(m);
   return piece;
 }

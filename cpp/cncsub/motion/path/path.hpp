@@ -57,6 +57,11 @@ Result pending_angle(MotionContext& m, BlockWords& block, Meaning meaning, doubl
 /// end. One block without a move may stand between. [TDi 13 notes 6, 7]
 Result check_angle(MotionContext& m, const BlockWords& block, bool waited);
 
+/// Take over the words that say how the corners of this move and all after it are rounded.
+Result set_corner_modes(MotionContext& m, const BlockWords& block);
+/// Let a move that waits at a corner which is rounded as all are end where it is written: no other
+/// side follows it.
+Result leave_corner(MoveSink& sink);
 /// Return whether the words of a block may say a chamfer or a corner round, and read what they say.
 bool may_have_corner(MotionView m, const BlockWords& block);
 Result corner_words(MotionView m, const BlockWords& block, Piece& piece);

@@ -1,4 +1,5 @@
 // Arcs through a third point, in the plane and in space.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -14,6 +15,15 @@ namespace {
 
 constexpr std::string_view kCentreNames = "IJK";
 
+/// Return whether a block without a word for an axis of the point between means 0 there: of the two
+/// axes of the plane one may be left out. [SONE p.198]
+bool is_left_out(MotionView m, const BlockWords& block, int axis) {
+  const PlaneAxes plane = plane_axes(m.state.plane);
+  if (axis == plane.across) return false;
+  const int other = axis == plane.a ? plane.b : plane.a;
+  return block.words.has(kCentreNames[static_cast<std::size_t>(other)]);
+}
+
 /// Return the point between, whose words are coordinates or increments as those of the end are.
 Axes point_between(MotionView m, const BlockWords& block) {
   const MotionState& s = m.state;
@@ -22,10 +32,11 @@ Axes point_between(MotionView m, const BlockWords& block) {
   std::uint32_t named = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const char name = kCentreNames[i];
-    if (!block.words.has(name)) continue;
+    const bool written = block.words.has(name);
+    if (!written && !is_left_out(m, block, static_cast<int>(i))) continue;
     named |= axis_bit(static_cast<int>(i));
     const bool adds = block.words.forms.is_incremental(bit(name), s.incremental);
-    middle[i] = number(m, block, name) + (adds ? start[i] : 0);
+    middle[i] = (written ? number(m, block, name) : 0) + (adds ? start[i] : 0);
   }
   if (is_turned(s)) turn_point(s, middle, named);
   return middle;
@@ -89,9 +100,12 @@ std::optional<Plane> plane_along(Plane first, const Axes& a, const Axes& b, cons
 }
 
 /// Refuse what no arc outside of the plane in force has.
-Result check_beside_plane(MotionView m, const BlockWords& block, const Axes& end) {
+Result check_beside_plane(MotionView m, const BlockWords& block, const Axes& middle,
+                          const Axes& end) {
   for (std::size_t i = 0; i < kCentreNames.size(); ++i)
-    if (!block.words.has(kCentreNames[i]) && std::fabs(end[i] - m.state.work[i]) > kStanding)
+    if (!block.words.has(kCentreNames[i]) &&
+        std::max(std::fabs(end[i] - m.state.work[i]), std::fabs(middle[i] - m.state.work[i])) >
+            kStanding)
       return fault_at({.addresses = kCentreWords}, Cause::CodeNotComputed, block,
                       "cncsub computes an arc outside of the plane only with I1, J1 and K1");
   const bool each_cut = m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
@@ -152,7 +166,7 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
     middle = point_between(m, block);
     const auto beside = plane_along(m.state.plane, m.state.work, middle, end);
     if (beside != m.state.plane)
-      if (auto wrong = check_beside_plane(m, block, end)) return wrong;
+      if (auto wrong = check_beside_plane(m, block, middle, end)) return wrong;
     if (!beside) {
       const auto arc = arc_through(m.state.work, middle, end);
       if (!arc) return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block);

@@ -33,6 +33,8 @@ struct Piece {
   std::array<double, 3> tip{};  // of a lathe: from the nose centre to the imaginary tip
   char corner = 0;  // 'C', 'L' (by the chamfer's length) or 'R' between this piece and the next
   double corner_size = 0;
+  double corner_feed = 0;     // of what is put in at the corner; 0: the feed of a side
+  bool modal_corner = false;  // the round holds for all moves, not for this one alone
   bool corner_piece = false;  // put in between two blocks
   SkipMove skip = SkipMove::No;
   std::uint32_t at = 0;  // its block, for faults
@@ -85,6 +87,7 @@ struct LookaheadValues {
       vector{};  // from the programmed point to the tool, in the plane, radius values
   std::array<double, 2> entered{};  // the direction of the compensated move before
   int idle = 0;                     // blocks without a move in the plane, in a row
+  bool round_ended = false;         // a block without a move ended the round of all moves
   std::array<double, 2> begun{};    // by own normals: where the first of `radius` starts
   bool begun_known = false;
   bool ended = false;  // by own normals: G40 came, and no move yet that leads to the path
@@ -255,6 +258,9 @@ struct ModalValues {
   // arcs that go on from it.
   std::array<double, 3> heading{};
   std::array<double, 3> axis_feeds{};  // of moves beside the path, mm/min; 0: the axis' own
+  double modal_round = 0;              // the corner round of all moves, mm; 0: none
+  double corner_feed = 0;     // the feed of all chamfers and corner rounds, mm/min or mm/rev
+  double contour_offset = 0;  // what a compensated radius is larger by, mm
   StrokeArea area;
 
   bool operator==(const ModalValues&) const = default;
