@@ -60,4 +60,4 @@ case("five macros may be open", pins="max_macro_nesting", **RUN,
      files={"main.nc": "N10 G65 P200\nN20 M30\n", "P200.macro": "N40 #100=[#100+1]\nN50 G65 P200\n"}, vars={100: 5},
      alarm="macro-nesting-too-deep", number="error:82")
 case("G66 is not computed", pins="g_meanings", **RUN,
-     files={"main.nc": "N10 G66 P200\nN20 G0 X1\nN30 M30\n", "P200.macro": "N40 G0 Y1\n"}, runs="", alarm="code-not-computed", at="MAIN N10")
+     files={"main.nc": "N10 G66 P200\nN20 G0 X1\nN30 M30\n", "P200.macro": "N40 G0 Y1\n"}, runs="", alarm="code-not-computed", at="main N10")

@@ -31,6 +31,17 @@ case("continue goes on with its next pass", **RUN,
      program="N10 #1=0\no1 repeat [3]\nN20 #1=[#1+1]\no2 if [#1 EQ 2]\no1 continue\no2 endif\nN30 G0 X#1\no1 endrepeat\nN40 M2", moves_x=[1, 3])
 case("continue in do asks nothing", **RUN,
      program="N10 #1=0\no1 do\nN20 #1=[#1+1]\no2 if [#1 LT 3]\no1 continue\no2 endif\nN30 G0 X#1\no1 while [0]\nN40 M2", moves_x=[3])
+case("continue in while asks again", **RUN,
+     program="N10 #1=0\no1 while [#1 LT 3]\nN20 #1=[#1+1]\no2 if [#1 LT 2]\no1 continue\no2 endif\nN30 G0 X#1\no1 endwhile\nN40 M2", moves_x=[2, 3])
+case("where its condition no longer holds what follows is not computed", **RUN,
+     program="N10 #1=0\no1 while [#1 LT 1]\nN20 #1=[#1+1]\no1 continue\no1 endwhile\nN40 M2", runs="N10 N20", alarm="code-not-computed")
+case("a line that cannot be read is refused where it is passed over, too", **RUN,
+     program="N10 G0 X1\no1 if [0]\nX[1\no1 endif\nN20 M2", runs="N10", alarm="expression-format", number="error:71")
+case("one whose first word can be read is not", **RUN,
+     program="N10 G0 X1\no1 if [0]\nG0 X[1\no1 endif\nN20 M2", runs="N10 N20", moves_x=[1])
+case("twenty branches and loops may be open", **RUN,
+     program="N10 G0 X1\n" + "".join(f"o{i} if [1]\n" for i in range(1, 22)) + "".join(f"o{i} endif\n" for i in range(21, 0, -1)) + "N20 M2",
+     runs="N10", alarm="nesting-too-deep", number="error:82")
 case("an endif without its if is refused", **RUN,
      program="N10 G0 X1\no1 endif\nN20 M2", runs="N10", alarm="label-not-found", number="error:81")
 case("one of another label does nothing", **RUN,
@@ -58,8 +69,8 @@ case("a parameter that is not given is the caller's", **RUN,
 case("#31 and on are everybody's", **RUN,
      program="o100 sub\nN10 #31=[#31+1]\no100 endsub\nN20 #31=1\nN30 o100 call\nN40 G0 X#31\nN50 M2", moves_x=[2])
 case("a name is the subprogram's own, one that begins with _ everybody's", **RUN,
-     program="o100 sub\nN10 #100=EXISTS[#<a>]\nN20 #<_b>=[#<_b>+1]\no100 endsub\nN30 #<a>=1\nN40 #<_b>=1\nN50 o100 call\n"
-     "N60 G0 X#<a> Y#<_b>\nN70 M2", vars={100: 0}, moves="R X1 Y2")
+     program="o100 sub\nN10 #100=EXISTS[#<a>]\nN20 #<_n>=[#<_n>+1]\no100 endsub\nN30 #<a>=1\nN40 #<_n>=1\nN50 o100 call\n"
+     "N60 G0 X#<a> Y#<_n>\nN70 M2", vars={100: 0}, moves="R X1 Y2")
 case("return goes back at once", **RUN,
      program="o100 sub\nN10 G0 X1\no100 return\nN20 G0 X2\no100 endsub\nN30 o100 call\nN40 M2", moves_x=[1])
 case("endsub gives a value back", **RUN,
@@ -75,10 +86,10 @@ case("ten calls may be open", pins="max_nesting", control="grblhal", source="gHp
      number="error:82")
 case("a subprogram with a name is a file", **RUN,
      files={"main.nc": "N10 G0 X1\nN20 o<drill> call [5]\nN30 M2\n", "drill.macro": "o<drill> sub\nN40 G0 X#1\no<drill> endsub [3]\n"},
-     runs="N10 N20 N40 N30", moves_x=[1, 5])
+     main="main", runs="N10 N20 N40 N30", moves_x=[1, 5])
 case("and is refused in the file that calls", **RUN,
      program="N10 G0 X1\no<drill> sub\nN20 G0 X2\no<drill> endsub\nN30 M2", runs="N10", alarm="label-not-found", number="error:81")
 case("one that is not there is not opened", **RUN,
      program="N10 G0 X1\nN20 o<drill> call\nN30 M2", runs="N10", alarm="named-program-not-found", number="error:84", at="MAIN N20")
 case("the end of its file returns", control="grblhal", source="gHf, onNamedSubEOF", evidence="source document",
-     files={"main.nc": "N10 o<drill> call\nN20 G0 X2\nN30 M2\n", "drill.macro": "o<drill> sub\nN40 G0 X1\n"}, moves_x=[1, 2])
+     files={"main.nc": "N10 o<drill> call\nN20 G0 X2\nN30 M2\n", "drill.macro": "o<drill> sub\nN40 G0 X1\n"}, main="main", moves_x=[1, 2])

@@ -24,7 +24,7 @@ case("G4 waits so many seconds", pins="dwell_words dwell_unit", **RUN,
 case("G4 needs P", **RUN, program="N10 G4\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", at="MAIN N10", word="G4")
 case("not below zero", **RUN, program="N10 G4 P-1\nN20 M2", runs="", alarm="illegal-minus-sign", number="error:4", word="P-1")
 case("axes beside G4 move in the mode in force", pins="codes_that_move", **RUN,
-     program="N10 G4 P1 X2\nN20 M2", moves="W 1\nR X2")
+     program="N10 G0 X1\nN20 G4 P1 X2\nN30 M2", moves="R X1\nW 1\nR X2")
 
 case("a work system is chosen", **RUN,
      program="N10 G10 L2 P2 X10\nN20 G55 G0 X1\nN30 G54 X1\nN40 M2", moves_x=[1, 1], final_machine="X1")

@@ -291,13 +291,16 @@ bool BlockReader::program_of_call(Block& block, Words& words, CallRecord& call) 
   if (!words.line.has('p'))
     return refuse(block, Cause::ProgramNumberMissing, "the call has no P", call.at);
   const Value& p = words.values['p' - 'a'];
+  const auto refuse_p = [&](Cause cause, const char* detail) {
+    to_.refuse(block, Fault{.cause = cause, .at = p.at, .width = p.width, .detail = detail});
+    return false;
+  };
   if (!p.computed && p.number > kLastProgram)
-    return refuse(block, Cause::IllegalProgramNumber, "P is at most 65535", p.at);
-  if (!p.computed && p.number < 8)
-    return refuse(block, p.number < 1 ? Cause::IllegalProgramNumber : Cause::CodeNotComputed,
-                  "the macros 1 to 7 are the control's own", p.at);
+    return refuse_p(Cause::IllegalProgramNumber, "P is at most 65535");
+  if (!p.computed && p.number >= 1 && p.number < 8)
+    return refuse_p(Cause::CodeNotComputed, "the macros 1 to 7 are the control's own");
   if (!p.computed && p.number < 100)
-    return refuse(block, Cause::IllegalProgramNumber, "the macros of files begin at 100", p.at);
+    return refuse_p(Cause::IllegalProgramNumber, "the macros of files begin at 100");
   call.p = operand_of(p);
   if (!p.computed) call.p.value = std::trunc(p.number);
   if (words.line.has('l')) call.l = operand_of(words.values['l' - 'a']);

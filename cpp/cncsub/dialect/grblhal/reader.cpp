@@ -43,7 +43,8 @@ class FileReader {
       if (to_.interrupt().requested(end + 1 - at)) break;
       at = end + 1;
     }
-    if (file > 0) end_of_macro(static_cast<std::uint32_t>(text.size()), std::max(line, 1u));
+    if (file > 0 || to_.code().files[file].name.ends_with(".macro"))
+      end_of_macro(static_cast<std::uint32_t>(text.size()), std::max(line, 1u));
     to_.end_program(static_cast<std::uint32_t>(text.size()), std::max(line, 1u));
     structure_.match();
   }
@@ -66,6 +67,7 @@ class FileReader {
     }
     structure_.add(flow);
     to_.append(block);
+    if (flow.kind == Flow::Kind::Continue) to_.append(block);  // see Structure::next_pass
   }
 
   /// Let a file that is called return where it ends.

@@ -154,12 +154,33 @@ void Structure::end_branch(std::size_t met) {
   open_.pop_back();
 }
 
+/// Let continue go on with a while whose condition holds. Where it does not hold any more, the
+/// control goes on after continue with the loop closed, and refuses its end. [gHf, ngc_flowctrl]
+void Structure::next_pass(const Met& word, Address head, Address end) {
+  Block& block = to_.block(word.address);
+  if (block.op == Op::Fault || to_.block(head).op != Op::While) return;
+  Block instead = block;
+  to_.refuse(instead, {Cause::CodeNotComputed, word.flow.at, word.flow.width,
+                       "the condition no longer holds: the control runs the rest of the loop, and "
+                       "refuses its endwhile"});
+  Statement over = word.flow.statement;
+  over.expression = to_.expressions().changed(statement(head).expression, Ins::Not);
+  over.then = to_.keep(instead);
+  to_.become(to_.block(word.address), Op::IfThen, over);
+  go_to(word.address + 1, end);
+}
+
 /// Let break and continue go where they lead.
 void Structure::jumps_of(const Open& open, Address end, Address next) {
+  const Met& head = lines_[open.met];
   for (const std::size_t leave : open.leaves) {
-    const Address from = lines_[leave].address;
-    const bool breaks = lines_[leave].flow.kind == FlowKind::Break;
-    go_to(from, breaks ? passing(from, end) : next);
+    const Met& word = lines_[leave];
+    if (word.flow.kind == FlowKind::Break)
+      go_to(word.address, passing(word.address, end));
+    else if (head.flow.kind == FlowKind::While)
+      next_pass(word, head.address, next);
+    else
+      go_to(word.address, next);
   }
 }
 

@@ -40,6 +40,7 @@ class Structure {
   void end_loop(std::size_t met);
   void end_do(const Met& met);
   void leave_loop(std::size_t met);
+  void next_pass(const Met& word, Address head, Address end);
   void jumps_of(const Open& open, Address end, Address next);
   void sub(std::size_t met);
   void call(std::size_t met);

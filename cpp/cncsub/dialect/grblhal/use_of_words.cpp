@@ -70,6 +70,9 @@ std::optional<WrongWord> against_data(const LineWords& line) {
 
 /// Return a wrong word of an arc that the line writes.
 std::optional<WrongWord> against_arc(const LineWords& line) {
+  const bool centre = line.has('i') || line.has('j') || line.has('k');
+  if (!line.has('r') && !line.has_axes() && !centre)
+    return WrongWord{'g', Cause::NoRadius, "an arc has a radius or a centre"};
   if (line.has('r') && !line.has_axes())
     return missing('g', "an arc by its radius has an end point", kNoAxis);
   if (const double turns = line.number('p', 1); !is_whole(turns))
