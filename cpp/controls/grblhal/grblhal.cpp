@@ -69,8 +69,8 @@ void motion(Control& c) {
   c.motion.max_extra_systems = {3, kBlock, SourceDocument};
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here}, kBlock, SourceDocument);
   has(c.common.refuses,
-      {NoMotionCode, MachineMoveCode, NoFeed, NoRadius, NoArcTravel, RadiusAndCentre,
-       CycleInverseTime, PeckNegative},
+      {NoMotionCode, MachineMoveCode, NoFeed, NoArcTravel, RadiusAndCentre, CycleInverseTime,
+       PeckNegative},
       kBlock, SourceDocument);
   c.motion.length_type = {LengthType::Shift, kBlock, SourceDocument};
   c.motion.feed_mode_change = {FeedModeChange::DeletesFeed, kBlock, SourceDocument};

@@ -18,7 +18,7 @@ case("the other words of its line come first", **RUN,
      files={"main.nc": "N10 G0 X5 M98 P200\nN20 M30\n", "P200.macro": "N40 G0 X1\nN50 M99\n"}, moves_x=[5, 1])
 case("P is cut where it is computed", pins="call_values", **RUN,
      files={"main.nc": "N10 #1=200.7\nN20 M98 P#1\nN30 M30\n", "P200.macro": "N40 G0 X1\nN50 M99\n"}, moves_x=[1])
-case("P is the number of the file, and no count", pins="program_word", **RUN,
+case("P is the number of the file, and no count", pins="program_word max_program_digits", **RUN,
      files={"main.nc": "N10 M98 P20100\nN20 M30\n", "P20100.macro": "N40 G0 X1\n", "P100.macro": "N50 G0 X2\n"}, moves_x=[1])
 case("#1 to #30 are the caller's", **RUN,
      files={"main.nc": "N10 #1=5\nN20 M98 P200\nN30 G0 X#1\nN40 M30\n", "P200.macro": "N50 #1=[#1+1]\n"}, moves_x=[6])
@@ -45,6 +45,18 @@ case("a call loses what its line assigns to numbers", **RUN,
 
 case("G65 gives its words to the macro", pins="roles:G65=macro-call", **RUN,
      files={"main.nc": "N10 G65 P200 A1 D7 X24\nN20 M30\n", "P200.macro": "N40 G0 X#1\nN50 G0 X#7\nN60 G0 X#24\n"}, moves_x=[1, 7, 24])
+case("P of G65 too", pins="max_macro_digits", **RUN,
+     files={"main.nc": "N10 G65 P20100\nN20 M30\n", "P20100.macro": "N40 G0 X1\n"}, moves_x=[1])
+case("a computed count keeps eight bits too", **RUN,
+     files={"main.nc": "N10 #1=258\nN20 M98 P200 L#1\nN30 M30\n", "P200.macro": "N40 G0 X1\nN50 M99\n"}, runs="N10 N20 (N40 N50)*2 N30")
+case("a macro may call its caller", pins="caller_call self_call", **RUN,
+     files={"main.nc": "N10 G65 P200\nN20 M30\n", "P200.macro": "N30 #100=[#100+1]\no1 if [#100 LT 3]\nN40 G65 P201\no1 endif\n",
+            "P201.macro": "N50 G65 P200\n"}, vars={100: 3})
+case("calls of subprograms and macros count together", pins="nesting_counts_macros", control="grblhal", source="gHp, ngc_call_push",
+     evidence="source document",
+     files={"main.nc": "o100 sub\nN10 #31=[#31+1]\no2 if [#31 LT 9]\nN20 o100 call\no2 else\nN30 G65 P200\no2 endif\no100 endsub\n"
+            "N40 o100 call\nN50 M30\n", "P200.macro": "N60 #100=[#100+1]\nN70 G65 P200\n"},
+     main="main", vars={31: 9, 100: 1}, alarm="nesting-too-deep", number="error:82")
 case("every letter has a number", **RUN,
      files={"main.nc": "N10 G65 P200 A1 B2 C3 D4 E5 F6 H7 I8 J9 K10 M11 Q12 R13 S14 T15 U16 V17 W18 X19 Y20 Z21\nN20 M30\n",
             "P200.macro": "".join(f"N{i} #{100 + i}=#{i}\n" for i in (*range(1, 10), 11, 13, *range(17, 27)))},

@@ -4,7 +4,7 @@ from conformance import case
 
 RUN = {"control": "grblhal", "source": "gHmc, mc_canned_drill; gHg, gc_execute_block", "evidence": "source document"}
 
-case("G81 drills a hole and goes back to where it began", **RUN,
+case("G81 drills a hole and goes back to where it began", pins="g_codes power_on:G99", **RUN,
      program="N10 G0 Z5\nN20 G81 X1 Y2 Z-1 R2 F100\nN30 G80\nN40 M2", moves="R Z5\nR X1 Y2\nR Z2\nF Z-1\nR Z5")
 case("under G99 to R", **RUN,
      program="N10 G0 Z5\nN20 G99 G81 X1 Z-1 R2 F100\nN30 X2\nN40 G80\nN50 M2", moves="R Z5\nR X1\nR Z2\nF Z-1\nR Z2\nR X2\nF Z-1\nR Z2")
@@ -33,7 +33,7 @@ for number in (73, 83, 85, 86, 89):
     words = "Q1" if number in (73, 83) else "P1" if number in (86, 89) else ""
     case(f"the moves of G{number} are not computed", pins="g_meanings", **RUN,
          program=f"N10 G{number} X1 Z-1 R2 {words} F100\nN20 M2", runs="", alarm="code-not-computed", at="MAIN N10", word=f"G{number}")
-case("G84 needs a spindle that is synchronous", pins="g_codes", **RUN,
+case("G84 needs a spindle that is synchronous", **RUN,
      program="N10 G84 X1 Z-1 R2 P1 F100\nN20 M2", runs="", alarm="g-code-not-available", number="error:20", at="MAIN N10", word="G84")
 for number in ("5", "5.1", "51"):
     words = {"5": "X1 I1 J1 P1 Q1 F100", "5.1": "X1 I1 J1 F100", "51": "P2"}[number]

@@ -47,7 +47,7 @@ case("nor G80 and a code that moves", **RUN,
 case("nor do two M codes of a group", **RUN,
      program="N10 M3 M4 S1\nN20 M2", runs="", alarm="group-given-twice", number="error:21", at="MAIN N10", word="M4")
 case("M3 and M8 do", **RUN, program="N10 M3 M8 S100\nN20 M2", runs="N10 N20", m=[3, 8, 2])
-case("a G code that it has not is unsupported", pins="g_codes", **RUN,
+case("a G code that it has not is unsupported", **RUN,
      program="N10 G6\nN20 M2", runs="", alarm="g-code-not-available", number="error:20", at="MAIN N10", word="G6")
 case("a fraction of one that has none is not whole", **RUN,
      program="N10 G1.5 X1 F1\nN20 M2", runs="", alarm="whole-number-expected", number="error:23", at="MAIN N10")
@@ -57,7 +57,7 @@ case("an M code that it has not is unsupported", **RUN,
      program="N10 M20\nN20 M2", runs="", alarm="m-code-not-available", number="error:20", at="MAIN N10", word="M20")
 case("M19 and M66 need what this machine has not", **RUN,
      program="N10 M66 P1 L0\nN20 M2", runs="", alarm="m-code-not-available", number="error:20", at="MAIN N10", word="M66")
-case("M198 is none", pins="roles:M198=external-call", **RUN,
+case("M198 is none", **RUN,
      program="N10 M198 P100\nN20 M2", runs="", alarm="m-code-not-available", number="error:20", at="MAIN N10", word="M198")
 for word in ("A1", "B1", "C1", "D1", "E1", "H1", "L1", "P1", "Q1", "R1", "U1", "V1", "W1"):
     case(f"{word[0]} beside G0 is used by nothing", **RUN,

@@ -14,10 +14,10 @@ case("nor does G94", pins="feed_mode_change", **RUN,
      program="N10 G93 G1 X1 F2\nN20 G94 X2\nN30 M2", runs="N10", alarm="no-feed", number="error:22", at="MAIN N20")
 case("F counts in the unit of its line", pins="feed_unit", **RUN,
      program="N10 G20 G1 F10 X1\nN20 #100=[#<_feed>]\nN30 M2", moves="F X25.4", vars={100: 10})
-case("the unit changes anywhere", **RUN, program="N10 G0 X1\nN20 G20 X1\nN30 G21 X1\nN40 M2", moves_x=[1, 25.4, 1])
-case("G91 counts from the point before", **RUN, program="N10 G91 G0 X1\nN20 X1\nN30 G90 X1\nN40 M2", moves_x=[1, 2, 1])
+case("the unit changes anywhere", pins="power_on:G20", **RUN, program="N10 G0 X1\nN20 G20 X1\nN30 G21 X1\nN40 M2", moves_x=[1, 25.4, 1])
+case("G91 counts from the point before", pins="power_on:G91", **RUN, program="N10 G0 X1\nN20 X2\nN30 G91 X1\nN40 G90 X1\nN50 M2", moves="R X1\nR X2\nR X3\nR X1")
 case("a computed length is not rounded", pins="computed_lengths", **RUN,
-     program="N10 G91 G0 X[1/3]\nN20 X[1/3]\nN30 X[1/3]\nN40 M2", final_work="X1")
+     program="N10 G91\no1 repeat [30]\nN20 G0 X[1/3]\no1 endrepeat\nN30 M2", final_work="X10")
 
 case("G4 waits so many seconds", pins="dwell_words dwell_unit", **RUN,
      program="N10 G4 P1.5\nN20 M2", runs="N10 N20", time=1.5)
@@ -52,17 +52,19 @@ case("G92.3 brings it back after G92.2", **RUN,
      program="N10 G0 X10\nN20 G92 X2\nN30 G92.2\nN40 G92.3\nN50 G0 X0\nN60 M2", final_machine="X8")
 case("G92 needs an axis", **RUN,
      program="N10 G92\nN20 M2", runs="", alarm="motion-word-missing", number="error:26", at="MAIN N10", word="G92")
-case("G43.1 gives lengths along any axis", pins="length_type", **RUN,
+case("G43.1 gives lengths along any axis", **RUN,
      program="N10 G43.1 X1 Z5\nN20 G0 X0 Z0\nN30 M2", final_machine="X1 Z5")
+case("they stay in force after G53", pins="length_type", **RUN,
+     program="N10 G43.1 Z5\nN20 G53 G0 Z1\nN30 G0 Z0\nN40 M2", final_machine="Z5")
 case("G49 ends them", **RUN, program="N10 G43.1 Z5\nN20 G49\nN30 G0 Z0\nN40 M2", final_machine="Z0")
 case("G43.1 needs an axis", **RUN,
      program="N10 G43.1\nN20 M2", runs="", alarm="length-axis", number="error:37", at="MAIN N10")
-case("G43 needs a table of tools", pins="g_codes", **RUN,
+case("G43 needs a table of tools", **RUN,
      program="N10 G43 H1\nN20 M2", runs="", alarm="g-code-not-available", number="error:20", at="MAIN N10", word="G43")
 
-case("G53 is a feed in G1", pins="machine_move", **RUN,
+case("G53 is a feed in G1", **RUN,
      program="N10 G10 L2 P1 X10\nN20 G1 X1 F100\nN30 G53 X3\nN40 M2", final_machine="X3")
-case("G53 takes machine coordinates under G91 too", **RUN,
+case("G53 takes machine coordinates under G91 too", pins="machine_move", **RUN,
      program="N10 G0 X5\nN20 G91 G53 X3\nN30 M2", final_machine="X3")
 case("G53 needs G0 or G1", pins="refuses:machine-move-without-line", **RUN,
      program="N10 G2 X1 I0.5 F100\nN20 G53 X3\nN30 M2", runs="N10", alarm="machine-move-without-line", number="error:30", at="MAIN N20")

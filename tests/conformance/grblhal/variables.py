@@ -29,7 +29,7 @@ case("#5220 is the work system in force", **RUN, program="N10 G55\nN20 #100=#522
 case("#5221 its zero point", **RUN, program="N10 G10 L2 P1 X10\nN20 #100=#5221\nN30 M2", vars={100: 10})
 case("#5211 is the shift of G92", **RUN, program="N10 G0 X10\nN20 G92 X2\nN30 #100=#5211\nN40 M2", vars={100: 8})
 case("#5161 is the point of G28", **RUN, program="N10 G0 X10\nN20 G28.1\nN30 #100=#5161\nN40 M2", vars={100: 10})
-case("a reset leaves them as they are", pins="reset_clears:locals reset_clears:commons", control="grblhal", source="gHp, ngc_param_set",
+case("a reset leaves them as they are", pins="reset_clears:locals", control="grblhal", source="gHp, ngc_param_set",
      evidence="source document", program="N10 #1=7\nN20 #31=5\nN30 M2", vars_after_reset={1: 7, 31: 5})
 
 case("a name takes its value at once", **BLOCK, program="N10 #<a>=4 G0 X#<a>\nN20 M2", moves_x=[4])

@@ -119,7 +119,7 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   const auto place = static_cast<std::size_t>(letter - 'a');
   Value value;
   words.any = words.any || letter != 'n';
-  words.bad_value = !expression_.value(value);
+  words.bad_value = !(letter == 'l' ? expression_.eight_bits(value) : expression_.value(value));
   if (words.bad_value) return refuse(block);
   value.at = at;
   value.width = line_.width_from(at);
@@ -165,7 +165,8 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const int number = to_whole<int>(value.number);
   const int rest = hundredths(value.number);
   const int code = number * 10 + rest / 10;
-  if (rest % 10 != 0 || group_of_g(code) < 0) {
+  const bool has = to_.control().reading.g_codes.value.has(code) && group_of_g(code) >= 0;
+  if (rest % 10 != 0 || !has) {
     const bool fraction = rest != 0 && group_of_g(number * 10) >= 0 && !has_fractions(number);
     return refuse(block, fraction ? Cause::WholeNumberExpected : Cause::GCodeNotAvailable,
                   "the control has no such G code", value.at);
@@ -177,16 +178,15 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   }
   if (code == 500 || code == 510) words.claimed = true;
   words.machine = words.machine || code == 530;
-  if (code == 650 || code == 660 || code == 661) {
-    if (code != 650)
-      return refuse(block, Cause::CodeNotComputed, "cncsub does not compute the calls of G66",
-                    value.at);
-    words.groups.erase(14);
-    words.macro = code;
-  }
+  const Role role = to_.control().calls.roles.value.of_g(code);
+  if (role == Role::ModalCall || role == Role::ModalCallEveryBlock)
+    return refuse(block, Cause::CodeNotComputed, "cncsub does not compute the calls of G66",
+                  value.at);
+  const bool calls = role == Role::MacroCall;
+  if (calls) words.macro = code;
   if (!group(block, words, group_of_g(code), value)) return false;
   words.line.g.push_back(code);
-  if (code == 650 || code == 670) return true;
+  if (calls || role == Role::CancelModal) return true;
   if (words.list.g_count == static_cast<int>(kGCodesOfBlock))
     return refuse(block, Cause::TooManyWords, "too many G codes", value.at);
   words.list.add_g({false, 0, static_cast<double>(code)});
@@ -212,12 +212,14 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
   if (group_of < 0)
     return refuse(block, Cause::MCodeNotAvailable, "the control has no such M code", value.at);
   if (!group(block, words, group_of, value)) return false;
-  words.ends = words.ends || to_.control().calls.roles.value.of_m(code) == Role::End;
   words.line.m.push_back(code);
   if (words.list.m_count == static_cast<int>(kMCodesOfBlock))
     return refuse(block, Cause::TooManyWords, "too many M codes", value.at);
   const Role role = to_.control().calls.roles.value.of_m(code);
-  if (role != Role::Call && role != Role::Return)
+  words.ends = words.ends || role == Role::End;
+  if (role == Role::Call || role == Role::Return)
+    words.role = role;
+  else
     words.list.add_m({false, 0, static_cast<double>(code)});
   return true;
 }
@@ -262,8 +264,8 @@ bool BlockReader::assignment(Block& block, Words& words) {
 }
 
 void BlockReader::write(Block& block, Words& words) {
-  if (words.line.has_m({98})) return call_98(block, words);
-  if (words.line.has_m({99})) return back_99(block, words);
+  if (words.role == Role::Call) return call_98(block, words);
+  if (words.role == Role::Return) return back_99(block, words);
   if (words.machine) words.list.forms.absolute = kEndWords;  // G53 takes machine coordinates always
   const bool beside = !words.statements.empty() || words.print;
   if (!words.any && words.statements.size() == 1 && !words.print)

@@ -62,7 +62,8 @@ class BlockReader {
     bool any = false;
     bool bad_value = false;  // the last word has no value
     bool ends = false;
-    int macro = -1;  // the G65 of the line, in tenths
+    Role role = Role::None;  // Call, Return: of an M code
+    int macro = -1;          // the G65 of the line, in tenths
   };
 
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at, Kind kind = {});

@@ -99,6 +99,18 @@ bool ExpressionReader::value(Value& value) {
   return read_value(0) && finish(value, at);
 }
 
+bool ExpressionReader::eight_bits(Value& value) {
+  const std::uint32_t at = line_.offset();
+  to_.expressions().begin();
+  if (!read_value(0)) return false;
+  if (!constant_) {
+    emit(Ins::WholeNumber);
+    emit(Ins::Constant, 256);
+    emit(Ins::PositiveModulo);
+  }
+  return finish(value, at);
+}
+
 bool ExpressionReader::bracketed(Value& value) {
   const std::size_t place = line_.place();
   const std::uint32_t at = line_.offset();

@@ -41,6 +41,8 @@ class ExpressionReader {
   void begin_line() { set_here_.clear(); }
   /// Read the value that stands here; return false if there is none: then `fault` says why.
   bool value(Value& value);
+  /// Read a whole value, of which eight bits are kept where it is computed.
+  bool eight_bits(Value& value);
   /// Read a value in brackets.
   bool bracketed(Value& value);
   /// Read the variable after the # of an assignment.
