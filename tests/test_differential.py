@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import cncsub
+import grblhal
 from comparison import Comparison
 from machines import LINUXCNC, OTHER_LANGUAGES, LinuxCnc, Station, rs274
 from programs import Call
@@ -41,6 +42,26 @@ def test_linuxcnc_makes_the_moves_that_were_meant(
     comparison.compare(PLACES, LinuxCnc(rs274() or "", tmp_path))
     assert comparison.differences == 0, capsys.readouterr().out
     assert comparison.runs[LINUXCNC] == len(PLACES)
+
+
+@pytest.mark.skipif(
+    grblhal.grblhal() is None, reason="GRBLHAL names no program that runs grblHAL's parser"
+)
+def test_grblhal_does_what_its_own_parser_does(tmp_path: Path) -> None:
+    _, differences = grblhal.compare(grblhal.grblhal() or "", SEED, range(1000), tmp_path)
+    assert differences == []
+
+
+def test_the_programs_of_grblhal_run_and_some_stop(tmp_path: Path) -> None:
+    stops = set()
+    for place in range(200):
+        own = tmp_path / str(place)
+        own.mkdir()
+        for name, text in grblhal.write(SEED, place).items():
+            (own / name).write_text(text)
+        stops.add(grblhal.ours(own).stop)
+    assert "end" in stops
+    assert len(stops) > 10
 
 
 def test_the_programs_go_over_the_whole_ground() -> None:

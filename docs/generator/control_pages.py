@@ -52,6 +52,11 @@ def table_of_controls() -> str:
 
 # What controls with a language of their own say otherwise, which no rule of the ISO family tells.
 _OWN_LANGUAGE = {
+    "grblhal": {
+        "levels": "10 of both kinds",
+        "names": "names of files",
+        "macros": "O-words, G65",
+    },
     "linuxcnc": {
         "levels": "9 of both kinds",
         "P": "number",

@@ -73,9 +73,9 @@ void motion(Control& c) {
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here, DataForm::Tools}, kGCode, Manual);
   c.motion.start_up = {StartUp::OwnNormal, kRun, SourceDocument};
   has(c.common.refuses,
-      {CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle, NoMotionCode,
-       CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed, SkipPerRevolution,
-       CompensationWrongPlane, ArcAxis, NoFeed, RadiusAndCentre, PeckNegative},
+      {ModesNotSaved, CycleRotary, NoRadius, NoArcTravel, SpindleStands, CompensationCycle,
+       NoMotionCode, CompensationCode, CycleInverseTime, MachineMoveCode, NoSpeed,
+       SkipPerRevolution, CompensationWrongPlane, ArcAxis, NoFeed, RadiusAndCentre, PeckNegative},
       kRun, SourceDocument);
   c.motion.feed_mode_change = {FeedModeChange::EndsFeed, kRun, SourceDocument};
   c.motion.feed_unit = {FeedUnit::BeforeBlock, kRun, SourceDocument};

@@ -8,7 +8,7 @@
 
 #include "cncsub/code/builder.hpp"
 #include "cncsub/code/operators.hpp"
-#include "cncsub/dialect/linuxcnc/line.hpp"
+#include "cncsub/dialect/bare_line.hpp"
 
 namespace cncsub::linuxcnc {
 
@@ -19,6 +19,7 @@ inline constexpr std::int64_t kLastVariable = 5601;
 /// The operators. An operator whose spelling begins another's stands after that one.
 extern const std::span<const OperatorRow> kOperators;
 
+using Line = BareLine;
 using Value = ValueRead;
 
 /// A variable that is assigned to.

@@ -71,7 +71,8 @@ bool change_saved_modes(Run& run, const NcWords& words) {
   if (words.has(Role::ForgetModes) && saved != nullptr) saved->valid = false;
   if (!words.has(Role::RestoreModes)) return true;
   if (saved == nullptr || !saved->valid)
-    return alarm(run,
+    return !run.refuses(Cause::ModesNotSaved) ||
+           alarm(run,
                  {.cause = Cause::ModesNotSaved, .detail = {}, .word = {.addresses = bit('M')}});
   return restore_modes(run, saved->modes);
 }

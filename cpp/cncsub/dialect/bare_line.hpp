@@ -1,4 +1,4 @@
-// A line as the interpreter reads it: in small letters and without blanks, except in comments.
+// A line as interpreters of RS274 read it: in small letters and without blanks, except in comments.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include "cncsub/control/alarm.hpp"
 
-namespace cncsub::linuxcnc {
+namespace cncsub {
 
-class Line {
+class BareLine {
  public:
   /// Set the text of the line, which stands at `at` in its file.
   void set(std::string_view text, std::uint32_t at);
@@ -46,4 +46,4 @@ class Line {
   bool unclosed_ = false, nested_ = false;
 };
 
-}  // namespace cncsub::linuxcnc
+}  // namespace cncsub

@@ -1,10 +1,10 @@
-#include "cncsub/dialect/linuxcnc/line.hpp"
+#include "cncsub/dialect/bare_line.hpp"
 
 #include <algorithm>
 
 #include "cncsub/text/scan.hpp"
 
-namespace cncsub::linuxcnc {
+namespace cncsub {
 
 namespace {
 
@@ -12,7 +12,7 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 
 }  // namespace
 
-void Line::set(std::string_view text, std::uint32_t at) {
+void BareLine::set(std::string_view text, std::uint32_t at) {
   text_.clear();
   places_.clear();
   next_ = 0;
@@ -34,13 +34,13 @@ void Line::set(std::string_view text, std::uint32_t at) {
   places_.push_back(at + static_cast<std::uint32_t>(text.size()));
 }
 
-bool Line::take(std::string_view word) {
+bool BareLine::take(std::string_view word) {
   if (!rest().starts_with(word)) return false;
   next_ += word.size();
   return true;
 }
 
-bool Line::take_up_to(char close, std::string& text) {
+bool BareLine::take_up_to(char close, std::string& text) {
   const std::size_t end = text_.find(close, next_);
   if (end == std::string::npos) return false;
   text = text_.substr(next_, end - next_);
@@ -48,22 +48,22 @@ bool Line::take_up_to(char close, std::string& text) {
   return true;
 }
 
-std::string_view Line::take_digits() { return take_all("0123456789"); }
+std::string_view BareLine::take_digits() { return take_all("0123456789"); }
 
-std::string_view Line::take_all(std::string_view characters) {
+std::string_view BareLine::take_all(std::string_view characters) {
   const std::size_t end = std::min(text_.find_first_not_of(characters, next_), text_.size());
   const std::string_view taken = std::string_view(text_).substr(next_, end - next_);
   next_ = end;
   return taken;
 }
 
-std::uint32_t Line::offset(std::size_t place) const {
+std::uint32_t BareLine::offset(std::size_t place) const {
   return places_[std::min(place, places_.size() - 1)];
 }
 
-std::uint32_t Line::width_from(std::uint32_t at) const {
+std::uint32_t BareLine::width_from(std::uint32_t at) const {
   const std::uint32_t end = next_ == 0 ? at : places_[next_ - 1] + 1;
   return end > at ? end - at : 1;
 }
 
-}  // namespace cncsub::linuxcnc
+}  // namespace cncsub
