@@ -10,9 +10,18 @@
 
 namespace cncsub {
 
+/// Return whether a list names its programs by their codes and not by numbers: M0050 of M50,
+/// G200001 of G200.1, T0000 of each T. Such a list of no parameters holds all codes from its first
+/// to its last one.
+inline bool calls_by_name(const CodeCall& list) { return list.program < 0; }
+inline bool calls_all(const CodeCall& list) {
+  return calls_by_name(list) && list.form == CodeCall::Form::List && list.count == 0;
+}
+
 /// Call `take(list, number, program)` for each registered code. `number` is as the parameter holds
 /// it: negative where the code calls modally, 0 where it registers nothing. It is also 0 for a
-/// switch, by which every code of a letter calls.
+/// switch, by which every code of a letter calls, if its parameter has the value that the switch
+/// holds as `parameter`, or any but 0 where that is 0.
 template <class Take>
 void each_code_call(const Control& control, const Take& take) {
   constexpr std::int32_t kMost = 1'000'000'000, kMostOfRange = 1000;
@@ -20,7 +29,9 @@ void each_code_call(const Control& control, const Take& take) {
     return to_whole<std::int32_t>(control.parameter(std::to_string(number)), -kMost, kMost);
   };
   for (const CodeCall& list : control.code_calls) {
-    if (!list.enable.empty() && control.parameter(list.enable) == 0) continue;
+    const double enabled = list.enable.empty() ? 1 : control.parameter(list.enable);
+    const bool other = list.form == CodeCall::Form::Switch && list.parameter != 0;
+    if (enabled == 0 || (other && enabled != list.parameter)) continue;
     switch (list.form) {
       case CodeCall::Form::List:
         for (std::int32_t i = 0; i < list.count; ++i)
