@@ -143,6 +143,7 @@ void alarms(Control& c) {
   number(Cause::MissingEquals, "COM-003");
   number(Cause::IllegalCharacter, "COM-003");
   of_kind(Cause::IllegalCharacter, "NA", "COM-027");
+  number(Cause::WholeNumberExpected, "COR-054");
   number(Cause::PowerOfNegative, "COR-122");
   number(Cause::CodeMayNotCall, "OP-020");
   of_kind(Cause::ProgramNumberMissing, "EX", "COR-052");

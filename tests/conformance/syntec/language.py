@@ -69,6 +69,10 @@ case(
     program=macro("N10 IF #1 = #0 THEN #10 := 1; END_IF;\nN20 IF @1 = @0 THEN #11 := 1; END_IF;\nN30 #1 := 0;\nN40 IF #1 <> #0 THEN #12 := 1; END_IF;\nN50 M30;"),
     vars={10: 1, 11: 1, 12: 1},
 )
+case(
+    "@656 to @999 and @1001 to @1999 hold numbers", pins="commons", **MAKER,
+    program=macro("@656 := 1;\n@999 := @656 + 1;\n@1001 := @999 + 1;\n@1999 := @1001 + 1;\nM30;"), vars={1000656: 1, 1000999: 2, 1001001: 3, 1001999: 4},
+)
 for name in ("@401", "@10000", "@100050", "@60000"):
     case(
         f"{name} is a register of the PLC or an option, of which nobody knows what it holds", pins="unlisted_variables", **MAKER,
@@ -89,7 +93,7 @@ for text, value in (
     ("ASIN(1)", 90), ("ASIN(-1)", -90), ("ACOS(-1)", 180), ("ATAN(-1)", -45), ("ATAN2(1,-1)", 135), ("ATAN2(-1,-1)", -135), ("POW(16,0.5)", 4),
     ("EXP(0)", 1), ("LN(1)", 0), ("MAX(1,2)/4", 0), ("MAX(1,2.)/4", 0.5), ("ROUND(2.6)/2", 1), ("ABS(3)/2", 1.5),
 ):
-    pins = {"pins": "asin_range"} if text == "ASIN(-1)" else {"pins": "atan_range"} if text == "ATAN2(-1,-1)" else {}
+    pins = {"pins": "functions"} if text == "SIN(90)" else {"pins": "asin_range"} if text == "ASIN(-1)" else {"pins": "atan_range"} if text == "ATAN2(-1,-1)" else {}
     case(f"{text} is {value:g}", **MAKER | pins, program=macro(f"N10 #1 := {text};\nN20 M30;"), runs="N10 N20", vars={1: value})
 case(
     "a variable has the type of the number that it was given", **MAKER,
@@ -182,8 +186,8 @@ case(
 )
 
 case(
-    "an N that is not the first word names its block too", pins="late_sequence_numbers", **OURS,
-    program=macro("N10 GOTO 30;\nN20 M0;\nM8 N30;\nN40 M30;"), m=[8],
+    "an N that is not the first word names no block", pins="late_sequence_numbers", **OURS,
+    program=macro("N10 GOTO 30;\nN20 M0;\nM8 N30;\nN40 M30;"), runs="", alarm="jump-target-not-found", number=None, at="O1 N10", word="30",
 )
 case(
     "the largest number of GOTO", pins="max_jump_number", **OURS,

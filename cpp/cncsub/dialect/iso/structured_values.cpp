@@ -166,10 +166,11 @@ Value ValueReader::apply_typed(const IsoOperator& of, std::uint32_t at, Value le
   if (!out_.arithmetic(left, offset()) || !out_.arithmetic(right, offset())) return {};
   if (of.op == Ins::Modulo) {
     if (real) return out_.refuse(Cause::TypeMismatch, at, "MOD takes whole numbers only");
-    if (!whole)
-      return out_.refuse(Cause::CodeNotComputed, at,
-                         "whether both values of MOD are whole numbers is not known");
+    // Where the types are not known the values decide: the rest of a division by a whole number is
+    // whole where the other one is.
+    if (!whole) out_.emit(Ins::WholeNumber, at);
     out_.emit(Ins::Modulo, at);
+    if (!whole) out_.emit(Ins::WholeNumber, at);
     return Value::whole();
   }
   if (of.is_logic()) {
