@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "cncsub/control/control.hpp"
 #include "cncsub/text/number.hpp"
@@ -16,6 +17,23 @@ namespace cncsub {
 inline bool calls_by_name(const CodeCall& list) { return list.program < 0; }
 inline bool calls_all(const CodeCall& list) {
   return calls_by_name(list) && list.form == CodeCall::Form::List && list.count == 0;
+}
+
+/// Return the name of the program that a code calls by its name: M0050 of M50, G200001 of G200.1,
+/// G200010 of G200.10. `written`: its number; empty where all codes of the letter call one program.
+inline std::string name_of_called(char letter, std::string_view written) {
+  std::string whole, decimals;
+  bool point = false;
+  for (const char c : written) {
+    point = point || c == '.';
+    if (c >= '0' && c <= '9') (point ? decimals : whole) += c;
+  }
+  const auto padded = [](std::string digits, std::size_t width) {
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size()));
+    return std::string(width - std::min(width, digits.size()), '0') + digits;
+  };
+  if (decimals.find_first_not_of('0') == std::string::npos) return letter + padded(whole, 4);
+  return letter + padded(whole, 3) + padded(decimals, 3);
 }
 
 /// Call `take(list, number, program)` for each registered code. `number` is as the parameter holds

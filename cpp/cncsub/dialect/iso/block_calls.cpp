@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "cncsub/control/code_calls.hpp"
 #include "cncsub/dialect/iso/block_writer.hpp"
 #include "cncsub/dialect/iso/macro_arguments.hpp"
 
@@ -21,24 +22,6 @@ Op op_of(CodeCallKind kind) {
       return Op::ModalCall;
   }
   return Op::Call;
-}
-
-/// Return the name of the program that a code calls by its name: M0050 of M50, G200001 of G200.1,
-/// G200010 of G200.10.
-std::string name_of_code(char letter, std::string_view written) {
-  const auto padded = [](std::string_view digits, std::size_t width) {
-    const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size());
-    digits.remove_prefix(first);
-    return std::string(width - std::min(width, digits.size()), '0') + std::string(digits);
-  };
-  std::string digits;
-  for (const char c : written)
-    if (is_digit(c) || c == '.') digits += c;
-  const std::size_t point = std::min(digits.find('.'), digits.size());
-  const std::string_view whole(digits.data(), point);
-  const bool decimals = digits.find_first_not_of(".0", point) != std::string::npos;
-  if (!decimals) return letter + padded(whole, 4);
-  return letter + padded(whole, 3) + padded(std::string_view(digits).substr(point + 1), 3);
 }
 
 }  // namespace
@@ -79,7 +62,7 @@ void BlockWriter::name_by_code(CallRecord& call) const {
   const Token& token = *meaning_.call;
   const std::string_view text = rules_.code.files.back().text.view();
   CallExtras& named = call.extras.make();
-  named.name = name_of_code(token.letter, rules_.calling.whole_letter(token.letter)
+  named.name = name_of_called(token.letter, rules_.calling.whole_letter(token.letter)
                                               ? std::string_view()
                                               : text.substr(call.at, call.width));
   named.name_at = call.at;

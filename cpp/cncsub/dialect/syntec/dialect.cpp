@@ -92,6 +92,13 @@ std::optional<Fault> syntec_expression(Builder& to, const ExpressionText& text,
 }
 
 std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from) {
+  if (from == 0 && !block.empty() && is_digit(block[0])) {  // the values of a branch: 2, 3:
+    from = block.size();
+    WrittenWord values;
+    values.text = block;
+    values.width = static_cast<std::uint32_t>(from);
+    return values;
+  }
   if (!is_structured(block)) return iso_word(block, from);
   std::string text(block);
   translate_structured(text, 0, text.size());
