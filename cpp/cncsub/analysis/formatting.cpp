@@ -288,7 +288,8 @@ void FileLayout::program(std::int32_t index, InterruptCheck& interrupt) {
     const Block& block = code_.blocks[at];
     if (interrupt.requested(block.length + InterruptCheck::kBlock)) return;
     if (code_.program_at(at) != index) continue;
-    this->block(block, program, depth.of(at));
+    const int its = depth.of(at);
+    if (!depth.is_second(at)) this->block(block, program, its);
   }
 }
 

@@ -41,6 +41,11 @@ int NestingDepth::of_o_word(const OWord& word) {
   return its;
 }
 
+bool NestingDepth::is_second(Address at) const {
+  return at > 0 && code_.blocks[at].length > 0 && code_.blocks[at - 1].line == code_.blocks[at].line &&
+         code_.blocks[at - 1].text == code_.blocks[at].text;
+}
+
 int NestingDepth::of(Address at) {
   const Block& block = code_.blocks[at];
   if (!open_.empty() && open_.back().end == at) {
@@ -60,7 +65,11 @@ int NestingDepth::of(Address at) {
       return its;
     }
     case Op::If:
+      if (is_second(at)) return std::max(0, its - 1);  // ELSEIF: an ELSE and an IF
       open_.push_back({kNowhere});
+      return its;
+    case Op::Switch:  // CASE with its branches after it
+      if (code_.blocks[at + 1].op == Op::Else) open_.push_back({kNowhere});
       return its;
     case Op::Else:
       return std::max(0, its - 1);

@@ -14,6 +14,8 @@ class NestingDepth {
 
   /// Return the depth at which the next block stands: an end stands at the depth of its beginning.
   int of(Address at);
+  /// Return whether a block is the second one of a statement that does two things, as ELSEIF.
+  bool is_second(Address at) const;
 
  private:
   struct Open {

@@ -17,10 +17,12 @@ struct WordPlace {
 bool in_name(char c) { return is_letter(upper(c)) || c == '_'; }
 bool in_number(char c) { return is_digit(c) || c == '.'; }
 
+bool is_variable_sign(char c) { return c == '#' || c == '@'; }
+
 /// Return the end of the # at `from`: of its number, or of its expression as far as that is closed.
 std::size_t end_of_variable(std::string_view text, std::size_t from) {
   std::size_t to = from;
-  while (to < text.size() && (text[to] == '#' || is_blank(text[to]))) ++to;
+  while (to < text.size() && (is_variable_sign(text[to]) || is_blank(text[to]))) ++to;
   if (to < text.size() && is_digit(text[to])) {
     while (to < text.size() && is_digit(text[to])) ++to;
     return to;
@@ -41,7 +43,7 @@ WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace
   const auto token = [](std::size_t from, std::size_t to) {
     return WordPlace{static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to - from)};
   };
-  if (text[first] == '#') return token(first, std::max(last, end_of_variable(text, first)));
+  if (is_variable_sign(text[first])) return token(first, std::max(last, end_of_variable(text, first)));
   const bool name = in_name(text[first]);
   if (!name && !in_number(text[first])) return place;
   while (!name && first > 0 && in_number(text[first - 1])) --first;

@@ -208,8 +208,13 @@ void add_registered(const Control& control, char letter, int tenfold, CodeFacts&
     const bool every = list.form == CodeCall::Form::Switch;
     if (list.address != letter || (!every && number == 0)) return;
     if (every || list.tenths_of(std::abs(number)) == tenfold)
-      facts.programs.push_back({kind(list.kind), program, {"", list.source, list.evidence}});
+      facts.programs.push_back({kind(list.kind), calls_by_name(list) ? -1 : program,
+                                {"", list.source, list.evidence}});
   });
+  for (const CodeCall& list : control.code_calls)
+    if (calls_all(list) && list.address == letter && tenfold >= 10 * list.first_code &&
+        tenfold < 10 * (list.last_code + 1))
+      facts.programs.push_back({kind(list.kind), -1, {"", list.source, list.evidence}});
 }
 
 /// The roles by which a registered code calls.
@@ -262,7 +267,10 @@ void add_call(const Control& control, CodeFacts& facts) {
     if (kCodeCallNames[i] != called.kind) continue;
     const FactRow& row = kRoles[static_cast<std::size_t>(kRolesOfCalls[i])];
     const auto like = control.calls.roles.value.code_of(kRolesOfCalls[i]);
-    facts.does = "calls O" + std::to_string(called.program) + (like ? " as " + like->text() : "");
+    const std::string_view number = std::string_view(facts.name).substr(1);
+    const std::string program = called.program >= 0 ? "O" + std::to_string(called.program)
+                                                    : name_of_called(facts.name[0], number);
+    facts.does = "calls " + program + (like ? " as " + like->text() : "");
     facts.words = read_words(control, i == 0 ? "" : row.words);
     std::erase_if(facts.words, [](const CodeWord& word) { return word.letters == "P"; });
     add_causes(control, row.causes, facts.causes);

@@ -135,7 +135,7 @@ def _on(control: Control, machine: str, facts: Facts) -> Facts:
         "of_machines": len(_machines(control)) if machine else 1,
         "sources": [_source(*by) for by in facts["sources"]],
         "calls": [
-            {"kind": kind, "program": program, **_source(*by)}
+            {"kind": kind, "program": program if program >= 0 else None, **_source(*by)}
             for kind, program, by in facts["programs"]
         ],
         "arguments": _arguments(control, facts),

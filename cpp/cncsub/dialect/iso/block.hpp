@@ -14,10 +14,10 @@ namespace cncsub {
 
 class BlockReader {
  public:
-  explicit BlockReader(Builder& to)
+  explicit BlockReader(Builder& to, const IsoVariant& variant = {})
       : to_(to),
         control_(to.control()),
-        rules_(to.code()),
+        rules_(to.code(), variant),
         expressions_(to, rules_.expressions),
         plain_(to, rules_, expressions_) {}
   /// Compile the text between the scanner and its end into `block`, whose text and line are set.
@@ -26,6 +26,14 @@ class BlockReader {
     block.op = Op::Words;
     if (!plain_.read(scanner, block)) read_any(scanner, block);
   }
+
+  /// Let blocks of a structured program with this text come next.
+  /// `types`: those of its variables, as they are known at each block.
+  void begin_text(const char* written, const std::unordered_map<std::int64_t, bool>& types) {
+    rules_.expressions.written = written;
+    rules_.expressions.types = &types;
+  }
+  ExpressionReader& expressions() { return expressions_; }
 
  private:
   void read_any(Scanner& s, Block& block);

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "cncsub/control/code_calls.hpp"
 #include "cncsub/dialect/iso/block_writer.hpp"
 #include "cncsub/dialect/iso/macro_arguments.hpp"
 
@@ -33,9 +34,10 @@ void BlockWriter::call() {
   call.at = meaning_.call->operand.at;
   call.width = meaning_.call->operand.width;
   if (meaning_.registered != nullptr) {
-    call.program_number = meaning_.registered->program;
+    call.program_number = meaning_.registered->by_name ? -1 : meaning_.registered->program;
     call.variable = meaning_.registered->variable;
     call.code = to_whole<std::int32_t>(meaning_.call->operand.value);
+    if (meaning_.registered->by_name) name_by_code(call);
   }
   for (const Token& token : tokens_)
     if (&token != meaning_.call)
@@ -53,6 +55,18 @@ void BlockWriter::call() {
     return refuse(fault_of(tokens_.front(), Cause::MacroCallNotFirst,
                            "there is a word before the macro call"));
   to_.become(block_, op_of(meaning_.code_kind), std::move(call));
+}
+
+/// Let the call name the program of its code. All codes of a letter, T1 and T2, have one.
+void BlockWriter::name_by_code(CallRecord& call) const {
+  const Token& token = *meaning_.call;
+  const std::string_view text = rules_.code.files.back().text.view();
+  CallExtras& named = call.extras.make();
+  named.name = name_of_called(token.letter, rules_.calling.whole_letter(token.letter)
+                                              ? std::string_view()
+                                              : text.substr(call.at, call.width));
+  named.name_at = call.at;
+  named.name_width = call.width;
 }
 
 /// Take a word that says which program is called, from where and how often. A code that calls names
@@ -160,8 +174,7 @@ void BlockWriter::back() {
     if (token.letter == 'P') back.p = token.operand;
     if (token.letter == 'L') back.l = token.operand;
     if (token.letter == 'Q' && control_.calls.return_to_line.value)
-      return refuse({Cause::CodeNotComputed, token.operand.at, token.operand.width,
-                     "cncsub does not compute a return to a line of the file"});
+      back.extras.make().after = token.operand;
   }
   if (back.p.present() && control_.calls.return_with_p.value == ReturnWithP::Refused)
     return refuse({Cause::IllegalWordWithReturn, back.p.at, back.p.width,

@@ -160,7 +160,8 @@ bool MeaningReader::call_by_role(const Token& token, Role role) {
   if (role == Role::None) return false;
   for (const CallOfRole& entry : kCalls)
     if (entry.role == role && entry.letter == token.letter) {
-      call(token, entry.kind, entry.code_kind, nullptr);
+      const bool after = rules_.variant.after_blocks && entry.kind == CallKind::ModalEveryBlock;
+      call(token, entry.kind, after ? CodeCallKind::Modal : entry.code_kind, nullptr);
       return true;
     }
   return false;

@@ -16,13 +16,23 @@ namespace cncsub {
 /// says so.
 constexpr std::string_view kLengths = "ABCHIJKQRUVWXYZ";
 
+/// What a dialect that is built on this one reads in another way.
+struct IsoVariant {
+  bool structured = false;     // blocks of structured programs, see ExpressionRules
+  bool after_blocks = false;   // G66.1 does not take the words of a block, it calls after it
+  bool p_is_argument = false;  // P of a code that calls is #16
+  // Return whether a word begins a statement of the other programs of the dialect, or null.
+  bool (*is_other_statement)(std::string_view word) = nullptr;
+};
+
 struct BlockRules {
-  explicit BlockRules(const Code& of);
+  explicit BlockRules(const Code& of, const IsoVariant& variant = {});
   BlockRules(const BlockRules&) = delete;  // readers refer to it
   BlockRules& operator=(const BlockRules&) = delete;
 
   const Code& code;
   const Control& control;
+  IsoVariant variant;
   ExpressionRules expressions;
   CallingCodes calling;
   CornerLetters corners_not_with_call;  // the chamfer and corner words that M98 refuses

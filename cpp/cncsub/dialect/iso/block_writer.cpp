@@ -92,6 +92,7 @@ bool BlockWriter::belongs_to_call(const Token& token) const {
   if (&token == meaning_.call) return true;
   const bool p_or_l = letter == 'P' || letter == 'L';
   if (meaning_.jump_reads_input && letter == 'Q') return true;
+  if (letter == 'Q' && meaning_.back != nullptr && control_.calls.return_to_line.value) return true;
   if (p_or_l && (meaning_.back != nullptr || meaning_.jump != nullptr)) return true;
   if (!sub || meaning_.registered != nullptr) return false;
   return p_or_l || letter == 'Q' ||

@@ -11,10 +11,20 @@ CallingCodes::CallingCodes(const Code& code) {
   each_code_call(*code.control,
                  [&](const CodeCall& list, std::int32_t number, std::int32_t program) {
                    if (list.form == CodeCall::Form::Switch)
-                     add_letter(list.address, {list.kind, program, list.variable});
+                     add_letter(list.address,
+                                {.kind = list.kind,
+                                 .program = program,
+                                 .variable = list.variable,
+                                 .by_name = calls_by_name(list)});
                    else
                      add_code(code, list, number, program);
                  });
+  for (const CodeCall& list : code.control->code_calls)
+    if (calls_all(list))
+      all_.push_back({list.address,
+                      static_cast<double>(list.first_code),
+                      list.last_code + 1.0,
+                      {.kind = list.kind, .variable = list.variable, .by_name = true}});
   for (const auto& entry : code.control->calls.registered_codes.value) add_registered(code, entry);
 }
 
@@ -35,7 +45,10 @@ void CallingCodes::add_registered(const Code& code, const RegisteredCodes::Entry
 
 void CallingCodes::add_code(const Code& code, const CodeCall& list, std::int32_t number,
                             std::int32_t program) {
-  RegisteredCall call{list.kind, program, list.variable};
+  RegisteredCall call{.kind = list.kind,
+                      .program = program,
+                      .variable = list.variable,
+                      .by_name = calls_by_name(list)};
   if (list.address == '@') {  // the parameter holds a letter, and every code of it calls
     call.ascii = true;
     if (number >= 'A' && number <= 'Z') add_letter(static_cast<char>(number), call);
@@ -64,12 +77,16 @@ void CallingCodes::add_letter(char address, const RegisteredCall& call) {
 
 bool CallingCodes::any(char address) const {
   return letters_[place(address)] != 0 ||
+         std::any_of(all_.begin(), all_.end(),
+                     [&](const AllCodes& all) { return all.address == address; }) ||
          std::any_of(codes_.begin(), codes_.end(),
                      [&](const auto& code) { return code.first >> kAddress == address; });
 }
 
 const RegisteredCall* CallingCodes::find(char address, double code) const {
   if (letters_[place(address)] != 0) return &of_letters_[letters_[place(address)] - 1];
+  for (const AllCodes& all : all_)
+    if (all.address == address && code >= all.first && code < all.behind) return &all.call;
   if (codes_.empty() || code < 0 || code > 1e9) return nullptr;
   const double tenths = std::round(code * 10);
   if (code != tenths / 10) return nullptr;

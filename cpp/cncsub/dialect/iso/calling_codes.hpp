@@ -17,6 +17,7 @@ struct RegisteredCall {
   std::int32_t variable = 0;  // takes the code's value, 0 = none
   bool refused = false;       // the code may not call
   bool ascii = false;         // its letter calls because a parameter holds it
+  bool by_name = false;       // the program has the name of the code
 };
 
 class CallingCodes {
@@ -24,6 +25,8 @@ class CallingCodes {
   explicit CallingCodes(const Code& code);
   /// Return what a code calls; null if it calls nothing.
   const RegisteredCall* find(char address, double code) const;
+  /// Return whether every code of an address calls, and the same program.
+  bool whole_letter(char address) const { return letters_[place(address)] != 0; }
   /// Return whether any code of an address calls.
   bool any(char address) const;
 
@@ -38,6 +41,14 @@ class CallingCodes {
     return (static_cast<std::int64_t>(address) << kAddress) | tenths;
   }
 
+  /// All codes from one to another, with those between whole numbers.
+  struct AllCodes {
+    char address;
+    double first, behind;
+    RegisteredCall call;
+  };
+
+  std::vector<AllCodes> all_;
   std::unordered_map<std::int64_t, RegisteredCall> codes_;  // by address and tenths of a code
   std::vector<RegisteredCall> of_letters_;
   std::array<std::size_t, 26> letters_{};  // 1 + the index in of_letters_; 0 = not every code calls

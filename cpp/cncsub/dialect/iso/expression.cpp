@@ -31,6 +31,7 @@ bool computes(const ExpressionRules& rules, const Scanner& s) {
 
 std::optional<std::uint32_t> ExpressionReader::finished(Value value, std::uint32_t at,
                                                         bool negative) {
+  last_ = value;
   if (!value) return std::nullopt;
   if (!out_.is_number(value))
     return out_.refuse(Cause::ExpressionFormat, at, "the result of a comparison is not a number");
@@ -90,6 +91,58 @@ std::optional<std::uint32_t> ExpressionReader::condition(Scanner& s) {
   return read;
 }
 
+std::optional<std::uint32_t> ExpressionReader::counted(const Scanner& counter,
+                                                       const Scanner* step) {
+  begin(counter);
+  gap();
+  const std::uint32_t at = offset();
+  Value value = one_operand();
+  if (!value || !out_.arithmetic(value, offset())) return std::nullopt;
+  if (step == nullptr) {
+    out_.emit(Ins::Constant, at, 1);
+  } else {
+    s_ = *step;
+    Value added = values();
+    if (!added || !out_.arithmetic(added, offset())) return std::nullopt;
+  }
+  out_.emit(Ins::Add, at);
+  return out_.finish(at, 1);
+}
+
+std::optional<std::uint32_t> ExpressionReader::not_passed(const Scanner& counter,
+                                                          const Scanner& last,
+                                                          const Scanner& step) {
+  begin(last);
+  gap();
+  const std::uint32_t at = offset();
+  Value value = values();
+  if (!value || !out_.arithmetic(value, offset())) return std::nullopt;
+  const std::uint32_t width = offset() - at;
+  s_ = counter;
+  value = one_operand();
+  if (!value || !out_.arithmetic(value, offset())) return std::nullopt;
+  out_.emit(Ins::Subtract, at);
+  s_ = step;
+  value = values();
+  if (!value || !out_.arithmetic(value, offset())) return std::nullopt;
+  out_.emit(Ins::Sign, at);
+  out_.emit(Ins::Multiply, at);
+  out_.emit(Ins::Constant, at, 0);
+  out_.emit(Ins::GreaterEqual, at);
+  return out_.finish(at, width);
+}
+
+std::optional<std::uint32_t> ExpressionReader::contrary(Scanner& s) {
+  begin(s);
+  gap();
+  const std::uint32_t at = offset();
+  Value value = values();
+  s.at = s_.at;
+  if (!value || !out_.arithmetic(value, offset())) return std::nullopt;
+  out_.emit(Ins::Not, at);
+  return out_.finish(at, offset() - at);
+}
+
 std::optional<std::uint32_t> ExpressionReader::condition_or_number(Scanner& s) {
   begin(s);
   gap();
@@ -129,6 +182,7 @@ std::optional<ExpressionReader::Variable> ExpressionReader::read_target(const Sc
   if (inside) {
     Value inner = bracket();
     if (!inner || !out_.arithmetic(inner, offset())) return std::nullopt;
+    add_base(hash);
     return Variable{kComputed, out_.finish(at, offset() - at)};
   }
   const auto number = variable_number(at);

@@ -27,6 +27,14 @@ class ExpressionReader : private ValueReader {
   std::optional<std::uint32_t> arithmetic_of_word(Scanner& s, char address);
   /// Read the condition of IF or WHILE, brackets included.
   std::optional<std::uint32_t> condition(Scanner& s);
+  /// Read the value that a counter takes next: the variable at `counter`, plus the step that is
+  /// written at `step`, or 1.
+  std::optional<std::uint32_t> counted(const Scanner& counter, const Scanner* step);
+  /// Read the condition that a counter has not passed its last value, whatever the sign of its step.
+  std::optional<std::uint32_t> not_passed(const Scanner& counter, const Scanner& last,
+                                          const Scanner& step);
+  /// Read a condition, and return the contrary one.
+  std::optional<std::uint32_t> contrary(Scanner& s);
   /// Read a condition without the brackets around it, or an expression that gives a number.
   std::optional<std::uint32_t> condition_or_number(Scanner& s);
   /// The variable after a # (at `hash`): its number, or an expression that gives the number.
@@ -37,12 +45,14 @@ class ExpressionReader : private ValueReader {
   std::optional<Variable> variable(Scanner& s, std::uint32_t hash) {
     s_ = s;
     std::uint32_t number = 0;
-    const bool plain = digits_of_variable(number) && !rules_.is_indirect(number);
+    const bool plain = digits_of_variable(number) && !rules_.needs_look(number);
     const std::optional<Variable> read = plain ? Variable{number, 0} : read_target(s, hash);
     s.at = s_.at;
     return read;
   }
 
+  /// Return the value that was read last, if it was one of a number: its type is known or not.
+  const Value& last_value() const { return last_; }
   /// Return whether comments may stand in or after the number that was read last.
   bool comments() const { return comments_; }
   /// Return the fault of the expression that was read last.
@@ -53,6 +63,8 @@ class ExpressionReader : private ValueReader {
   std::optional<std::uint32_t> read_condition();
   std::optional<Variable> read_target(const Scanner& s, std::uint32_t hash);
   std::optional<std::uint32_t> finished(Value value, std::uint32_t at, bool negative = false);
+
+  Value last_;
 };
 
 }  // namespace cncsub

@@ -39,24 +39,28 @@ constexpr FunctionName kFunctions[] = {{Function::Sin, Ins::Sin},
 
 }  // namespace
 
-ExpressionRules::ExpressionRules(const Code& of)
+ExpressionRules::ExpressionRules(const Code& of, bool is_structured)
     : code(of),
       control(*of.control),
-      alike(control.macros.logic_order.value == LogicOrder::LikeArithmetic),
-      numbers_first(control.macros.logic_order.value == LogicOrder::LastOfConditions),
+      alike(!is_structured && control.macros.logic_order.value == LogicOrder::LikeArithmetic),
+      numbers_first(!is_structured &&
+                    control.macros.logic_order.value == LogicOrder::LastOfConditions),
       joined(control.macros.conditions.value.has(Condition::Joined)),
-      values(control.macros.conditions.value.has(Condition::Values)),
-      bare(control.macros.conditions.value.has(Condition::Bare)),
+      values(is_structured || control.macros.conditions.value.has(Condition::Values)),
+      bare(is_structured || control.macros.conditions.value.has(Condition::Bare)),
       symbols(control.macros.conditions.value.has(Condition::Symbols)),
       names(control.macros.variable_forms.value.has(VariableForm::Names)),
       indirect(control.macros.variable_forms.value.has(VariableForm::Indirect)),
       points(control.macros.variable_forms.value.has(VariableForm::Point)),
       distinguishes_vacant(control.macros.vacant_comparison.value ==
                            VacantComparison::Distinguished),
-      word_arithmetic(control.macros.word_arithmetic.value),
+      word_arithmetic(is_structured || control.macros.word_arithmetic.value),
       modulo(has(Function::Mod)),
-      most_brackets(std::min(control.macros.max_brackets.value, kDeepestBrackets)),
-      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)) {
+      most_brackets(is_structured
+                        ? kDeepestBrackets
+                        : std::min(control.macros.max_brackets.value, kDeepestBrackets)),
+      most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),
+      structured(is_structured) {
   for (const FunctionName& of_name : kFunctions) {
     const std::string_view name = name_of(of_name.function);
     if (name.size() > kLongest || !has(of_name.function)) continue;

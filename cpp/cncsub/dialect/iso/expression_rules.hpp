@@ -5,8 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
+#include <unordered_map>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/control/at_variables.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -17,7 +19,8 @@ struct FunctionName {
 };
 
 struct ExpressionRules {
-  explicit ExpressionRules(const Code& of);
+  /// `structured`: of structured programs.
+  explicit ExpressionRules(const Code& of, bool structured = false);
 
   const Code& code;
   const Control& control;
@@ -36,6 +39,20 @@ struct ExpressionRules {
   int most_brackets;
   std::ptrdiff_t most_digits;  // of a constant that needs no closer look
   static constexpr std::ptrdiff_t kMostVariableDigits = 9;
+  bool structured;  // brackets are round, values have types, = compares
+  // The text of the structured program that is read. Where it has an @, the # of the text that the
+  // readers see stands for one.
+  const char* written = nullptr;
+  // The variables whose value is known to be whole (true) or real at the place that is read, of
+  // structured programs.
+  const std::unordered_map<std::int64_t, bool>* types = nullptr;
+
+  /// Return whether the number of a variable does not say by itself which one is meant.
+  bool needs_look(std::int64_t number) const { return structured || is_indirect(number); }
+  /// Return what the sign at `at` adds to the number of a variable: @1 is #1000001.
+  std::int32_t base_of(std::uint32_t at) const {
+    return structured && written[at] == '@' ? kAtVariables : 0;
+  }
 
   /// Return whether the number of a variable stands in another variable: #9100 is #[#100].
   bool is_indirect(std::int64_t number) const {

@@ -7,6 +7,7 @@ namespace cncsub {
 namespace {
 
 constexpr int kMostSets = 10;  // of I, J and K
+constexpr int kVariableOfP = 16;
 
 /// Return the variable number of an argument letter (specification I); 0 if the letter is none.
 int argument_variable(char letter) {
@@ -22,6 +23,10 @@ int numbered_variable(const Token& token) { return 24 + 3 * token.axis + (token.
 
 std::optional<Fault> MacroArguments::add(const Token& token, int& variable) {
   const char letter = token.letter;
+  if (letter == 'P' && meaning_.registered != nullptr && rules_.variant.p_is_argument) {
+    variable = kVariableOfP;
+    return std::nullopt;
+  }
   if (letter == 'P' && meaning_.registered != nullptr)
     return fault_of(token, Cause::IllegalArgument, "P cannot be an argument");
   if (letter == 'P' || letter == 'L' || letter == '<') return std::nullopt;

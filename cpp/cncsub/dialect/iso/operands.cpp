@@ -90,6 +90,7 @@ Value ValueReader::other_variable(std::uint32_t at) {
   if (first == '[') {
     Value inner = bracket();
     if (!inner || !out_.arithmetic(inner, offset())) return {};
+    add_base(at);
     return Value::variable(out_.emit(Ins::IndirectRaw, at));
   }
   if (starts_name(first) && !rules_.names)
@@ -107,6 +108,7 @@ std::optional<std::int64_t> ValueReader::variable_number(std::uint32_t at) {
     return kComputed;
   }
   const auto number = written_number();
+  if (number && rules_.structured) return *number + rules_.base_of(at);
   if (!number || !rules_.is_indirect(*number)) return number;
   Value inner = out_.load(*number - 9000, at);
   out_.arithmetic(inner, offset());

@@ -12,7 +12,9 @@
 #include "cncsub/dialect/iso/block.hpp"
 #include "cncsub/dialect/iso/leader.hpp"
 #include "cncsub/dialect/iso/next_mark.hpp"
+#include "cncsub/dialect/iso/program_file.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
+#include "cncsub/dialect/iso/structured_words.hpp"
 #include "cncsub/system/compiler.hpp"
 #include "cncsub/text/line_ends.hpp"
 
@@ -69,7 +71,8 @@ bool comment_not_closed(const Code& code, NextMark& comments, const Scanner& s) 
 
 class ProgramFileReader {
  public:
-  explicit ProgramFileReader(Builder& to) : to_(to), code_(to.code()), reader_(to) {}
+  explicit ProgramFileReader(Builder& to, const IsoVariant& variant = {}, OtherPrograms others = {})
+      : to_(to), code_(to.code()), reader_(to, variant), others_(std::move(others)) {}
 
   /// Read a file; stop early if an interrupt is requested.
   void read(std::uint32_t file_index) {
@@ -122,6 +125,8 @@ class ProgramFileReader {
     line_ = 0;
     first_in_file_ = true;
     leader_possible_ = true;
+    all_other_ = false;
+    if (others_.begin_text) others_.begin_text(text);
   }
 
   void finish() {
@@ -145,6 +150,12 @@ class ProgramFileReader {
     while (at < end) {
       const char* const line_end = ends.next();
       ++line_;
+      if (others_.begins && begins_other(at, line_end)) {
+        at = other_programs(at, line_end, end);
+        ends = LineEnds(at, end);
+        marked = next_marked(at);
+        continue;
+      }
       if (line_end <= marked) {
         words(at, line_end);
       } else {
@@ -154,6 +165,44 @@ class ProgramFileReader {
       if (to_.interrupt().requested(static_cast<std::size_t>(line_end + 1 - at))) return;
       at = line_end + 1;
     }
+  }
+
+  /// Return whether a line says that a program of the other language follows.
+  bool begins_other(const char* at, const char* end) const {
+    const bool empty = to_.in_program() && code_.programs.back().first == to_.next_address();
+    return (!to_.in_program() || empty) && others_.begins({at, static_cast<std::size_t>(end - at)});
+  }
+
+  /// Read programs of the other language after the line that says so; return where the rest begins:
+  /// at a %, or at the head of another program where the line was not the first of the file.
+  const char* other_programs(const char* at, const char* line_end, const char* end) {
+    if (first_in_file_) all_other_ = true;
+    if (!to_.in_program()) begin_headless(static_cast<std::uint32_t>(at - begin_));
+    for (at = std::min(line_end + 1, end);;) {
+      const char* const stop = end_of_other(at, end);
+      others_.read(static_cast<std::size_t>(at - begin_), static_cast<std::size_t>(stop - begin_),
+                   line_ + 1);
+      line_ += static_cast<std::uint32_t>(std::count(at, stop, '\n'));
+      is_other_ = true;
+      if (stop == end || *stop == '%' || !all_other_) return stop;
+      const char* const head_end = std::find(stop, end, '\n');
+      ++line_;
+      Scanner s{stop, head_end, begin_};
+      s.blanks();
+      head(s);
+      at = std::min(head_end + 1, end);
+    }
+  }
+
+  /// Return the line of a % or of the head of a program, or the end.
+  static const char* end_of_other(const char* at, const char* end) {
+    while (at < end) {
+      const char* const line_end = std::find(at, end, '\n');
+      const std::string_view line(at, static_cast<std::size_t>(line_end - at));
+      if (line.starts_with('%') || is_program_head(line)) return at;
+      at = std::min(line_end + 1, end);
+    }
+    return end;
   }
 
   /// Read the blocks of a line; only the first if a semicolon begins a comment.
@@ -347,7 +396,9 @@ class ProgramFileReader {
     if (!to_.in_program()) return;
     const bool rest = is_rest();
     to_.end_program(offset, line_);
-    if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
+    if (std::exchange(is_other_, false))
+      others_.end_program(code_.programs.back());
+    else if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
   }
 
   /// Return whether the open program began before the lines that are read apart.
@@ -356,7 +407,10 @@ class ProgramFileReader {
   Builder& to_;
   const Code& code_;
   BlockReader reader_;
-  std::string_view text_;  // of the file
+  OtherPrograms others_;
+  bool all_other_ = false;  // every program of the file is one of the other language
+  bool is_other_ = false;   // the open program is
+  std::string_view text_;   // of the file
   const char* begin_ = nullptr;
   NextMark semicolons_, comments_, percents_;
   std::uint32_t file_ = 0;
@@ -368,6 +422,11 @@ class ProgramFileReader {
 };
 
 }  // namespace
+
+FileReader iso_reader(Builder& to, const IsoVariant& variant, OtherPrograms others) {
+  return [reader = std::make_shared<ProgramFileReader>(to, variant, std::move(others))](
+             std::uint32_t file) { reader->read(file); };
+}
 
 FileReader iso_reader(Builder& to, const ProgramNames& /*other_mode*/) {
   return [reader = std::make_shared<ProgramFileReader>(to)](std::uint32_t file) {

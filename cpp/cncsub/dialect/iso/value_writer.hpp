@@ -16,6 +16,9 @@ class Value {
   Value() = default;
   static Value number() { return Value(kNumber); }
   static Value condition() { return Value(kCondition); }
+  /// Return a number of which the language knows that it is whole, or that it is not.
+  static Value whole() { return Value(kWhole); }
+  static Value real() { return Value(kReal); }
   /// Return the value of the instruction at `place`: one variable, which may still be vacant.
   static Value variable(std::uint32_t place) { return Value(static_cast<std::int32_t>(2 * place)); }
   /// Return the value of the instruction at `place`: a number as it is written.
@@ -24,7 +27,9 @@ class Value {
   }
 
   explicit operator bool() const { return of_ >= kCondition; }
-  bool is_number() const { return of_ >= kNumber; }
+  bool is_number() const { return of_ >= kWhole; }
+  bool is_whole() const { return of_ == kWhole; }
+  bool is_real() const { return of_ == kReal; }
   bool is_condition() const { return of_ == kCondition; }
   bool is_variable() const { return of_ >= 0 && (of_ & 1) == 0; }
   bool is_constant() const { return of_ >= 0 && (of_ & 1) != 0; }
@@ -32,7 +37,7 @@ class Value {
   std::uint32_t place() const { return static_cast<std::uint32_t>(of_) / 2; }
 
  private:
-  static constexpr std::int32_t kNone = -3, kCondition = -2, kNumber = -1;
+  static constexpr std::int32_t kNone = -5, kCondition = -4, kWhole = -3, kReal = -2, kNumber = -1;
 
   explicit Value(std::int32_t of) : of_(of) {}
 

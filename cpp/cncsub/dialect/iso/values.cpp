@@ -99,7 +99,7 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::variable() {
   const std::uint32_t at = offset();
   ++s_.at;
   std::uint32_t number = 0;
-  if (!digits_of_variable(number) || rules_.is_indirect(number)) [[unlikely]]
+  if (!digits_of_variable(number) || rules_.needs_look(number)) [[unlikely]]
     return other_variable(at);
   const DirectVariables* const near = rules_.code.direct_variables.find(number);
   if (near == nullptr) return out_.load(number, at);
@@ -112,7 +112,9 @@ CNCSUB_ALWAYS_INLINE inline Value ValueReader::operand() {
   gap();
   const char c = s_.at < s_.end ? *s_.at : '\0';
   Value value;
-  if (c == '#')
+  if (rules_.structured) [[unlikely]]
+    value = structured_operand(c);
+  else if (c == '#')
     value = variable();
   else if (is_digit(c) || c == '.')
     value = constant();
@@ -137,6 +139,8 @@ CNCSUB_ALWAYS_INLINE inline const IsoOperator* ValueReader::next_operator() {
   gap();
   const char* const at = s_.at;
   if (at >= s_.end || *at == ']') return nullptr;
+  if (rules_.structured) [[unlikely]]
+    return structured_operator();
   if (const IsoOperator* const sign = kSigns[static_cast<unsigned char>(*at)]) {
     behind_operator_ = at + 1;
     return sign;

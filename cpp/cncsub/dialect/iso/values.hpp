@@ -22,6 +22,8 @@ class ValueReader : protected ExpressionScanner {
   using ExpressionScanner::offset;
   void pass(const IsoOperator&) { s_.at = behind_operator_; }
   Value apply(const IsoOperator& of, std::uint32_t at, Value left, Value right) {
+    if (rules_.structured) [[unlikely]]
+      return apply_typed(of, at, left, right);
     return cncsub::apply(out_, of, at, left, right, offset());
   }
 
@@ -41,7 +43,23 @@ class ValueReader : protected ExpressionScanner {
   /// Else write instructions that give the number and return kComputed.
   std::optional<std::int64_t> variable_number(std::uint32_t at);
 
+  /// Write what the sign of a variable at `at` adds to its computed number.
+  void add_base(std::uint32_t at) {
+    if (const std::int32_t base = rules_.base_of(at); base != 0)
+      out_.emit(Ins::AddConstant, at, base);
+  }
+
  private:
+  // Of structured programs (structured_values.cpp).
+  Value structured_operand(char first);
+  Value with_type(Value value, std::uint32_t at);
+  Value typed_constant();
+  Value typed_negation_of(Value value, std::uint32_t at);
+  Value typed_function();
+  bool typed_arguments(int count, bool& whole, bool& real);
+  const IsoOperator* structured_operator();
+  Value apply_typed(const IsoOperator& of, std::uint32_t at, Value left, Value right);
+
   const IsoOperator* operator_of_name();
   Value constant();
   Value other_constant();

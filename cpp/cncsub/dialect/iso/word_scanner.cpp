@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "cncsub/dialect/iso/structured_words.hpp"
 #include "cncsub/text/look_alikes.hpp"
 
 namespace cncsub {
@@ -182,8 +183,10 @@ bool WordScanner::stray(const char* from) {
     return refuse({Cause::CommentNotClosed, at, width,
                    wide ? "a full-width parenthesis does not begin a comment"
                         : "this parenthesis does not end a comment"});
-  return refuse({Cause::IllegalCharacter, at, width,
-                 "the control does not know this character" + full_width_of(character)});
+  Fault unknown{Cause::IllegalCharacter, at, width,
+                "the control does not know this character" + full_width_of(character)};
+  if (width > 1) unknown.kind = {'N', 'A'};  // no ASCII
+  return refuse(std::move(unknown));
 }
 
 // ---- values ----
@@ -292,12 +295,25 @@ bool WordScanner::no_value(Token& token, const char* letter) {
     token.operand.whole = true;
     return true;
   }
+  if (auto fault = other_statement(letter)) return refuse(*fault);
   if (is_letter(s_.peek()))
     if (auto fault = statement_at(letter)) {
       fault->at = token.operand.at;
       return refuse(*fault);
     }
   return refuse({Cause::AddressWithoutValue, token.operand.at, 1, no_value_text(token)});
+}
+
+/// Return the fault of a statement that only other programs of the dialect have.
+std::optional<Fault> WordScanner::other_statement(const char* letter) const {
+  if (rules_.variant.is_other_statement == nullptr) return std::nullopt;
+  Scanner ahead = s_;
+  ahead.at = letter;
+  const std::string word = name_of_word(ahead);
+  if (!rules_.variant.is_other_statement(word)) return std::nullopt;
+  return Fault{Cause::StatementNotAvailable, static_cast<std::uint32_t>(letter - s_.file),
+               static_cast<std::uint32_t>(word.size()),
+               word + " is a statement of programs that begin with %@MACRO"};
 }
 
 /// Return the fault of a macro statement that stands in the place of a word.

@@ -76,6 +76,7 @@ class WordScanner {
   bool arithmetic(Token& token, const char* from);
   std::string no_value_text(const Token& token) const;
   bool no_value(Token& token, const char* letter);
+  std::optional<Fault> other_statement(const char* letter) const;
   std::optional<Fault> statement_at(const char* letter) const;
   bool name(Token& token, char close);
   std::string wrong_name(std::string_view name) const;

@@ -105,6 +105,20 @@ bool every_block(Run& run, const Block& block) {
   return enter(run, modal.record, target, static_cast<std::int32_t>(run.state.modals.size()) - 1);
 }
 
+namespace {
+
+/// Return whether a modal call follows every block: it is one of G66.1, and takes no block's words.
+bool follows_blocks(const Run& run, const ModalCall& modal) {
+  return !modal.every_block && run.code->calls[modal.record].kind == CallKind::ModalEveryBlock;
+}
+
+}  // namespace
+
+bool follows_statements(const Run& run) {
+  const std::int32_t modal = modal_after(run);
+  return modal >= 0 && follows_blocks(run, run.state.modals[static_cast<std::size_t>(modal)]);
+}
+
 std::int32_t modal_of_move(const Run& run) {
   const State& s = run.state;
   const Motion::Outcome& outcome = run.block.outcome;
@@ -113,7 +127,8 @@ std::int32_t modal_of_move(const Run& run) {
                             : outcome.axis_word;
   const std::int32_t top =
       std::min(static_cast<std::int32_t>(s.modals.size()), run.frame().modal_limit);
-  if (!triggers || top <= 0 || !follows_moves(run, top - 1)) return -1;
+  if (top <= 0 || !follows_moves(run, top - 1)) return -1;
+  if (!triggers && !follows_blocks(run, s.modals[static_cast<std::size_t>(top - 1)])) return -1;
   return s.modals[static_cast<std::size_t>(top - 1)].target.skipped ? -1 : top - 1;
 }
 

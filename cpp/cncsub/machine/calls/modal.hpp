@@ -32,6 +32,8 @@ std::int32_t modal_of_move(const Run& run);
 inline std::int32_t modal_after(const Run& run) {
   return run.state.modals.empty() ? -1 : modal_of_move(run);
 }
+/// Return whether a modal call follows the running block although it is a macro statement.
+bool follows_statements(const Run& run);
 /// Enter the macro that follows the move of a block, if one does. The block is a step already.
 bool call_after_move(Run& run);
 

@@ -56,6 +56,29 @@ std::optional<Fault> refused(const Run& run, const Block& block, const CallRecor
   return std::nullopt;
 }
 
+/// Return the word of a return that names a line of the caller's file. One by values has none: what
+/// stands there says something else.
+const Operand& line_of(const CallRecord& back) { return back.extras.get().after; }
+
+/// Return the block of a program that stands on a line of its file, or the next one after it;
+/// kNowhere where the program has none.
+Address block_of_line(const Code& code, const Program& program, double line) {
+  const double whole = std::round(line);
+  if (!(whole >= program.line && whole < 4e9)) return kNowhere;
+  const auto first = code.blocks.begin() + program.first, last = code.blocks.begin() + program.last;
+  const auto found =
+      std::lower_bound(first, last, to_whole<std::uint32_t>(whole),
+                       [](const Block& of, std::uint32_t wanted) { return of.line < wanted; });
+  return found == last ? kNowhere : static_cast<Address>(found - code.blocks.begin());
+}
+
+bool no_line(Run& run, const Operand& word, double line, const Program& program) {
+  return alarm(run, {Cause::ReturnTargetNotFound, word.at, word.width,
+                     "there is no block from line " +
+                         std::to_string(to_whole<std::int64_t>(std::clamp(line, -1e9, 2e9))) +
+                         " on in " + run.code->name_of(program)});
+}
+
 bool return_from_main(Run& run, const CallRecord& back, double p) {
   if (run.observer != nullptr) run.observer->returned = true;
   switch (run.control().calls.main_return.value) {
@@ -69,6 +92,17 @@ bool return_from_main(Run& run, const CallRecord& back, double p) {
       break;
   }
   if (!is_vacant(p)) return go_to_own_block(run, Cause::ReturnTargetNotFound, back.p, p);
+  const Operand& word = line_of(back);
+  double line = kVacant;
+  if (word.present() && !value_of(run, word, line)) return false;
+  if (!is_vacant(line)) {
+    const Address to = block_of_line(*run.code, run.program(), line);
+    if (to == kNowhere) return no_line(run, word, line, run.program());
+    record_block(run);
+    leave_loops(run, to);
+    run.state.pc = to;
+    return true;
+  }
   record_block(run);
   return restart_main(run);
 }
@@ -153,24 +187,31 @@ bool return_now(Run& run, const CallRecord& back, double p, double l) {
     return go_to_own_block(run, Cause::ReturnTargetNotFound, back.p, p);
   if (s.frames.size() == 1) return return_from_main(run, back, p);
   const OpenFrame& open = run.frame();
+  const Operand& line_word = line_of(back);
+  double line = kVacant;
+  if (line_word.present() && !value_of(run, line_word, line)) return false;
+  const bool jumps = !is_vacant(p) || !is_vacant(line);
   std::int32_t repeats = open.repeats;
   if (!is_vacant(l) && rules.return_with_l.value == ReturnWithL::ReplacesCount)
     repeats = open.repeat + to_whole<std::int32_t>(std::clamp(std::round(l), 0.0, 1e6));
-  const bool leaves = !is_vacant(p) && rules.return_with_p.value == ReturnWithP::AtOnce;
+  const bool leaves = jumps && rules.return_with_p.value == ReturnWithP::AtOnce;
   if (!leaves && open.repeat < repeats) {
     repeat(run, repeats);
     return true;
   }
   Address to = open.return_to;
-  if (!is_vacant(p)) {
+  if (jumps) {
     // The block is looked up in the caller.
     const OpenFrame& below = s.frames[s.frames.size() - 2];
     const Program& caller = run.code->programs[static_cast<std::size_t>(below.program)];
-    to = run.code->return_target(caller, number_of(p), open.called_at);
-    if (to == kNowhere) return no_block(run, Cause::ReturnTargetNotFound, back.p, p, caller);
+    to = is_vacant(p) ? block_of_line(*run.code, caller, line)
+                      : run.code->return_target(caller, number_of(p), open.called_at);
+    if (to == kNowhere)
+      return is_vacant(p) ? no_line(run, line_word, line, caller)
+                          : no_block(run, Cause::ReturnTargetNotFound, back.p, p, caller);
   }
   record_block(run);
-  return leave(run, to, is_vacant(p));
+  return leave(run, to, !jumps);
 }
 
 bool jump(Run& run, const Block& block) {

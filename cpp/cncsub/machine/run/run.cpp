@@ -1,6 +1,7 @@
 #include "cncsub/machine/run/run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "cncsub/machine/calls/calls.hpp"
 #include "cncsub/machine/calls/modal.hpp"
@@ -131,6 +132,19 @@ bool statement(Run& run, const Block& block) {
   return run_statement(run, block, instead) && (instead == nullptr || dispatch(run, *instead));
 }
 
+/// Execute a macro statement, and enter the macro of a modal call that follows every block.
+bool statement_before_macro(Run& run, const Block& block) {
+  const std::int64_t before = run.state.executed;
+  const Address at = run.state.pc;
+  const Block* instead = nullptr;
+  const bool loops = block.op == Op::IfGoto || block.op >= Op::While;
+  bool runs = loops ? run_statements(run, true, instead) : run_statement(run, block, instead);
+  if (runs && instead != nullptr) runs = run_statement(run, *std::exchange(instead, nullptr), instead);
+  if (!runs || run.state.executed == before || run.state.stop != Stop::Running) return runs;
+  run.state.moved_at = at;
+  return call_after_move(run);
+}
+
 /// Execute one of two blocks, chosen by the skip switches or by who called.
 bool choose(Run& run, const Block& block) {
   const Select& variant = run.code->selects[block.aux];
@@ -255,6 +269,9 @@ bool dispatch(Run& run, const Block& block) {
     run.block.follows_moves = true;
   }
   if (run.observer != nullptr && is_words(block.op)) run.observer->words = &block;
+  if (block.op >= kFirstStatement && block.op <= kLastStatement && follows_statements(run))
+      [[unlikely]]
+    return statement_before_macro(run, block);
   switch (block.op) {
     case Op::Linear:
       return linear(run, block);

@@ -87,7 +87,7 @@ case(
 )
 case(
     "DPRNT fills the places of leading zeros with blanks",
-    pins="prints_leading_blanks", control=[*MITSUBISHI, "haas-ngc", "syntec-22ma"],
+    pins="prints_leading_blanks", control=[*MITSUBISHI, "haas-ngc"],
     source="policy: as FANUC's 6001#1 = 0", evidence="inferred",
     program="O1\nN10 #100=128.5\nN20 POPEN\nN30 DPRNT[X#100[53]]\nN40 PCLOS\nN50 M30",
     runs="N10 N20 N30 N40 N50", messages=["X   128.500"],
