@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from loops import run_apart
 from lsprotocol import types as lsp
 from pygls.lsp.client import LanguageClient
 
@@ -76,7 +77,7 @@ def talk(folder: Path, ask: Callable[[Any], Awaitable[None]], *units: str) -> No
         finally:
             await asyncio.wait_for(client.end(), PATIENCE)
 
-    asyncio.run(whole())
+    run_apart(whole())
 
 
 def show(client: Any, path: Path, text: str | None = None) -> lsp.TextDocumentIdentifier:
@@ -329,7 +330,7 @@ def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
 
     try:
         assert page() == b""
-        asyncio.run(asyncio.wait_for(ask(), 60))
+        run_apart(asyncio.wait_for(ask(), 60))
     finally:
         server.terminate()
         server.wait(20)
