@@ -62,7 +62,7 @@ def _parts(
 
 def _word_lines(snap: Snapshot, word: Word) -> Iterator[str]:
     for asked in _asked(snap.control, word):
-        lines = explained(snap.control, asked)
+        lines = explained(snap.control, snap.kind, asked)
         if lines:
             yield "\n\n".join(lines)
             return
@@ -94,9 +94,12 @@ def keywords_of(control: Control) -> list[tuple[str, str, str]]:
 
 
 @functools.lru_cache(maxsize=512)
-def explained(control: Control, asked: str) -> tuple[str, ...]:
-    """Return what is known of a code, a word or an address, as paragraphs of Markdown."""
-    return tuple(line for fact in code_explanations(asked, [control]) for line in _code_lines(fact))
+def explained(control: Control, machine: str, asked: str) -> tuple[str, ...]:
+    """Return what is known of a code, a word or an address on a kind of machine, as paragraphs of
+    Markdown.
+    """
+    found = code_explanations(asked, [control], machine)
+    return tuple(line for fact in found for line in _code_lines(fact))
 
 
 def _code_lines(fact: dict[str, Any]) -> Iterator[str]:

@@ -114,16 +114,22 @@ def _led_to(block: Block, token: Token) -> tuple[Name, At] | None:
     return Name("program", before[-1][2]), here
 
 
-def mentions(snap: Snapshot, name: Name) -> list[Mention]:
-    """Return every piece of text that names the same."""
+def mentions(
+    snap: Snapshot, name: Name, lines: tuple[str, int, int] | None = None
+) -> list[Mention]:
+    """Return every piece of text that names the same, or those in some lines of a file, from 1."""
+    variable: int | str = ""
+    block = None
     program = name.program
     if name.kind == "variable":
-        return mentions_of(
-            snap.library, name.kind, program, variable=name.key, machine=snap.machine
-        )
-    if name.kind == "program":
-        return mentions_of(snap.library, name.kind, int(name.key), machine=snap.machine)
-    return mentions_of(snap.library, name.kind, program, int(name.key), machine=snap.machine)
+        variable = name.key
+    elif name.kind == "program":
+        program = int(name.key)
+    else:
+        block = int(name.key)
+    return mentions_of(
+        snap.library, name.kind, program, block, variable, lines=lines, machine=snap.machine
+    )
 
 
 def writes(snap: Snapshot, mention: Mention) -> bool:

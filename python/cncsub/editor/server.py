@@ -124,7 +124,7 @@ class Server(LanguageServer):
         """Make the list of codes, for which the first completion then does not wait."""
         snap = self.memories.snapshot(path)
         if snap is not None:
-            codes_of(snap.control)
+            codes_of(snap.control, snap.kind)
 
     def _run(self, path: str) -> bool:
         """Run a large document, and return whether an editor can be told more than before."""

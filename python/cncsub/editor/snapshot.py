@@ -18,6 +18,7 @@ from cncsub.editor.documents import Document
 from cncsub.editor.last_run import LastRun
 from cncsub.library import Library
 from cncsub.program import Block, Program, Token, named_like
+from cncsub.reports.code_facts import own_machine
 from cncsub.reports.findings import with_severity
 from cncsub.setup import Setup, machine_of
 
@@ -136,6 +137,11 @@ class Snapshot:
     def machine(self) -> str:
         """The kind of machine that the setup gives; empty for the control's own."""
         return machine_of(self.setup)
+
+    @cached_property
+    def kind(self) -> str:
+        """The kind of machine: that of the setup, else the control's own."""
+        return self.machine or own_machine(self.control)
 
     @cached_property
     def _found(self) -> dict[str, list[Finding]]:

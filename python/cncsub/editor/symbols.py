@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from lsprotocol.types import (
@@ -21,6 +22,7 @@ from cncsub.program import Block, Program
 
 MOST_NUMBERS = 2_000  # numbered blocks of a program; of more only those that something names
 MOST_FOUND = 500  # symbols of a workspace that are listed
+_TOOL = re.compile(r"(?<![A-Za-z])[Tt]")  # where a word T may begin
 
 
 def document_symbols(snap: Snapshot, path: str) -> list[DocumentSymbol]:
@@ -69,15 +71,13 @@ def _with_tools(snap: Snapshot, path: str, program: Program, last: int) -> Itera
     """Yield the blocks of a program that it is worth reading for a tool, to a line from 0."""
     lines = snap.document(path).lines
     for line in range(program.line - 1, min(last + 1, len(lines))):
-        if "T" in lines[line] or "t" in lines[line]:
+        if ("T" in lines[line] or "t" in lines[line]) and _TOOL.search(lines[line]):
             yield from snap.blocks_on(program, line)
 
 
 def _named(snap: Snapshot, program: Program) -> set[int]:
     """Return the places of the blocks that jumps lead to."""
-    edges, *_ = _core.flow(snap.flows, program.data)
-    size = len(program.blocks)
-    return {to for _, to, kind in edges if kind == "jump" and to is not None and to < size}
+    return {to for _, to in _core.jumps(snap.flows, program.data)}
 
 
 def _symbol(
@@ -151,11 +151,10 @@ def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
 
 def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
     """Yield the lines, from 0, of what jumps back: a loop ends with the block that does."""
-    edges, *_ = _core.flow(snap.flows, program.data)
-    size = len(program.blocks)
-    for block, to, kind in edges:
-        if kind == "jump" and block is not None and to is not None and to < block < size:
-            yield program.blocks[to].line - 1, program.blocks[block].line - 1
+    data = program.data
+    for block, to in _core.jumps(snap.flows, data):
+        if to < block:
+            yield data.block(to)[1] - 1, data.block(block)[1] - 1
 
 
 def _tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:
