@@ -155,6 +155,47 @@ def test_a_code_is_told_with_its_rules_sources_and_alarms() -> None:
     assert "`A` #1 DEPTH" in text  # what the macro reads, with its comments
 
 
+@pytest.mark.parametrize(
+    ("machine", "g92", "g70"),
+    [
+        (None, "sets the work coordinates", "is not computed here"),
+        ("mill", "sets the work coordinates", "is not computed here"),
+        ("lathe-a", "cuts a thread once", "cuts along a profile"),
+    ],
+)
+def test_a_code_means_what_it_does_on_the_machine_of_the_project(
+    tmp_path: Path, machine: str | None, g92: str, g70: str
+) -> None:
+    setup = 'setup = "machine.toml"\n' if machine else ""
+    (tmp_path / "cncsub.toml").write_text(f'control = "{CONTROL}"\n{setup}')
+    (tmp_path / "machine.toml").write_text(f'machine = "{machine or "mill"}"\n')
+    memories, path = Memories(), str(tmp_path / "O1.nc")
+    memories.put(path, Document.of("O1\nG92 X1.\nG70 P1 Q2\nM30\n"))
+    snap = memories.snapshot(path)
+    assert snap is not None
+    for line, does in ((1, g92), (2, g70)):
+        (head,) = [
+            row
+            for row in explaining.hover(snap, path, line, 0).contents.value.split("\n")
+            if row.startswith("**G")
+        ]
+        assert does in head
+    items = {each.label: each.detail for each in completing.completions(snap, path, 1, 1)}
+    assert g92 in items["G92"]
+    assert g70 in items["G70"]
+
+
+def test_the_last_writer_of_a_long_program_is_found_and_what_is_near_is_lit() -> None:
+    body = "G1 X#101\n" * 30_000
+    snap = snapshot(f"O1\n#101=1\n{body}M30\n")
+    (writer,) = navigation.definition(snap, PATH, 25_000, 5)
+    assert (writer.range.start.line, writer.range.start.character) == (1, 1)
+    lit = [each.range.start.line for each in navigation.highlights(snap, PATH, 25_000, 5)]
+    assert lit == list(range(25_000 - 2_000, 25_000 + 2_001))
+    short = snapshot(f"O1\n#101=1\n{body[: 9 * 9_000]}M30\n")
+    assert len(navigation.highlights(short, PATH, 5_000, 5)) == 9_001
+
+
 def test_a_value_is_told_as_the_last_run_had_it() -> None:
     assert "in the last run: 1, 2, 3" in told(5, "#100")
     assert "in the last run: 6" in told(7, "X[")
@@ -323,6 +364,13 @@ def test_the_outline_has_programs_numbers_tools_and_headings() -> None:
         "ROUGHING", "N10", "T1", "N20", "N30", "N40", "N50", "N60",
     ]  # fmt: skip
     assert [each.name for each in symbols.workspace_symbols(snapshot(), "macro")] == ["O2 MACRO"]
+
+
+def test_an_outline_that_is_too_long_tells_what_it_leaves_out() -> None:
+    body = "".join(f"N{n} #1=#1+1\nIF[#1LT3]GOTO{n}\n" for n in range(1, 2_501))
+    (program,) = symbols.document_symbols(snapshot(f"O1\n{body}M30\n"), PATH)
+    names = [each.name for each in program.children]
+    assert names[1_999:] == ["N2000", "500 more blocks that jumps lead to"]
 
 
 def test_programs_loops_and_tools_are_folded() -> None:

@@ -108,7 +108,7 @@ def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[Doc
     found = name_at(snap, path, line, character)
     if found is None:
         return []
-    near = MOST_LINES_LIT if len(snap.document(path).lines) > MANY_LINES else MANY_LINES
+    near = MOST_LINES_LIT if snap.is_long(path) else MANY_LINES
     lines = (path, max(1, line + 1 - near), line + 1 + near)
     kinds = {True: DocumentHighlightKind.Write, False: DocumentHighlightKind.Read}
     return [

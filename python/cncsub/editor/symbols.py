@@ -20,7 +20,8 @@ from cncsub.editor.snapshot import Snapshot, comment_words
 from cncsub.files import clean
 from cncsub.program import Block, Program
 
-MOST_NUMBERS = 2_000  # numbered blocks of a program; of more only those that something names
+# Numbered blocks of a program: of more only those that something names, and not more than these.
+MOST_NUMBERS = 2_000
 MOST_FOUND = 500  # symbols of a workspace that are listed
 _TOOL = re.compile(r"(?<![A-Za-z])[Tt]")  # where a word T may begin
 
@@ -58,13 +59,21 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
 def _words(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
     blocks = program.blocks
     numbered = range(len(blocks)) if len(blocks) <= MOST_NUMBERS else sorted(_named(snap, program))
-    for place in numbered:
+    if len(numbered) > MOST_NUMBERS:
+        yield _left_out(snap, path, blocks[numbered[MOST_NUMBERS]], len(numbered) - MOST_NUMBERS)
+    for place in numbered[:MOST_NUMBERS]:
         if (label := label_of(blocks[place])) is not None:
             yield _symbol(snap, path, blocks[place], label.column, label.text, SymbolKind.Key)
     for block in _with_tools(snap, path, program, last):
         for token in block.tokens:
             if token.word is not None and token.word.address == "T":
                 yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
+
+
+def _left_out(snap: Snapshot, path: str, block: Block, count: int) -> DocumentSymbol:
+    """Return what stands in the outline for so many blocks from one on."""
+    at = snap.document(path).whole_line(block.line - 1)
+    return DocumentSymbol(f"{count:,} more blocks that jumps lead to", SymbolKind.Key, at, at)
 
 
 def _with_tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[Block]:
