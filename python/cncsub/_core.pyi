@@ -468,6 +468,9 @@ def unify_line_ends(text: bytes) -> bytes:
     for what else was there, so that every other byte keeps its place.
     """
 
+def give_back_memory() -> None:
+    """Give the memory back to the system that the engine keeps for the next reading."""
+
 def compile(
     control: Control,
     files: Sequence[

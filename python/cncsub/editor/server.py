@@ -18,11 +18,13 @@ from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 from pygls.uris import to_fs_path
 
+from cncsub import _core
 from cncsub._core import __version__
 from cncsub.editor.completing import codes_of
 from cncsub.editor.diagnostics import diagnostics
 from cncsub.editor.documents import Document
 from cncsub.editor.memory import Memories, Settings
+from cncsub.system import give_back_memory
 
 T = TypeVar("T")
 
@@ -126,8 +128,10 @@ class Server(LanguageServer):
             if document is not None and self.memories.documents.get(path) is document:
                 self.publish(path, found, document.version)
         await self._apart(lambda: self._warm_up(paths[0]))
+        await self._apart(_give_back)
         await asyncio.sleep(QUIET_FOR_RUN)  # the next key cancels the run before it begins
         if await self._apart(lambda: self._run(paths[0])):
+            await self._apart(_give_back)
             self._refresh()
 
     async def _apart(self, work: Callable[[], T]) -> T:
@@ -185,6 +189,12 @@ class Server(LanguageServer):
         self.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(uri, found, version=version)
         )
+
+
+def _give_back() -> None:
+    """Give back what the versions of a text before this one have left behind."""
+    _core.give_back_memory()
+    give_back_memory()
 
 
 def path_of(uri: str) -> str:
