@@ -16,6 +16,7 @@ from cncsub.editor.project_names import names_at
 from cncsub.editor.snapshot import Snapshot
 
 CONTROL = "fanuc-0i-f"
+SIEMENS = "siemens-840d-sl"
 PATH = "/nowhere/part.nc"
 TEXT = """\
 O1 (MAIN)
@@ -376,6 +377,44 @@ def test_an_outline_that_is_too_long_tells_what_it_leaves_out() -> None:
 def test_programs_loops_and_tools_are_folded() -> None:
     found = [(f.start_line, f.end_line) for f in symbols.folding(snapshot(), PATH)]
     assert found == [(0, 9), (2, 9), (3, 6), (10, 16), (13, 15), (17, 19)]
+
+
+LINUXCNC = """\
+#<i> = 0
+o1 while [#<i> lt 3]
+#<i> = [#<i> + 1]
+o1 endwhile
+o2 sub
+G0 X[#1]
+o2 endsub
+o2 call [#<i>]
+M2
+"""
+
+
+def test_the_statements_of_linuxcnc_are_listed_folded_and_told() -> None:
+    snap = snapshot(LINUXCNC, "linuxcnc", "/nowhere/part.ngc")
+    path = "/nowhere/part.ngc"
+    (program,) = symbols.document_symbols(snap, path)
+    assert [(each.name, each.range.end.line) for each in program.children] == [("O2", 6)]
+    folded = [(each.start_line, each.end_line) for each in symbols.folding(snap, path)]
+    assert folded == [(0, 8), (1, 3), (4, 6)]
+    for character in (8, 9, 10, 11):  # each of #<i>
+        assert [place.range.start.line for place in navigation.definition(snap, path, 2, 8)] == [0]
+        assert explaining.hover(snap, path, 2, character).contents.value.startswith("**i**")
+
+
+def test_a_name_that_is_no_word_of_the_language_is_not_told_by_its_letter() -> None:
+    text = "SUBP(R1)\nMCALL CYCLE81(10,0,2,-5)\nLAB:\nIF R1<3 GOTOB LA\nR2=SIN(R1)\nM30\n"
+    assert told(0, "SUBP", text, SIEMENS) == ""
+    assert told(1, "CYCLE81", text, SIEMENS).startswith("**CYCLE81**")
+    assert "**GOTOB**" in told(3, "GOTOB", text, SIEMENS)
+    assert "**IF**" in told(3, "IF", text, SIEMENS)
+    assert "**SIN**" in told(4, "SIN", text, SIEMENS)
+    snap = snapshot(text, SIEMENS)
+    for character in (14, 16):  # before the name, and after some letters of it
+        labels = [each.label for each in completing.completions(snap, PATH, 3, character)]
+        assert labels == ["LAB"], character
 
 
 def test_words_have_the_colour_of_what_they_are() -> None:

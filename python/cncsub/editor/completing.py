@@ -93,7 +93,7 @@ def _items(
     last: Token | None,
     begun: str,
 ) -> Iterator[CompletionItem]:
-    typed = "" if last is None else last.text.upper()
+    typed = tokens[-1].text.upper() if tokens and tokens[-1].kind == "word" else ""
     roles = _roles_of(snap, tokens[:-1] if last is not None else tokens)
     address = last.word.address if last is not None and last.word is not None else ""
     if address == "N" and data_code_before(snap, path, line):
@@ -107,7 +107,7 @@ def _items(
         if "block" in role and program is not None:
             yield from _targets(program, address)
             return
-    if _jumps(snap.control, typed):
+    if _jumps(snap.control, typed, begun=last is not None):
         if program is not None:
             yield from _targets(program, "")
         return
@@ -161,11 +161,13 @@ def _facts(control: Control, word: str, machine: str) -> dict[str, Any] | None:
     return _core.code_facts(control, word, machine)
 
 
-def _jumps(control: Control, typed: str) -> bool:
-    """Return whether a statement that was begun goes on with the block that it jumps to."""
-    begun = typed.rstrip("0123456789").rstrip()
+def _jumps(control: Control, typed: str, *, begun: bool) -> bool:
+    """Return whether a statement goes on with the block that it jumps to, whose name is `begun`."""
+    ends = [typed.rstrip("0123456789" if begun else "").rstrip()]
+    if begun:
+        ends.append(typed.rpartition(" ")[0].rstrip())
     return any(
-        does.startswith("goes to") and begun.endswith(name.upper())
+        does.startswith("goes to") and any(end.endswith(name.upper()) for end in ends)
         for name, _, does in keywords_of(control)
     )
 

@@ -63,11 +63,25 @@ def mention_at(snap: Snapshot, path: str, line: int, character: int) -> Mention 
     token = None if block is None else token_at(block, character)
     if token is None or token.kind != "word":
         return mention_among(every, line + 1, character + 1)
-    every = [mention for mention in every if mention.text]
-    found = mention_among(every, line + 1, character + 1)
-    if found is None and character + 2 < token.end:
-        found = mention_among(every, line + 1, character + 2)
+    every = [mention for mention in every if mention.text and not _is_of_control(snap, mention)]
+    column = character + 1
+    found = mention_among(every, line + 1, column)
+    while found is None and column + 1 < token.end:
+        column += 1
+        found = mention_among(every, line + 1, column)
+        if token.text[column - token.column] not in _SIGNS:
+            break
     return found
+
+
+_SIGNS = "#<$"  # before the name of a variable
+
+
+def _is_of_control(snap: Snapshot, mention: Mention) -> bool:
+    """Return whether a mention names a variable of a program of the control itself."""
+    if mention.kind != "variable" or mention.to_program is None:
+        return False
+    return snap.code.program(mention.to_program).system
 
 
 def name_at(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name, At] | None:

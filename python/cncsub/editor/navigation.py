@@ -57,13 +57,14 @@ def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Loc
 
 
 def _last_writer(snap: Snapshot, name: Name, here: At) -> Mention | None:
-    """Return the last mention of a variable before a place, in its file, that writes it."""
-    last, count = here.line, _NEAR
+    """Return the last mention of a variable that writes it, in the lines of its file before a
+    place: a block reads before it writes.
+    """
+    last, count = here.line - 1, _NEAR
     while last > 0:
         first = max(1, last - count)
         for mention in reversed(mentions(snap, name, (here.file, first, last))):
-            place = mention.line, mention.column
-            if place < (here.line, here.column) and writes(snap, mention):
+            if writes(snap, mention):
                 return mention
         last, count = first - 1, count * 8
     return None

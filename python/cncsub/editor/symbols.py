@@ -44,7 +44,11 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
     last = max(first, end - 1)
     head = document.whole_line(first)
     whole = Range(head.start, document.whole_line(last).end)
-    inner = [*_headings(snap, path, program, last), *_words(snap, path, program, last)]
+    inner = [
+        *_headings(snap, path, program, last),
+        *_words(snap, path, program, last),
+        *_parts(snap, path, program, last),
+    ]
     inner.sort(key=lambda symbol: (symbol.range.start.line, symbol.range.start.character))
     return DocumentSymbol(
         program.name or "program",
@@ -54,6 +58,21 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
         detail=program.comment or None,
         children=inner,
     )
+
+
+def _parts(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
+    """Yield the subprograms that are a part of a program, which ends at a line from 0."""
+    document = snap.document(path)
+    for part in _inside(snap, path, program, last):
+        head = document.whole_line(part.line - 1)
+        end = document.whole_line(part.blocks[-1].line - 1 if part.blocks else part.line - 1)
+        whole = Range(head.start, end.end)
+        yield DocumentSymbol(part.name, SymbolKind.Function, whole, head)
+
+
+def _inside(snap: Snapshot, path: str, program: Program, last: int) -> list[Program]:
+    every = snap.programs_of(path, inside=True)
+    return [part for part in every if part.data.inside and program.line <= part.line <= last + 1]
 
 
 def _words(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
@@ -150,6 +169,7 @@ def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
         regions = [
             (program.line - 1, last),
             *_loops(snap, program),
+            *_branches(snap, path, program, last),
             *_tools(snap, path, program, last),
         ]
         for first, to in regions:
@@ -164,6 +184,29 @@ def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
     for block, to in _core.jumps(snap.flows, data):
         if to < block:
             yield data.block(to)[1] - 1, data.block(block)[1] - 1
+
+
+def _branches(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:
+    """Yield the lines, from 0, of the subprograms inside a program, and of branches and loops whose
+    statements begin with the same name: o1 while, o1 endwhile.
+    """
+    heads = set()
+    for part in _inside(snap, path, program, last):
+        heads.add(part.line)
+        if part.blocks:
+            yield part.line - 1, part.blocks[-1].line - 1
+    data = program.data
+    for block, to in _core.jumps(snap.flows, data):
+        if to > block and to < data.blocks:
+            (_, first, text), (_, end, other) = data.block(block), data.block(to)
+            name = text.split(None, 1)[:1]
+            if (
+                first not in heads
+                and name
+                and name == other.split(None, 1)[:1]
+                and not name[0].isalpha()
+            ):
+                yield first - 1, end - 1
 
 
 def _tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:
