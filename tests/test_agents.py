@@ -12,6 +12,7 @@ from typing import Any
 
 import jsonschema
 import mcp
+from loops import run_apart
 
 from cncsub.agents.answers import LARGEST_ANSWER
 
@@ -31,7 +32,7 @@ def talk(ask: Callable[[Any], Awaitable[None]], *folders: Path) -> None:
         async with mcp.Client(mcp.stdio_client(server)) as client:
             await ask(client)
 
-    asyncio.run(asyncio.wait_for(whole(), 120))
+    run_apart(asyncio.wait_for(whole(), 120))
 
 
 async def answer(client: Any, tool: str, **given: Any) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from loops import run_apart
 
 import cncsub
 import pictures
@@ -149,7 +150,7 @@ def drive(
             await screen.rest()
             await steps(screen)
 
-    asyncio.run(run())
+    run_apart(run())
 
 
 # ---- movements ----
@@ -643,7 +644,7 @@ def test_a_long_file_opens_at_once_and_scrolls() -> None:
             await screen.press("u")
             assert screen.at == 99_997
 
-    asyncio.run(run())
+    run_apart(run())
 
 
 HOSTILE = (
@@ -751,7 +752,7 @@ def test_no_keys_end_it() -> None:
                 await screen.press(*pressed)
                 assert app.is_running
 
-        asyncio.run(run())
+        run_apart(run())
 
     check()
 

@@ -16,6 +16,7 @@ from cncsub.editor.project_names import names_at
 from cncsub.editor.snapshot import Snapshot
 
 CONTROL = "fanuc-0i-f"
+SIEMENS = "siemens-840d-sl"
 PATH = "/nowhere/part.nc"
 TEXT = """\
 O1 (MAIN)
@@ -153,6 +154,47 @@ def test_a_code_is_told_with_its_rules_sources_and_alarms() -> None:
     assert "`max_macro_nesting` = 5 (general knowledge; inferred)" in text
     assert "PS0076: the called program is not in the control's memory" in text
     assert "`A` #1 DEPTH" in text  # what the macro reads, with its comments
+
+
+@pytest.mark.parametrize(
+    ("machine", "g92", "g70"),
+    [
+        (None, "sets the work coordinates", "is not computed here"),
+        ("mill", "sets the work coordinates", "is not computed here"),
+        ("lathe-a", "cuts a thread once", "cuts along a profile"),
+    ],
+)
+def test_a_code_means_what_it_does_on_the_machine_of_the_project(
+    tmp_path: Path, machine: str | None, g92: str, g70: str
+) -> None:
+    setup = 'setup = "machine.toml"\n' if machine else ""
+    (tmp_path / "cncsub.toml").write_text(f'control = "{CONTROL}"\n{setup}')
+    (tmp_path / "machine.toml").write_text(f'machine = "{machine or "mill"}"\n')
+    memories, path = Memories(), str(tmp_path / "O1.nc")
+    memories.put(path, Document.of("O1\nG92 X1.\nG70 P1 Q2\nM30\n"))
+    snap = memories.snapshot(path)
+    assert snap is not None
+    for line, does in ((1, g92), (2, g70)):
+        (head,) = [
+            row
+            for row in explaining.hover(snap, path, line, 0).contents.value.split("\n")
+            if row.startswith("**G")
+        ]
+        assert does in head
+    items = {each.label: each.detail for each in completing.completions(snap, path, 1, 1)}
+    assert g92 in items["G92"]
+    assert g70 in items["G70"]
+
+
+def test_the_last_writer_of_a_long_program_is_found_and_what_is_near_is_lit() -> None:
+    body = "G1 X#101\n" * 30_000
+    snap = snapshot(f"O1\n#101=1\n{body}M30\n")
+    (writer,) = navigation.definition(snap, PATH, 25_000, 5)
+    assert (writer.range.start.line, writer.range.start.character) == (1, 1)
+    lit = [each.range.start.line for each in navigation.highlights(snap, PATH, 25_000, 5)]
+    assert lit == list(range(25_000 - 2_000, 25_000 + 2_001))
+    short = snapshot(f"O1\n#101=1\n{body[: 9 * 9_000]}M30\n")
+    assert len(navigation.highlights(short, PATH, 5_000, 5)) == 9_001
 
 
 def test_a_value_is_told_as_the_last_run_had_it() -> None:
@@ -325,9 +367,54 @@ def test_the_outline_has_programs_numbers_tools_and_headings() -> None:
     assert [each.name for each in symbols.workspace_symbols(snapshot(), "macro")] == ["O2 MACRO"]
 
 
+def test_an_outline_that_is_too_long_tells_what_it_leaves_out() -> None:
+    body = "".join(f"N{n} #1=#1+1\nIF[#1LT3]GOTO{n}\n" for n in range(1, 2_501))
+    (program,) = symbols.document_symbols(snapshot(f"O1\n{body}M30\n"), PATH)
+    names = [each.name for each in program.children]
+    assert names[1_999:] == ["N2000", "500 more blocks that jumps lead to"]
+
+
 def test_programs_loops_and_tools_are_folded() -> None:
     found = [(f.start_line, f.end_line) for f in symbols.folding(snapshot(), PATH)]
     assert found == [(0, 9), (2, 9), (3, 6), (10, 16), (13, 15), (17, 19)]
+
+
+LINUXCNC = """\
+#<i> = 0
+o1 while [#<i> lt 3]
+#<i> = [#<i> + 1]
+o1 endwhile
+o2 sub
+G0 X[#1]
+o2 endsub
+o2 call [#<i>]
+M2
+"""
+
+
+def test_the_statements_of_linuxcnc_are_listed_folded_and_told() -> None:
+    snap = snapshot(LINUXCNC, "linuxcnc", "/nowhere/part.ngc")
+    path = "/nowhere/part.ngc"
+    (program,) = symbols.document_symbols(snap, path)
+    assert [(each.name, each.range.end.line) for each in program.children] == [("O2", 6)]
+    folded = [(each.start_line, each.end_line) for each in symbols.folding(snap, path)]
+    assert folded == [(0, 8), (1, 3), (4, 6)]
+    for character in (8, 9, 10, 11):  # each of #<i>
+        assert [place.range.start.line for place in navigation.definition(snap, path, 2, 8)] == [0]
+        assert explaining.hover(snap, path, 2, character).contents.value.startswith("**i**")
+
+
+def test_a_name_that_is_no_word_of_the_language_is_not_told_by_its_letter() -> None:
+    text = "SUBP(R1)\nMCALL CYCLE81(10,0,2,-5)\nLAB:\nIF R1<3 GOTOB LA\nR2=SIN(R1)\nM30\n"
+    assert told(0, "SUBP", text, SIEMENS) == ""
+    assert told(1, "CYCLE81", text, SIEMENS).startswith("**CYCLE81**")
+    assert "**GOTOB**" in told(3, "GOTOB", text, SIEMENS)
+    assert "**IF**" in told(3, "IF", text, SIEMENS)
+    assert "**SIN**" in told(4, "SIN", text, SIEMENS)
+    snap = snapshot(text, SIEMENS)
+    for character in (14, 16):  # before the name, and after some letters of it
+        labels = [each.label for each in completing.completions(snap, PATH, 3, character)]
+        assert labels == ["LAB"], character
 
 
 def test_words_have_the_colour_of_what_they_are() -> None:

@@ -12,9 +12,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from loops import run_apart
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.client import LanguageClient
 
+from cncsub.editor.documents import Document
 from cncsub.editor.requests import server_for
 
 SERVER = [sys.executable, "-m", "cncsub", "lsp"]
@@ -76,7 +79,7 @@ def talk(folder: Path, ask: Callable[[Any], Awaitable[None]], *units: str) -> No
         finally:
             await asyncio.wait_for(client.end(), PATIENCE)
 
-    asyncio.run(whole())
+    run_apart(whole())
 
 
 def show(client: Any, path: Path, text: str | None = None) -> lsp.TextDocumentIdentifier:
@@ -291,6 +294,44 @@ def test_a_large_program_is_opened_and_edited_while_one_types(tmp_path: Path) ->
     talk(tmp_path, edit)
 
 
+def test_a_key_does_not_wait_for_what_takes_long(tmp_path: Path) -> None:
+    main = job(tmp_path)
+    body = "".join(f"N{n} #1=#1+1\nIF[#1LT3]GOTO{n}\n" for n in range(1, 20_001))
+
+    async def ask(client: Any) -> None:
+        shown = show(client, main, f"O1\n{body}M30\n")
+        await found(client)
+        order = []
+
+        async def asked(what: str, answer: Awaitable[Any]) -> None:
+            await answer
+            order.append(what)
+
+        at = lsp.CompletionParams(shown, lsp.Position(20_001, 1))
+        outline = client.text_document_document_symbol_async(lsp.DocumentSymbolParams(shown))
+        words = client.text_document_completion_async(at)
+        await asyncio.gather(asked("outline", outline), asked("completion", words))
+        assert order == ["completion", "outline"]
+
+    talk(tmp_path, ask)
+
+
+def test_an_answer_about_a_text_that_has_changed_is_an_error(tmp_path: Path) -> None:
+    server, path = server_for("fanuc-0i-f"), str(tmp_path / "a.nc")
+    server.memories.put(path, Document.of("O1\nM30\n"))
+    shown = server.memories.documents[path]
+
+    def answer() -> int:
+        server.memories.put(path, Document.of("O2\nM30\n"))
+        return 1
+
+    for answered in (answer, lambda: 1):  # it changes while it is looked at, and before
+        with pytest.raises(JsonRpcException, match="has changed") as told:
+            run_apart(server.answered(path, shown, answered))
+        assert told.value.code == lsp.LSPErrorCodes.ContentModified.value
+    assert run_apart(server.answered(path, server.memories.documents[path], lambda: 1)) == 1
+
+
 def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
     main = job(tmp_path)
     with socket.socket() as free:
@@ -329,7 +370,7 @@ def test_a_server_on_a_port_serves_one_client(tmp_path: Path) -> None:
 
     try:
         assert page() == b""
-        asyncio.run(asyncio.wait_for(ask(), 60))
+        run_apart(asyncio.wait_for(ask(), 60))
     finally:
         server.terminate()
         server.wait(20)

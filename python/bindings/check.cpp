@@ -179,6 +179,17 @@ py::tuple flow(const Flows& flows, const ProgramData& program) {
   return py::make_tuple(edges, returns, ends, unreached);
 }
 
+/// Return the jumps of a program whose block is known, as the places of both ends.
+std::vector<std::pair<Address, Address>> jumps(const Flows& flows, const ProgramData& program) {
+  const ProgramFlow& own = flows.all[program.index];
+  std::vector<std::pair<Address, Address>> found;
+  for (Address at = own.first(); at < own.last(); ++at)
+    for (const Exit* exit = own.begin(at); exit != own.end(at); ++exit)
+      if (exit->kind == ExitKind::Jump && exit->to >= own.first() && exit->to < own.last())
+        found.emplace_back(at - own.first(), exit->to - own.first());
+  return found;
+}
+
 }  // namespace
 
 namespace {
@@ -228,6 +239,7 @@ void add_check(py::module_& m) {
   py::class_<Flows>(m, "Flows", py::is_final());
   m.def("flows", &flows, py::arg("code"));
   m.def("flow", &flow, py::arg("flows"), py::arg("program"));
+  m.def("jumps", &jumps, py::arg("flows"), py::arg("program"));
 }
 
 }  // namespace cncsub::bindings

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -180,20 +181,27 @@ std::vector<std::size_t> by_place(const Code& code, const std::vector<Mention>& 
   return order;
 }
 
-/// The place of a line: the name of its file, and its number from 1.
-using LineAsked = std::pair<std::string, std::uint32_t>;
+/// Lines of a file: its name, the first and the last of them, from 1.
+using LinesAsked = std::tuple<std::string, std::uint32_t, std::uint32_t>;
 /// A program, a block of it, or a variable: its program, its block there, its number, its name.
 using NameAsked = std::tuple<std::int32_t, std::optional<std::uint32_t>, std::int64_t, std::string>;
 
-/// Return the part of a file that a line is; nothing where there is no such line.
-std::optional<MentionsAsked::Part> part_of(const Code& code, const LineAsked& line) {
+/// Return where the line so many lines after the one at `from` begins, or the end of the text.
+std::size_t line_after(std::string_view text, std::size_t from, std::uint32_t lines) {
+  for (; lines > 0 && from < text.size(); --lines)
+    from = std::min(text.find('\n', from), text.size() - 1) + 1;
+  return from;
+}
+
+/// Return the part of a file that some lines are; nothing where there is no such file.
+std::optional<MentionsAsked::Part> part_of(const Code& code, const LinesAsked& lines) {
+  const auto& [name, first, last] = lines;
   for (std::size_t i = 0; i < code.files.size(); ++i) {
-    if (code.files[i].name != line.first) continue;
+    if (code.files[i].name != name) continue;
     const std::string_view text = code.files[i].text.view();
-    std::size_t from = 0;
-    for (std::uint32_t n = 1; n < line.second && from < text.size(); ++n)
-      from = std::min(text.find('\n', from), text.size() - 1) + 1;
-    const std::size_t to = std::min(text.find('\n', from), text.size());
+    const std::size_t from = line_after(text, 0, std::max(first, 1U) - 1);
+    const std::size_t begin = line_after(text, from, std::max(first, last) - std::max(first, 1U));
+    const std::size_t to = std::min(text.find('\n', begin), text.size());
     return MentionsAsked::Part{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(from),
                                static_cast<std::uint32_t>(to)};
   }
@@ -208,11 +216,11 @@ MentionsAsked::Named named_by(const Code& code, const NameAsked& asked) {
 }
 
 py::list mentions(const Code& code, const std::string& machine, const std::string& kinds,
-                  const std::optional<LineAsked>& line, const std::optional<NameAsked>& name) {
+                  const std::optional<LinesAsked>& lines, const std::optional<NameAsked>& name) {
   const auto asked = [&](std::string_view kind) { return kinds.find(kind) != std::string::npos; };
   std::vector<Mention> all;
   MentionsAsked of{asked("block"), asked("program"), asked("variable"), asked("unnumbered")};
-  if (line && !(of.part = part_of(code, *line))) return py::list();
+  if (lines && !(of.part = part_of(code, *lines))) return py::list();
   if (name) of.named = named_by(code, *name);
   work_away([&](InterruptCheck& interrupt) { all = mentions_of(code, machine, of, interrupt); });
   py::list rows;
@@ -242,6 +250,71 @@ py::list mentions(const Code& code, const std::string& machine, const std::strin
     if (rows.size() % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
   return rows;
+}
+
+/// Call `take` with the references of each block of a program, until it returns false.
+template <class Take>
+bool take_references(const Code& code, std::size_t index, InterruptCheck& interrupt,
+                     const Take& take) {
+  const Program& program = code.programs[index];
+  for (Address at = program.first; at < program.last; ++at) {
+    const Block& block = code.blocks[at];
+    if (interrupt.requested(InterruptCheck::kBlock)) return false;
+    if (!take(at, references_of(code, block, static_cast<std::int32_t>(index)))) return false;
+  }
+  return true;
+}
+
+/// Return the variables of a program, each once, as number, name, the text that names it, and the
+/// place of the first block that does. The block's own writing comes before its reading.
+py::list variables_used(const ProgramData& program) {
+  const Code& code = *program.code;
+  std::vector<std::pair<Address, VariableReference>> found;
+  std::set<std::int64_t> numbers;
+  std::set<std::string> names;
+  work_away([&](InterruptCheck& interrupt) {
+    take_references(code, program.index, interrupt, [&](Address at, const References& of) {
+      for (const auto* list : {&of.writes, &of.reads})
+        for (const VariableReference& each : *list) {
+          if (each.computed) continue;
+          const bool is_new = each.name.empty() ? numbers.insert(each.number).second
+                                                : names.insert(capitals(each.name)).second;
+          if (is_new) found.emplace_back(at, each);
+        }
+      return true;
+    });
+  });
+  const Rows rows(code, static_cast<std::int32_t>(program.index));
+  py::list list;
+  for (const auto& [at, each] : found) {
+    const py::tuple row = rows.variable(each);
+    list.append(py::make_tuple(row[0], row[1], row[3], at - program.program().first));
+  }
+  return list;
+}
+
+/// Return the numbers of the first variables that blocks write and that can be read, and whether
+/// any block reads a variable.
+std::pair<std::vector<std::int64_t>, bool> written_variables(const Code& code, std::size_t most) {
+  std::vector<std::int64_t> numbers;
+  std::set<std::int64_t> known;
+  bool reads = false;
+  const auto take = [&](Address /*at*/, const References& of) {
+    reads = reads || !of.reads.empty();
+    for (const VariableReference& each : of.writes) {
+      if (each.number < 0 || each.computed || !known.insert(each.number).second) continue;
+      const VariablePlace place = code.place(each.number);
+      if (place.range != nullptr && place.range->access != Access::WriteOnly &&
+          numbers.size() < most)
+        numbers.push_back(each.number);
+    }
+    return true;
+  };
+  work_away([&](InterruptCheck& interrupt) {
+    for (std::size_t p = 0; p < code.programs.size(); ++p)
+      if (!take_references(code, p, interrupt, take)) return;
+  });
+  return {numbers, reads};
 }
 
 /// Return the changes of a file, as line, column, old and new text, and the lines that stay.
@@ -283,7 +356,9 @@ void add_references(py::module_& m) {
         py::arg("indent"), py::arg("capitals"), py::arg("points"));
   m.def("refused_blocks", &refused_blocks, py::arg("code"));
   m.def("mentions", &mentions, py::arg("code"), py::arg("machine"), py::arg("kinds"),
-        py::arg("line") = py::none(), py::arg("name") = py::none());
+        py::arg("lines") = py::none(), py::arg("name") = py::none());
+  m.def("variables_used", &variables_used, py::arg("program"));
+  m.def("written_variables", &written_variables, py::arg("code"), py::arg("most"));
   m.def("each_call", &each_call, py::arg("code"), py::arg("take"));
 }
 

@@ -287,13 +287,13 @@ def mentions(
     code: Code,
     machine: str,
     kinds: str,
-    line: tuple[str, int] | None = None,
+    lines: tuple[str, int, int] | None = None,
     name: tuple[int, int | None, int, str] | None = None,
 ) -> list[_MentionRow]:
     """Return every piece of text that names a block, a program or a variable, by its place.
-    `kinds`: block, program, variable, unnumbered. `line`: only those in a line of a file. `name`:
-    only those that name one thing: its program (-1: of all), its block there, its number (-1:
-    none), its name in capitals; nothing that is computed.
+    `kinds`: block, program, variable, unnumbered. `lines`: only those in some lines of a file.
+    `name`: only those that name one thing: its program (-1: of all), its block there, its number
+    (-1: none), its name in capitals; nothing that is computed.
     """
 
 def formatted(
@@ -301,6 +301,16 @@ def formatted(
 ) -> tuple[list[tuple[int, int, str, str]], list[int]]:
     """Return the changes of a file to a layout: line, column, old, new; and the lines that stay as
     they are because they would be read otherwise. `name`: that of a file of the memory.
+    """
+
+def variables_used(program: ProgramData) -> list[tuple[int | None, str | None, str, int]]:
+    """Return the variables that a program names, each once: number, name, the text that names it,
+    the place of the first block that does.
+    """
+
+def written_variables(code: Code, most: int) -> tuple[list[int], bool]:
+    """Return the first variables that blocks write and that can be read, and whether any block
+    reads one.
     """
 
 def refused_blocks(code: Code) -> list[tuple[int, int]]:
@@ -349,6 +359,9 @@ def flow(
     """Return the edges between blocks, and the blocks that return, that end, that nothing
     leads to.
     """
+
+def jumps(flows: Flows, program: ProgramData) -> list[tuple[int, int]]:
+    """Return the blocks of a program that jump, each with the block that the jump leads to."""
 
 def keeps_blocks(trace: Trace) -> bool: ...
 def coverage(
@@ -454,6 +467,9 @@ def unify_line_ends(text: bytes) -> bytes:
     """Return the text as `compile` reads it: each line ends with one line feed, and blanks stand
     for what else was there, so that every other byte keeps its place.
     """
+
+def give_back_memory() -> None:
+    """Give the memory back to the system that the engine keeps for the next reading."""
 
 def compile(
     control: Control,

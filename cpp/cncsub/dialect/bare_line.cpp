@@ -13,10 +13,11 @@ char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + '
 }  // namespace
 
 void BareLine::set(std::string_view text, std::uint32_t at) {
-  text_.clear();
-  places_.clear();
+  text_.resize(text.size());
+  places_.resize(text.size() + 1);
   next_ = 0;
   nested_ = false;
+  std::size_t kept = 0;
   bool comment = false, rest = false;  // inside ( ), after a semicolon
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
@@ -26,11 +27,13 @@ void BareLine::set(std::string_view text, std::uint32_t at) {
       nested_ = nested_ || comment;
       comment = true;
     }
-    text_ += comment || rest ? c : lower(c);
-    places_.push_back(at + static_cast<std::uint32_t>(i));
+    text_[kept] = comment || rest ? c : lower(c);
+    places_[kept++] = at + static_cast<std::uint32_t>(i);
     if (comment && c == ')') comment = false;
   }
   unclosed_ = comment;
+  text_.resize(kept);
+  places_.resize(kept);
   places_.push_back(at + static_cast<std::uint32_t>(text.size()));
 }
 

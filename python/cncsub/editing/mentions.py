@@ -85,7 +85,7 @@ def mentions(
 
 def mentions_in_line(library: Library, file: str, line: int, *, machine: str = "") -> list[Mention]:
     """Return the mentions that stand in a line of a file, as `mentions` does of all."""
-    rows = _core.mentions(library.code, machine, _ALL, (file, line))
+    rows = _core.mentions(library.code, machine, _ALL, (file, line, line))
     return [mention for mention in _made(library.code, rows) if mention.line == line]
 
 
@@ -96,16 +96,18 @@ def mentions_of(
     block: int | None = None,
     variable: int | str = "",
     *,
+    lines: tuple[str, int, int] | None = None,
     machine: str = "",
 ) -> list[Mention]:
     """Return the mentions of one thing, as `mentions` does of all, but for those that are computed.
 
     `kind`: `"block"`, `"program"` or `"variable"`. `program`: the place of its program, `None` for
     a variable of all; `block`: its place there; `variable`: its number, or its name in capitals.
+    `lines`: only those in a file from one line to another, both included.
     """
     number, name = (variable, "") if isinstance(variable, int) else (-1, variable)
     asked = (-1 if program is None else program, block, number, name)
-    return _made(library.code, _core.mentions(library.code, machine, kind, None, asked))
+    return _made(library.code, _core.mentions(library.code, machine, kind, lines, asked))
 
 
 _ALL = "block program variable"

@@ -93,8 +93,8 @@ def _items(
     last: Token | None,
     begun: str,
 ) -> Iterator[CompletionItem]:
-    typed = "" if last is None else last.text.upper()
-    roles = _roles_of(snap.control, tokens[:-1] if last is not None else tokens)
+    typed = tokens[-1].text.upper() if tokens and tokens[-1].kind == "word" else ""
+    roles = _roles_of(snap, tokens[:-1] if last is not None else tokens)
     address = last.word.address if last is not None and last.word is not None else ""
     if address == "N" and data_code_before(snap, path, line):
         yield from _parameters(snap.control, address)
@@ -107,7 +107,7 @@ def _items(
         if "block" in role and program is not None:
             yield from _targets(program, address)
             return
-    if _jumps(snap.control, typed):
+    if _jumps(snap.control, typed, begun=last is not None):
         if program is not None:
             yield from _targets(program, "")
         return
@@ -119,7 +119,7 @@ def _items(
             return
     elif program is not None:
         yield from _arguments(snap, tokens)
-    yield from codes_of(snap.control)
+    yield from codes_of(snap.control, snap.kind)
     yield from _words(snap.control)
     yield from _called_by_name(snap)
     if not begun.startswith("$") and snap.code.variable_sign != "#":
@@ -140,26 +140,34 @@ def data_code_before(snap: Snapshot, path: str, line: int) -> bool:
     return False
 
 
-def _roles_of(control: Control, tokens: list[Token]) -> dict[str, str]:
+def _roles_of(snap: Snapshot, tokens: list[Token]) -> dict[str, str]:
     """Return what the letters of a block mean to its codes: `{"P": "the program"}`."""
     roles: dict[str, str] = {}
     for token in tokens:
-        facts = None if token.word is None else _facts(control, token.word.text.upper())
+        facts = _facts_of(snap, token)
         for letters, says, _ in facts["words"] if facts is not None else ():
             roles.update((letter, says) for letter in letters.split() if len(letter) == 1)
     return roles
 
 
+def _facts_of(snap: Snapshot, token: Token) -> dict[str, Any] | None:
+    """Return what is known of the code that a token is, on the machine of the memory."""
+    word = token.word
+    return None if word is None else _facts(snap.control, word.text.upper(), snap.kind)
+
+
 @functools.lru_cache(maxsize=512)
-def _facts(control: Control, word: str) -> dict[str, Any] | None:
-    return _core.code_facts(control, word)
+def _facts(control: Control, word: str, machine: str) -> dict[str, Any] | None:
+    return _core.code_facts(control, word, machine)
 
 
-def _jumps(control: Control, typed: str) -> bool:
-    """Return whether a statement that was begun goes on with the block that it jumps to."""
-    begun = typed.rstrip("0123456789").rstrip()
+def _jumps(control: Control, typed: str, *, begun: bool) -> bool:
+    """Return whether a statement goes on with the block that it jumps to, whose name is `begun`."""
+    ends = [typed.rstrip("0123456789" if begun else "").rstrip()]
+    if begun:
+        ends.append(typed.rpartition(" ")[0].rstrip())
     return any(
-        does.startswith("goes to") and begun.endswith(name.upper())
+        does.startswith("goes to") and any(end.endswith(name.upper()) for end in ends)
         for name, _, does in keywords_of(control)
     )
 
@@ -168,12 +176,13 @@ def _jumps(control: Control, typed: str) -> bool:
 
 
 @functools.lru_cache(maxsize=8)
-def codes_of(control: Control) -> tuple[CompletionItem, ...]:
-    """Return the G and M codes that a control has, each with what it does there."""
-    names = [name for name, what in _core.g_codes(control) if what not in ("None", "Unknown")]
+def codes_of(control: Control, machine: str) -> tuple[CompletionItem, ...]:
+    """Return the G and M codes that a control has on a kind of machine, each with what it does."""
+    listed = _core.g_codes(control, machine)
+    names = [name for name, what in listed if what not in ("None", "Unknown")]
     found = []
     for name in [*names, *(f"M{number:02d}" for number in range(LARGEST_M_CODE))]:
-        facts = _core.code_facts(control, name)
+        facts = _core.code_facts(control, name, machine)
         if facts is None or (name[0] == "M" and facts["treatment"] == _PASSED_OVER):
             continue
         found.append(
@@ -235,8 +244,8 @@ def _variables(snap: Snapshot, program: Program | None, begun: str) -> Iterator[
     """
     digits = begun.lstrip("#RrFf")
     seen: set[int] = set()
-    for number, name, _, detail in _references(program):
-        if number is None or name is not None or number in seen:
+    for number, name, _, detail in _used(program):
+        if number is None or name is not None:
             continue
         seen.add(number)
         shown = _core.variable_name(snap.control, number)
@@ -273,26 +282,22 @@ def _going_on(digits: str, first: int, last: int) -> Iterator[int]:
         power *= 10
 
 
-def _references(program: Program | None) -> Iterator[tuple[int | None, str | None, str, str]]:
-    """Yield the variables of a program: number, name, how the block writes it, the block."""
-    for place in range(0 if program is None else program.data.blocks):
+def _used(program: Program | None) -> Iterator[tuple[int | None, str | None, str, str]]:
+    """Yield the variables of a program, each once: number, name, how the block writes it, the
+    block.
+    """
+    for number, name, text, place in _core.variables_used(program.data) if program else ():
         assert program is not None
-        _, _, reads, writes = _core.references(program.data, place)
-        for number, name, computed, text, _ in (*writes, *reads):
-            if not computed:
-                yield number, name, text, program.data.block(place)[2].strip()[:80]
+        yield number, name, text, program.data.block(place)[2].strip()[:80]
 
 
 def _named_variables(program: Program | None) -> Iterator[CompletionItem]:
     """Yield the variables of a program that have names, as it writes them."""
-    seen: set[str] = set()
-    for _, name, text, detail in _references(program):
-        if name is None or name.upper() in seen:
-            continue
-        seen.add(name.upper())
-        forms = (f"#<{name}>", f"#{name}")
-        shown = next((form for form in forms if form.upper() in text.upper()), name)
-        yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
+    for _, name, text, detail in _used(program):
+        if name is not None:
+            forms = (f"#<{name}>", f"#{name}")
+            shown = next((form for form in forms if form.upper() in text.upper()), name)
+            yield CompletionItem(shown, kind=CompletionItemKind.Variable, detail=detail)
 
 
 def _parameters(control: Control, address: str) -> Iterator[CompletionItem]:
@@ -332,7 +337,7 @@ def _called(snap: Snapshot, tokens: list[Token]) -> tuple[Program, str] | None:
     code = macro_call_at(snap, tokens)
     if code is None:
         return None
-    role = {letter for letter, says in _roles_of(snap.control, tokens).items() if "program" in says}
+    role = {letter for letter, says in _roles_of(snap, tokens).items() if "program" in says}
     for token in tokens:
         word = token.word
         if word is not None and word.address in role and word.value is not None:
@@ -354,7 +359,7 @@ def signature(snap: Snapshot, path: str, line: int, character: int) -> Signature
     called = _called(snap, tokens)
     if called is None:
         before = [token for token in tokens if token.end <= character + 1]
-        return _of_code(snap.control, before, begun)
+        return _of_code(snap, before, begun)
     program, code = called
     arguments = arguments_of(snap, program, code)
     labels = [f"{each.letter}={each.told}" for each in arguments]
@@ -363,10 +368,10 @@ def signature(snap: Snapshot, path: str, line: int, character: int) -> Signature
     return _help(f"{code} {program.name}{title}", letters, labels, begun)
 
 
-def _of_code(control: Control, tokens: list[Token], begun: list[str]) -> SignatureHelp | None:
+def _of_code(snap: Snapshot, tokens: list[Token], begun: list[str]) -> SignatureHelp | None:
     """Return the words that the last code of some words is given."""
     for token in reversed(tokens):
-        facts = None if token.word is None else _facts(control, token.word.text.upper())
+        facts = _facts_of(snap, token)
         if facts is not None and facts["words"] and token.word is not None:
             letters = [letters for letters, *_ in facts["words"]]
             labels = [f"{letters}: {says}" for letters, says, _ in facts["words"]]

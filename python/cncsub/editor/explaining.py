@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,10 +13,10 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.editor.arguments import arguments_of
 from cncsub.editor.last_run import LastRun, computed_words
-from cncsub.editor.names import Name, name_at
+from cncsub.editor.names import At, Name, name_at
 from cncsub.editor.snapshot import Snapshot, place_of, token_at
 from cncsub.number_text import number_text
-from cncsub.program import Block, Program, Token, Word
+from cncsub.program import Block, Program, Token
 from cncsub.reports.code_facts import code_explanations, code_named
 from cncsub.reports.explained import cut
 
@@ -36,7 +37,7 @@ def hover(snap: Snapshot, path: str, line: int, character: int) -> Hover | None:
         at = snap.range(path, found[1].line, found[1].column, found[1].width)
         text = "\n\n".join(program_lines(snap, snap.program(int(found[0].key))))
         return Hover(MarkupContent(MarkupKind.Markdown, text), at)
-    parts = [part for part in _parts(snap, path, block, token, found) if part]
+    parts = [part for part in _parts(snap, path, block, token, character, found) if part]
     if not parts:
         return None
     at = snap.range(path, block.line, token.column, len(token.text.rstrip()))
@@ -44,47 +45,68 @@ def hover(snap: Snapshot, path: str, line: int, character: int) -> Hover | None:
 
 
 def _parts(
-    snap: Snapshot, path: str, block: Block, token: Token, found: tuple[Name, Any] | None
+    snap: Snapshot,
+    path: str,
+    block: Block,
+    token: Token,
+    character: int,
+    found: tuple[Name, At] | None,
 ) -> Iterator[str]:
-    assert token.word is not None
     run = snap.last_run(path)
     if found is not None and found[0].kind == "variable":
-        yield from _variable_lines(snap, run, found[0])
+        yield from _variable_lines(snap, run, *found)
     yield from _values(snap, run, block, token)
     if found is not None and found[0].kind == "program":
         yield from _call_lines(snap, block)
         yield from program_lines(snap, snap.program(int(found[0].key)))
-    yield from _word_lines(snap, token.word)
+    yield from _word_lines(snap, token, character)
 
 
 # ---- what the word is ----
 
 
-def _word_lines(snap: Snapshot, word: Word) -> Iterator[str]:
-    for asked in _asked(snap.control, word):
-        lines = explained(snap.control, asked)
+def _word_lines(snap: Snapshot, token: Token, character: int) -> Iterator[str]:
+    for asked in _asked(snap.control, token, character + 1 - token.column):
+        lines = explained(snap.control, snap.kind, asked)
         if lines:
             yield "\n\n".join(lines)
             return
 
 
-def _asked(control: Control, word: Word) -> Iterator[str]:
-    """Yield the names by which a word may be known: a code, a word of the language, an address."""
+def _asked(control: Control, token: Token, at: int) -> Iterator[str]:
+    """Yield the names by which a word may be known: a code, a word of the language, an address.
+    `at`: the character of the word at which the pointer stands.
+    """
+    word = token.word
+    if word is None:
+        return
     if (code := code_named(word.text)) is not None:
         yield code
-    if not word.address or not word.address.isalpha():
-        yield from keywords_in(control, word.text)
+    if not word.address.isalpha() or at >= len(word.address):
+        yield from keywords_at(control, token.text, at)
     if word.address:
         yield word.address
 
 
-def keywords_in(control: Control, text: str) -> list[str]:
-    """Return the words of the control's language with which a statement begins, or which is in it,
-    the longest first.
+def keywords_at(control: Control, text: str, at: int) -> list[str]:
+    """Return the words of the control's language that stand at a character of a statement, then
+    those with which the statement begins; the longest first.
     """
-    capitals = text.upper()
-    known = [name for name, _, _ in keywords_of(control) if name.upper() in capitals]
-    return sorted(known, key=lambda name: (not capitals.startswith(name.upper()), -len(name)))
+    found = []
+    for name, _, _ in keywords_of(control):
+        for match in _written(name).finditer(text):
+            here = match.start() <= at < match.end()
+            if here or match.start() == 0:
+                found.append((not here, -len(name), name))
+    return [name for *_, name in sorted(found)]
+
+
+@functools.lru_cache(maxsize=1024)
+def _written(name: str) -> re.Pattern[str]:
+    """Return how a word is found where it is no part of a longer name."""
+    before = r"(?<![A-Z_$])" if name[:1].isalpha() else ""
+    after = r"(?![A-Z_])" if name[-1:].isalpha() else ""
+    return re.compile(f"{before}{re.escape(name)}{after}", re.IGNORECASE)
 
 
 @functools.lru_cache(maxsize=8)
@@ -94,9 +116,12 @@ def keywords_of(control: Control) -> list[tuple[str, str, str]]:
 
 
 @functools.lru_cache(maxsize=512)
-def explained(control: Control, asked: str) -> tuple[str, ...]:
-    """Return what is known of a code, a word or an address, as paragraphs of Markdown."""
-    return tuple(line for fact in code_explanations(asked, [control]) for line in _code_lines(fact))
+def explained(control: Control, machine: str, asked: str) -> tuple[str, ...]:
+    """Return what is known of a code, a word or an address on a kind of machine, as paragraphs of
+    Markdown.
+    """
+    found = code_explanations(asked, [control], machine)
+    return tuple(line for fact in found for line in _code_lines(fact))
 
 
 def _code_lines(fact: dict[str, Any]) -> Iterator[str]:
@@ -158,8 +183,7 @@ def told_call(program: object, repeats: object) -> str:
     return f"never {program}" if repeats == 0 else f"{repeats} times {program}"
 
 
-def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name) -> Iterator[str]:
-    shown = str(name.key)
+def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name, at: At) -> Iterator[str]:
     if isinstance(name.key, int):
         shown = _core.variable_name(snap.control, name.key)
         scope = "a variable of all programs" if name.program is None else "a local variable"
@@ -168,7 +192,8 @@ def _variable_lines(snap: Snapshot, run: LastRun | None, name: Name) -> Iterator
         if values:
             yield f"in the last run: {listed(values)}"
     else:
-        yield f"**{shown}**, a variable"
+        written = snap.document(at.file).line(at.line - 1)[at.column - 1 :][: at.width]
+        yield f"**{written}**, a variable"
 
 
 def _values(snap: Snapshot, run: LastRun | None, block: Block, token: Token) -> Iterator[str]:

@@ -46,12 +46,12 @@ class LastRun:
     ) -> LastRun:
         """Run a program, by its place in the memory, with what the project says of the machine."""
         options = options_of(project)
-        watch = _written(library.code)
+        watch, reads = _core.written_variables(library.code, MOST_WATCHED)
         limits: Any = {"max_blocks": max_blocks, "max_seconds": max_seconds}
         core = machine_with(library.code, main, **options, **limits, watch=watch, trace="moves")
         core.run()
         found = cls(Run(core), library)
-        if any(_computed(program) for program in _programs(library.code)):
+        if reads:
             stepped: Any = {"max_blocks": min(max_blocks, MOST_STEPPED), "trace": "blocks"}
             found._step(Machine(machine_with(library.code, main, **options, **stepped)))
         return found
@@ -132,28 +132,3 @@ def _value(machine: Machine, expression: str) -> float | None:
         return None if isinstance(value, str) else value
     except (KeyError, ValueError):
         return None
-
-
-def _programs(code: _core.Code) -> Iterable[_core.ProgramData]:
-    return (code.program(place) for place in range(len(code)))
-
-
-def _computed(data: _core.ProgramData) -> bool:
-    """Return whether a program reads variables at all."""
-    return any(_core.references(data, place)[2] for place in range(data.blocks))
-
-
-def _written(code: _core.Code) -> list[int]:
-    """Return the numbers of the variables that blocks write."""
-    found: dict[int, None] = {}
-    for data in _programs(code):
-        for place in range(data.blocks):
-            for number, _, computed, _, _ in _core.references(data, place)[3]:
-                if number is None or computed:
-                    continue
-                facts = code.variable_facts(number)
-                if facts is not None and facts[1]:  # it can be read
-                    found[number] = None
-                    if len(found) == MOST_WATCHED:
-                        return list(found)
-    return list(found)

@@ -63,11 +63,25 @@ def mention_at(snap: Snapshot, path: str, line: int, character: int) -> Mention 
     token = None if block is None else token_at(block, character)
     if token is None or token.kind != "word":
         return mention_among(every, line + 1, character + 1)
-    every = [mention for mention in every if mention.text]
-    found = mention_among(every, line + 1, character + 1)
-    if found is None and character + 2 < token.end:
-        found = mention_among(every, line + 1, character + 2)
+    every = [mention for mention in every if mention.text and not _is_of_control(snap, mention)]
+    column = character + 1
+    found = mention_among(every, line + 1, column)
+    while found is None and column + 1 < token.end:
+        column += 1
+        found = mention_among(every, line + 1, column)
+        if token.text[column - token.column] not in _SIGNS:
+            break
     return found
+
+
+_SIGNS = "#<$"  # before the name of a variable
+
+
+def _is_of_control(snap: Snapshot, mention: Mention) -> bool:
+    """Return whether a mention names a variable of a program of the control itself."""
+    if mention.kind != "variable" or mention.to_program is None:
+        return False
+    return snap.code.program(mention.to_program).system
 
 
 def name_at(snap: Snapshot, path: str, line: int, character: int) -> tuple[Name, At] | None:
@@ -114,16 +128,22 @@ def _led_to(block: Block, token: Token) -> tuple[Name, At] | None:
     return Name("program", before[-1][2]), here
 
 
-def mentions(snap: Snapshot, name: Name) -> list[Mention]:
-    """Return every piece of text that names the same."""
+def mentions(
+    snap: Snapshot, name: Name, lines: tuple[str, int, int] | None = None
+) -> list[Mention]:
+    """Return every piece of text that names the same, or those in some lines of a file, from 1."""
+    variable: int | str = ""
+    block = None
     program = name.program
     if name.kind == "variable":
-        return mentions_of(
-            snap.library, name.kind, program, variable=name.key, machine=snap.machine
-        )
-    if name.kind == "program":
-        return mentions_of(snap.library, name.kind, int(name.key), machine=snap.machine)
-    return mentions_of(snap.library, name.kind, program, int(name.key), machine=snap.machine)
+        variable = name.key
+    elif name.kind == "program":
+        program = int(name.key)
+    else:
+        block = int(name.key)
+    return mentions_of(
+        snap.library, name.kind, program, block, variable, lines=lines, machine=snap.machine
+    )
 
 
 def writes(snap: Snapshot, mention: Mention) -> bool:

@@ -17,7 +17,9 @@ from lsprotocol.types import (
 )
 
 from cncsub import _core
+from cncsub.editing import Mention
 from cncsub.editor.names import (
+    At,
     Name,
     block_of,
     label_of,
@@ -26,8 +28,11 @@ from cncsub.editor.names import (
     name_at,
     writes,
 )
-from cncsub.editor.snapshot import Snapshot, uri_of
+from cncsub.editor.snapshot import MANY_LINES, Snapshot, uri_of
 from cncsub.program import Block, Program
+
+MOST_LINES_LIT = 2_000  # before and after a place of a long document
+_NEAR = 1_000  # lines in which a writer is sought first
 
 
 def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Location]:
@@ -42,17 +47,27 @@ def definition(snap: Snapshot, path: str, line: int, character: int) -> list[Loc
         return [snap.head_of(snap.program(int(name.key)))]
     if name.kind == "block":
         return [_block_place(snap, block_of(snap, name))]
-    writers = [mention for mention in mentions(snap, name) if writes(snap, mention)]
-    before = [
-        mention
-        for mention in writers
-        if mention.file == here.file and (mention.line, mention.column) < (here.line, here.column)
-    ]
-    if before:
-        return [location(snap, max(before, key=lambda m: (m.line, m.column)))]
-    others = [m for m in mentions(snap, name) if m.fixed or m.defines]  # as the letter of a call
-    every = dict.fromkeys([*others, *writers])
-    return [location(snap, mention) for mention in every] or list(_arguments(snap, name))
+    if (writer := _last_writer(snap, name, here)) is not None:
+        return [location(snap, writer)]
+    every = mentions(snap, name)
+    others = [m for m in every if m.fixed or m.defines]  # as the letter of a call
+    writers = [mention for mention in every if writes(snap, mention)]
+    both = dict.fromkeys([*others, *writers])
+    return [location(snap, mention) for mention in both] or list(_arguments(snap, name))
+
+
+def _last_writer(snap: Snapshot, name: Name, here: At) -> Mention | None:
+    """Return the last mention of a variable that writes it, in the lines of its file before a
+    place: a block reads before it writes.
+    """
+    last, count = here.line - 1, _NEAR
+    while last > 0:
+        first = max(1, last - count)
+        for mention in reversed(mentions(snap, name, (here.file, first, last))):
+            if writes(snap, mention):
+                return mention
+        last, count = first - 1, count * 8
+    return None
 
 
 def _block_place(snap: Snapshot, block: Block) -> Location:
@@ -88,15 +103,18 @@ def references(
 
 
 def highlights(snap: Snapshot, path: str, line: int, character: int) -> list[DocumentHighlight]:
-    """Return every place of a file that names the same as the word at a place."""
+    """Return every place of a file that names the same as the word at a place; of a long file
+    those in the lines near the place.
+    """
     found = name_at(snap, path, line, character)
     if found is None:
         return []
+    near = MOST_LINES_LIT if snap.is_long(path) else MANY_LINES
+    lines = (path, max(1, line + 1 - near), line + 1 + near)
     kinds = {True: DocumentHighlightKind.Write, False: DocumentHighlightKind.Read}
     return [
         DocumentHighlight(location(snap, each).range, kinds[each.defines or writes(snap, each)])
-        for each in mentions(snap, found[0])
-        if each.file == path
+        for each in mentions(snap, found[0], lines)
     ]
 
 

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterator
+import functools
+from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -21,6 +22,7 @@ from cncsub.editor.server import Server, path_of
 from cncsub.editor.snapshot import Snapshot
 
 T = TypeVar("T")
+U = TypeVar("U")
 
 _TRIGGERS = ["#", "$", "P", "O", "N", "=", '"', " "]  # after which a client asks what can follow
 
@@ -38,10 +40,25 @@ def server_for(control: str | None) -> Server:
     return server
 
 
-def _asked(server: Server, uri: str, answer: Callable[[Snapshot, str], T], otherwise: T) -> T:
+def _asked(server: Server, uri: str, answer: Callable[[Snapshot, str], T], otherwise: U) -> T | U:
     path = path_of(uri)
     snap = server.memories.snapshot(path)
     return otherwise if snap is None else answer(snap, path)
+
+
+Later = Generator[Any, Any, T]  # of pygls: what it waits for, then the answer
+
+
+def _later(server: Server, uri: str, answer: Callable[[Snapshot, str], T]) -> Later[T | None]:
+    """Answer a request that looks at much: others are answered meanwhile."""
+    path = path_of(uri)
+    document = server.memories.documents.get(path)  # as it is now
+
+    def asked() -> T | None:
+        return _asked(server, uri, answer, None)
+
+    found: T | None = yield server.answered, (path, document, asked), None
+    return found
 
 
 def _at(
@@ -49,11 +66,17 @@ def _at(
 ) -> T:
     """Answer a request about a place."""
 
+    return _asked(server, params.text_document.uri, _placed(params, answer), otherwise)
+
+
+def _placed(
+    params: Any, answer: Callable[[Snapshot, str, int, int], T]
+) -> Callable[[Snapshot, str], T]:
     def placed(snap: Snapshot, path: str) -> T:
         line, character = snap.document(path).place(params.position)
         return answer(snap, path, line, character)
 
-    return _asked(server, params.text_document.uri, placed, otherwise)
+    return placed
 
 
 def _register_life(server: Server) -> None:
@@ -134,9 +157,12 @@ def _register_navigation(server: Server) -> None:
         return _at(ls, params, navigation.definition, [])
 
     @server.feature(lsp.TEXT_DOCUMENT_REFERENCES)
-    def references(ls: Server, params: lsp.ReferenceParams) -> list[lsp.Location]:
-        wanted = params.context.include_declaration
-        return _at(ls, params, lambda *at: navigation.references(*at, definitions=wanted), [])
+    def references(ls: Server, params: lsp.ReferenceParams) -> Later[list[lsp.Location] | None]:
+        def answer(snap: Snapshot, path: str, line: int, character: int) -> list[lsp.Location]:
+            wanted = params.context.include_declaration
+            return navigation.references(snap, path, line, character, definitions=wanted)
+
+        return (yield from _later(ls, params.text_document.uri, _placed(params, answer)))
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_HIGHLIGHT)
     def highlight(ls: Server, params: lsp.DocumentHighlightParams) -> list[lsp.DocumentHighlight]:
@@ -159,8 +185,8 @@ def _register_navigation(server: Server) -> None:
         return _hierarchy(ls, params.item, navigation.outgoing)
 
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_LINK)
-    def links(ls: Server, params: lsp.DocumentLinkParams) -> list[lsp.DocumentLink]:
-        return _asked(ls, params.text_document.uri, navigation.links, [])
+    def links(ls: Server, params: lsp.DocumentLinkParams) -> Later[list[lsp.DocumentLink] | None]:
+        return (yield from _later(ls, params.text_document.uri, navigation.links))
 
 
 def _hierarchy(
@@ -179,8 +205,11 @@ def _hierarchy(
 
 def _register_words(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_HOVER)
-    def hover(ls: Server, params: lsp.HoverParams) -> lsp.Hover | None:
-        return _at(ls, params, explaining.hover, None)
+    def hover(ls: Server, params: lsp.HoverParams) -> Later[lsp.Hover | None]:
+        uri, answer = params.text_document.uri, _placed(params, explaining.hover)
+        if _asked(ls, uri, Snapshot.awaits_run, False):
+            return (yield from _later(ls, uri, answer))
+        return _asked(ls, uri, answer, None)
 
     @server.feature(
         lsp.TEXT_DOCUMENT_COMPLETION, lsp.CompletionOptions(trigger_characters=_TRIGGERS)
@@ -210,17 +239,19 @@ def _register_words(server: Server) -> None:
             [lsp.CodeActionKind.QuickFix, lsp.CodeActionKind.SourceFixAll, RENUMBER]
         ),
     )
-    def action(ls: Server, params: lsp.CodeActionParams) -> list[lsp.CodeAction]:
+    def action(ls: Server, params: lsp.CodeActionParams) -> Later[list[lsp.CodeAction] | None]:
         def answer(snap: Snapshot, path: str) -> list[lsp.CodeAction]:
             return actions(snap, path, params.range)
 
-        return _asked(ls, params.text_document.uri, answer, [])
+        return (yield from _later(ls, params.text_document.uri, answer))
 
 
 def _register_looks(server: Server) -> None:
     @server.feature(lsp.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
-    def outline(ls: Server, params: lsp.DocumentSymbolParams) -> list[lsp.DocumentSymbol]:
-        return _asked(ls, params.text_document.uri, symbols.document_symbols, [])
+    def outline(
+        ls: Server, params: lsp.DocumentSymbolParams
+    ) -> Later[list[lsp.DocumentSymbol] | None]:
+        return (yield from _later(ls, params.text_document.uri, symbols.document_symbols))
 
     @server.feature(lsp.WORKSPACE_SYMBOL)
     def workspace(ls: Server, params: lsp.WorkspaceSymbolParams) -> list[lsp.WorkspaceSymbol]:
@@ -228,12 +259,12 @@ def _register_looks(server: Server) -> None:
         return [each for s in snaps.values() for each in symbols.workspace_symbols(s, params.query)]
 
     @server.feature(lsp.TEXT_DOCUMENT_FOLDING_RANGE)
-    def folding(ls: Server, params: lsp.FoldingRangeParams) -> list[lsp.FoldingRange]:
-        return _asked(ls, params.text_document.uri, symbols.folding, [])
+    def folding(ls: Server, params: lsp.FoldingRangeParams) -> Later[list[lsp.FoldingRange] | None]:
+        return (yield from _later(ls, params.text_document.uri, symbols.folding))
 
     @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_FULL, shown.LEGEND)
-    def colours(ls: Server, params: lsp.SemanticTokensParams) -> lsp.SemanticTokens | None:
-        return _asked(ls, params.text_document.uri, shown.semantic_tokens, None)
+    def colours(ls: Server, params: lsp.SemanticTokensParams) -> Later[lsp.SemanticTokens | None]:
+        return (yield from _later(ls, params.text_document.uri, shown.semantic_tokens))
 
     @server.feature(lsp.TEXT_DOCUMENT_SEMANTIC_TOKENS_RANGE, shown.LEGEND)
     def some(ls: Server, params: lsp.SemanticTokensRangeParams) -> lsp.SemanticTokens | None:
@@ -245,20 +276,20 @@ def _register_looks(server: Server) -> None:
         return _asked(ls, params.text_document.uri, answer, None)
 
     @server.feature(lsp.TEXT_DOCUMENT_INLAY_HINT)
-    def hints(ls: Server, params: lsp.InlayHintParams) -> list[lsp.InlayHint]:
+    def hints(ls: Server, params: lsp.InlayHintParams) -> Later[list[lsp.InlayHint] | None]:
         first, last = params.range.start.line, params.range.end.line
 
         def answer(snap: Snapshot, path: str) -> list[lsp.InlayHint]:
             return shown.inlay_hints(snap, path, first, last)
 
-        return _asked(ls, params.text_document.uri, answer, [])
+        return (yield from _later(ls, params.text_document.uri, answer))
 
     @server.feature(lsp.TEXT_DOCUMENT_CODE_LENS)
-    def lenses(ls: Server, params: lsp.CodeLensParams) -> list[lsp.CodeLens]:
+    def lenses(ls: Server, params: lsp.CodeLensParams) -> Later[list[lsp.CodeLens] | None]:
         def answer(snap: Snapshot, path: str) -> list[lsp.CodeLens]:
             return shown.code_lenses(snap, path, debugs=ls.debugs)
 
-        return _asked(ls, params.text_document.uri, answer, [])
+        return (yield from _later(ls, params.text_document.uri, answer))
 
 
 def _register_changes(server: Server) -> None:
@@ -267,28 +298,32 @@ def _register_changes(server: Server) -> None:
         return _at(ls, params, rewriting.prepare_rename, None)
 
     @server.feature(lsp.TEXT_DOCUMENT_RENAME, lsp.RenameOptions(prepare_provider=True))
-    def rename(ls: Server, params: lsp.RenameParams) -> lsp.WorkspaceEdit | None:
-        with _refusals():
-            new = params.new_name
-            return _at(
-                ls, params, lambda s, p, line, at: rewriting.renamed(s, p, line, at, new), None
-            )
+    def rename(ls: Server, params: lsp.RenameParams) -> Later[lsp.WorkspaceEdit | None]:
+        def answer(snap: Snapshot, path: str, line: int, at: int) -> lsp.WorkspaceEdit | None:
+            with _refusals():
+                return rewriting.renamed(snap, path, line, at, params.new_name)
+
+        return (yield from _later(ls, params.text_document.uri, _placed(params, answer)))
 
     @server.feature(lsp.TEXT_DOCUMENT_FORMATTING)
-    def format(ls: Server, params: lsp.DocumentFormattingParams) -> list[lsp.TextEdit]:
+    def format(
+        ls: Server, params: lsp.DocumentFormattingParams
+    ) -> Later[list[lsp.TextEdit] | None]:
         def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
             return rewriting.formatted(snap, path, params.options)
 
-        return _asked(ls, params.text_document.uri, answer, [])
+        return (yield from _later(ls, params.text_document.uri, answer))
 
     @server.feature(lsp.TEXT_DOCUMENT_RANGE_FORMATTING)
-    def format_some(ls: Server, params: lsp.DocumentRangeFormattingParams) -> list[lsp.TextEdit]:
+    def format_some(
+        ls: Server, params: lsp.DocumentRangeFormattingParams
+    ) -> Later[list[lsp.TextEdit] | None]:
         first, last = params.range.start.line, params.range.end.line
 
         def answer(snap: Snapshot, path: str) -> list[lsp.TextEdit]:
             return rewriting.formatted(snap, path, params.options, first, last)
 
-        return _asked(ls, params.text_document.uri, answer, [])
+        return (yield from _later(ls, params.text_document.uri, answer))
 
 
 @contextlib.contextmanager
@@ -305,33 +340,39 @@ def _refusals() -> Iterator[None]:
 
 def _register_commands(server: Server) -> None:
     @server.command("cncsub.renumber")
-    def renumber(ls: Server, path: str) -> None:
-        snap = ls.memories.snapshot(path)
-        if snap is not None:
+    def renumber(ls: Server, path: str) -> Later[None]:
+        def answer() -> lsp.WorkspaceEdit | None:
+            snap = ls.memories.snapshot(path)
             with _refusals():
-                edit = rewriting.renumbered(snap, path)
+                return None if snap is None else rewriting.renumbered(snap, path)
+
+        document = ls.memories.documents.get(path)
+        edit: lsp.WorkspaceEdit | None = yield ls.answered, (path, document, answer), None
+        if edit is not None:
             ls.workspace_apply_edit(lsp.ApplyWorkspaceEditParams(edit, "Number the blocks anew"))
 
     @server.command("cncsub.run")
-    def run(ls: Server, path: str, program: str | None = None) -> str:
-        return _command(ls, path, program, run_program)
+    async def run(ls: Server, path: str, program: str | None = None) -> str:
+        return await _command(ls, path, program, run_program)
 
     @server.command("cncsub.plot")
-    def plot(ls: Server, path: str, program: str | None = None) -> str:
+    async def plot(ls: Server, path: str, program: str | None = None) -> str:
         def draw(snap: Snapshot, path: str, program: str | None) -> str:
             return plot_program(snap, path, program, ls.pages)
 
-        told = _command(ls, path, program, draw)
+        told = await _command(ls, path, program, draw)
         if Path(told).is_file():
             uri = Path(told).as_uri()
             ls.window_show_document(lsp.ShowDocumentParams(uri, external=True))
         return told
 
 
-def _command(
+async def _command(
     ls: Server, path: str, program: str | None, command: Callable[[Snapshot, str, str | None], str]
 ) -> str:
     snap = ls.memories.snapshot(path)
-    told = f"{path} is not open" if snap is None else command(snap, path, program)
+    told = f"{path} is not open"
+    if snap is not None:
+        told = await ls.ordered(functools.partial(command, snap, path, program))
     ls.window_show_message(lsp.ShowMessageParams(lsp.MessageType.Info, told))
     return told

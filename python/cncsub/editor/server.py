@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import functools
+import logging
 import tempfile
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -11,20 +12,32 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from lsprotocol import types as lsp
+from pygls.exceptions import JsonRpcException
 from pygls.lsp.server import LanguageServer
 from pygls.protocol import LanguageServerProtocol
 from pygls.protocol.language_server import lsp_method
 from pygls.uris import to_fs_path
 
+from cncsub import _core
 from cncsub._core import __version__
 from cncsub.editor.completing import codes_of
 from cncsub.editor.diagnostics import diagnostics
+from cncsub.editor.documents import Document
 from cncsub.editor.memory import Memories, Settings
+from cncsub.system import give_back_memory
 
 T = TypeVar("T")
 
 QUIET = 0.12  # seconds after the last key before the programs are checked
 QUIET_FOR_RUN = 1.0  # seconds after a check before a large document is run
+
+
+def _is_no_refusal(record: logging.LogRecord) -> bool:
+    """Return whether a record tells of more than an answer that the client gets as an error."""
+    return not (record.exc_info and isinstance(record.exc_info[1], JsonRpcException))
+
+
+logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
 
 
 class _Protocol(LanguageServerProtocol):
@@ -56,8 +69,11 @@ class Server(LanguageServer):
         self.debugs = False  # whether the client has a command that debugs
         self.uris: dict[str, str] = {}  # how the client calls its documents, by path
         self._given = control
-        # One thread checks: of several each would keep the memory of a large document.
-        self._worker = ThreadPoolExecutor(1, "cncsub-check")
+        # The loop answers what a key waits for. One thread each checks and runs in the background,
+        # looks through whole documents, and does what somebody has ordered.
+        self._checks = ThreadPoolExecutor(1, "cncsub-check")
+        self._answers = ThreadPoolExecutor(1, "cncsub-answer")
+        self._orders = ThreadPoolExecutor(1, "cncsub-order")
         self._pages: tempfile.TemporaryDirectory[str] | None = None
         self._checking: asyncio.Task[None] | None = None
 
@@ -112,19 +128,44 @@ class Server(LanguageServer):
             if document is not None and self.memories.documents.get(path) is document:
                 self.publish(path, found, document.version)
         await self._apart(lambda: self._warm_up(paths[0]))
+        await self._apart(_give_back)
         await asyncio.sleep(QUIET_FOR_RUN)  # the next key cancels the run before it begins
         if await self._apart(lambda: self._run(paths[0])):
+            await self._apart(_give_back)
             self._refresh()
 
     async def _apart(self, work: Callable[[], T]) -> T:
         """Return what some work returns that is done beside the answers to requests."""
-        return await asyncio.get_running_loop().run_in_executor(self._worker, work)
+        return await asyncio.get_running_loop().run_in_executor(self._checks, work)
+
+    async def answered(self, path: str, document: Document | None, answer: Callable[[], T]) -> T:
+        """Return an answer about one version of a document that takes long, with others answered
+        beside it. Raises `JsonRpcException` where there is another version by now: the client asks
+        again.
+        """
+
+        def of_version() -> T:
+            self._still(path, document)
+            return answer()
+
+        found = await asyncio.get_running_loop().run_in_executor(self._answers, of_version)
+        self._still(path, document)
+        return found
+
+    def _still(self, path: str, document: Document | None) -> None:
+        if self.memories.documents.get(path) is not document:
+            code = lsp.LSPErrorCodes.ContentModified.value
+            raise JsonRpcException(message=f"{path} has changed", code=code)
+
+    async def ordered(self, order: Callable[[], T]) -> T:
+        """Return what a command returns, with requests answered beside it."""
+        return await asyncio.get_running_loop().run_in_executor(self._orders, order)
 
     def _warm_up(self, path: str) -> None:
         """Make the list of codes, for which the first completion then does not wait."""
         snap = self.memories.snapshot(path)
         if snap is not None:
-            codes_of(snap.control)
+            codes_of(snap.control, snap.kind)
 
     def _run(self, path: str) -> bool:
         """Run a large document, and return whether an editor can be told more than before."""
@@ -148,6 +189,12 @@ class Server(LanguageServer):
         self.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(uri, found, version=version)
         )
+
+
+def _give_back() -> None:
+    """Give back what the versions of a text before this one have left behind."""
+    _core.give_back_memory()
+    give_back_memory()
 
 
 def path_of(uri: str) -> str:

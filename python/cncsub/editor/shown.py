@@ -16,7 +16,7 @@ from lsprotocol.types import (
 from cncsub import _core
 from cncsub.editor.explaining import listed, told_call
 from cncsub.editor.last_run import LastRun
-from cncsub.editor.snapshot import MANY_LINES, Snapshot, place_of
+from cncsub.editor.snapshot import Snapshot, place_of
 from cncsub.number_text import length_text
 from cncsub.program import Block, Program, Token
 
@@ -39,7 +39,7 @@ def semantic_tokens(
     """
     document = snap.document(path)
     if last is None:
-        if len(document.lines) > MANY_LINES:
+        if snap.is_long(path):
             return None
         last = len(document.lines)
     data: list[int] = []

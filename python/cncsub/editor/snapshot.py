@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from threading import Lock
 
 from lsprotocol.types import Location, Range
 from pygls.uris import from_fs_path
@@ -18,6 +19,7 @@ from cncsub.editor.documents import Document
 from cncsub.editor.last_run import LastRun
 from cncsub.library import Library
 from cncsub.program import Block, Program, Token, named_like
+from cncsub.reports.code_facts import own_machine
 from cncsub.reports.findings import with_severity
 from cncsub.setup import Setup, machine_of
 
@@ -37,6 +39,8 @@ class Snapshot:
     units: str
     max_blocks: int
     max_seconds: float
+    _checking: Lock = field(default_factory=Lock, repr=False, compare=False)
+    _running: Lock = field(default_factory=Lock, repr=False, compare=False)
 
     @property
     def control(self) -> Control:
@@ -138,15 +142,21 @@ class Snapshot:
         return machine_of(self.setup)
 
     @cached_property
+    def kind(self) -> str:
+        """The kind of machine: that of the setup, else the control's own."""
+        return self.machine or own_machine(self.control)
+
+    @cached_property
     def _found(self) -> dict[str, list[Finding]]:
         return {}
 
     def findings(self, path: str) -> list[Finding]:
         """Return what `check` finds in a file; the first program of the file is one that is run."""
-        found = self._found.get(path)
-        if found is None:
-            found = self._found[path] = self._checked(path)
-        return found
+        with self._checking:  # the second who asks waits for what the first one finds
+            found = self._found.get(path)
+            if found is None:
+                found = self._found[path] = self._checked(path)
+            return found
 
     def _checked(self, path: str) -> list[Finding]:
         programs = self.programs_of(path)
@@ -179,12 +189,24 @@ class Snapshot:
         if not programs or not self.max_blocks:
             return None
         main = self._root(programs[0].index)
-        if main not in self._runs:
-            if not waits and len(self.document(path).lines) > MANY_LINES:
-                return None
-            limits = self.max_blocks, self.max_seconds
-            self._runs[main] = LastRun.of(self.library, self.project, main, *limits)
-        return self._runs[main]
+        if main not in self._runs and not waits and self.is_long(path):
+            return None
+        with self._running:
+            if main not in self._runs:
+                limits = self.max_blocks, self.max_seconds
+                self._runs[main] = LastRun.of(self.library, self.project, main, *limits)
+            return self._runs[main]
+
+    def awaits_run(self, path: str) -> bool:
+        """Return whether whoever asks for the run of a document has to wait for it."""
+        programs = self.programs_of(path)
+        if not programs or not self.max_blocks or self.is_long(path):
+            return False
+        return self._root(programs[0].index) not in self._runs
+
+    def is_long(self, path: str) -> bool:
+        """Return whether a document is answered for in parts."""
+        return len(self.document(path).lines) > MANY_LINES
 
     def _root(self, program: int) -> int:
         """Return the first program that calls the one that calls ... a program."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from lsprotocol.types import (
@@ -19,8 +20,10 @@ from cncsub.editor.snapshot import Snapshot, comment_words
 from cncsub.files import clean
 from cncsub.program import Block, Program
 
-MOST_NUMBERS = 2_000  # numbered blocks of a program; of more only those that something names
+# Numbered blocks of a program: of more only those that something names, and not more than these.
+MOST_NUMBERS = 2_000
 MOST_FOUND = 500  # symbols of a workspace that are listed
+_TOOL = re.compile(r"(?<![A-Za-z])[Tt]")  # where a word T may begin
 
 
 def document_symbols(snap: Snapshot, path: str) -> list[DocumentSymbol]:
@@ -41,7 +44,11 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
     last = max(first, end - 1)
     head = document.whole_line(first)
     whole = Range(head.start, document.whole_line(last).end)
-    inner = [*_headings(snap, path, program, last), *_words(snap, path, program, last)]
+    inner = [
+        *_headings(snap, path, program, last),
+        *_words(snap, path, program, last),
+        *_parts(snap, path, program, last),
+    ]
     inner.sort(key=lambda symbol: (symbol.range.start.line, symbol.range.start.character))
     return DocumentSymbol(
         program.name or "program",
@@ -53,10 +60,27 @@ def _program(snap: Snapshot, path: str, program: Program, end: int) -> DocumentS
     )
 
 
+def _parts(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
+    """Yield the subprograms that are a part of a program, which ends at a line from 0."""
+    document = snap.document(path)
+    for part in _inside(snap, path, program, last):
+        head = document.whole_line(part.line - 1)
+        end = document.whole_line(part.blocks[-1].line - 1 if part.blocks else part.line - 1)
+        whole = Range(head.start, end.end)
+        yield DocumentSymbol(part.name, SymbolKind.Function, whole, head)
+
+
+def _inside(snap: Snapshot, path: str, program: Program, last: int) -> list[Program]:
+    every = snap.programs_of(path, inside=True)
+    return [part for part in every if part.data.inside and program.line <= part.line <= last + 1]
+
+
 def _words(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[DocumentSymbol]:
     blocks = program.blocks
     numbered = range(len(blocks)) if len(blocks) <= MOST_NUMBERS else sorted(_named(snap, program))
-    for place in numbered:
+    if len(numbered) > MOST_NUMBERS:
+        yield _left_out(snap, path, blocks[numbered[MOST_NUMBERS]], len(numbered) - MOST_NUMBERS)
+    for place in numbered[:MOST_NUMBERS]:
         if (label := label_of(blocks[place])) is not None:
             yield _symbol(snap, path, blocks[place], label.column, label.text, SymbolKind.Key)
     for block in _with_tools(snap, path, program, last):
@@ -65,19 +89,23 @@ def _words(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[D
                 yield _symbol(snap, path, block, token.column, token.text, SymbolKind.Object)
 
 
+def _left_out(snap: Snapshot, path: str, block: Block, count: int) -> DocumentSymbol:
+    """Return what stands in the outline for so many blocks from one on."""
+    at = snap.document(path).whole_line(block.line - 1)
+    return DocumentSymbol(f"{count:,} more blocks that jumps lead to", SymbolKind.Key, at, at)
+
+
 def _with_tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[Block]:
     """Yield the blocks of a program that it is worth reading for a tool, to a line from 0."""
     lines = snap.document(path).lines
     for line in range(program.line - 1, min(last + 1, len(lines))):
-        if "T" in lines[line] or "t" in lines[line]:
+        if ("T" in lines[line] or "t" in lines[line]) and _TOOL.search(lines[line]):
             yield from snap.blocks_on(program, line)
 
 
 def _named(snap: Snapshot, program: Program) -> set[int]:
     """Return the places of the blocks that jumps lead to."""
-    edges, *_ = _core.flow(snap.flows, program.data)
-    size = len(program.blocks)
-    return {to for _, to, kind in edges if kind == "jump" and to is not None and to < size}
+    return {to for _, to in _core.jumps(snap.flows, program.data)}
 
 
 def _symbol(
@@ -141,6 +169,7 @@ def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
         regions = [
             (program.line - 1, last),
             *_loops(snap, program),
+            *_branches(snap, path, program, last),
             *_tools(snap, path, program, last),
         ]
         for first, to in regions:
@@ -151,11 +180,33 @@ def folding(snap: Snapshot, path: str) -> list[FoldingRange]:
 
 def _loops(snap: Snapshot, program: Program) -> Iterator[tuple[int, int]]:
     """Yield the lines, from 0, of what jumps back: a loop ends with the block that does."""
-    edges, *_ = _core.flow(snap.flows, program.data)
-    size = len(program.blocks)
-    for block, to, kind in edges:
-        if kind == "jump" and block is not None and to is not None and to < block < size:
-            yield program.blocks[to].line - 1, program.blocks[block].line - 1
+    data = program.data
+    for block, to in _core.jumps(snap.flows, data):
+        if to < block:
+            yield data.block(to)[1] - 1, data.block(block)[1] - 1
+
+
+def _branches(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:
+    """Yield the lines, from 0, of the subprograms inside a program, and of branches and loops whose
+    statements begin with the same name: o1 while, o1 endwhile.
+    """
+    heads = set()
+    for part in _inside(snap, path, program, last):
+        heads.add(part.line)
+        if part.blocks:
+            yield part.line - 1, part.blocks[-1].line - 1
+    data = program.data
+    for block, to in _core.jumps(snap.flows, data):
+        if to > block and to < data.blocks:
+            (_, first, text), (_, end, other) = data.block(block), data.block(to)
+            name = text.split(None, 1)[:1]
+            if (
+                first not in heads
+                and name
+                and name == other.split(None, 1)[:1]
+                and not name[0].isalpha()
+            ):
+                yield first - 1, end - 1
 
 
 def _tools(snap: Snapshot, path: str, program: Program, last: int) -> Iterator[tuple[int, int]]:

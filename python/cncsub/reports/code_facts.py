@@ -74,24 +74,27 @@ def _is_block(asked: str, names: list[str], known: list[str]) -> bool:
     return unknown < len(known) or (as_typed and unknown == len(known))
 
 
-def code_explanations(asked: str, among: list[Control]) -> list[Facts]:
+def code_explanations(asked: str, among: list[Control], machine: str = "") -> list[Facts]:
     """Return what a code, or a word of a control's language, does, or what each part of a block
-    does: an entry for each thing that it does, with the controls.
+    does: an entry for each thing that it does, with the controls. `machine`: only what it does on
+    this kind of machine.
     """
     entries: dict[tuple[Any, ...], Facts] = {}
     places: dict[str, int] = {}
     for control in among:
         for code in names_of(asked, control):
             places.setdefault(code, len(places))
-            for machine in _machines(control) if _CODE.fullmatch(code) and code[0] == "G" else [""]:
-                facts = _core.code_facts(control, code, machine)
+            for kind in _machines(control) if _CODE.fullmatch(code) and code[0] == "G" else [""]:
+                facts = _core.code_facts(control, code, kind)
                 if facts is None:
                     continue
                 words = tuple((letters, says) for letters, says, _ in facts["words"])
                 key = (code, facts["treatment"], facts["does"], words)
                 entry = entries.setdefault(key, _entry(facts))
-                entry["on"].append(_on(control, machine, facts))
-    return [_joined(entries[key]) for key in sorted(entries, key=lambda key: places[key[0]])]
+                entry["on"].append(_on(control, kind, facts))
+    ordered = (entries[key] for key in sorted(entries, key=lambda key: places[key[0]]))
+    joined = [_joined(entry, machine) for entry in ordered]
+    return [entry for entry in joined if entry["on"]]
 
 
 def _entry(facts: Facts) -> Facts:
@@ -105,23 +108,34 @@ def _entry(facts: Facts) -> Facts:
     }
 
 
-def _joined(entry: Facts) -> Facts:
+def _joined(entry: Facts, machine: str) -> Facts:
     """Name the kinds of machine only where the code does not do the same on all of a control."""
     of: dict[str, list[Facts]] = {}
     for on in entry["on"]:
         of.setdefault(on["control"], []).append(on)
-    entry["on"] = [_whole(facts) for facts in of.values()]
+    entry["on"] = [whole for facts in of.values() if (whole := _whole(facts, machine))]
     return entry
 
 
-def _whole(facts: list[Facts]) -> Facts:
-    count = facts[0].pop("of_machines")
-    return {**facts[0], "machines": [] if len(facts) == count else [f["machine"] for f in facts]}
+def _whole(facts: list[Facts], machine: str) -> Facts | None:
+    """Return the facts of a control's kinds of machine as one, `None` where none is the asked."""
+    same_on_all = len(facts) == facts[0]["of_machines"]
+    wanted = [each for each in facts if each["machine"] in ("", machine or each["machine"])]
+    if not wanted:
+        return None
+    kinds = [] if same_on_all else [each["machine"] for each in wanted]
+    return {**{k: v for k, v in wanted[0].items() if k != "of_machines"}, "machines": kinds}
+
+
+def own_machine(control: Control) -> str:
+    """Return the kind of machine that a control is of where no setup tells another."""
+    (kind,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
+    return kind
 
 
 def _machines(control: Control) -> list[str]:
     """Return the kinds of machine of a control."""
-    (kind,) = (str(rule.value) for rule in control.rules if rule.name == "machine")
+    kind = own_machine(control)
     turning = any(rule.group == "turning" for rule in control.rules)
     return ["mill", "lathe-a", "lathe-b"] if kind == "mill" and turning else [kind]
 

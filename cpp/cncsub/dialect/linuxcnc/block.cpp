@@ -166,7 +166,7 @@ bool BlockReader::polar_word(Block& block, Words& words, char sign) {
   const std::uint32_t at = line_.offset(line_.place() - 1);
   Value value;
   words.any = true;
-  if (!words.line.letters.insert(sign).second)
+  if (!words.line.add(sign))
     return refuse(block, Cause::AddressGivenTwice,
                   std::string("Multiple ") + sign + " words on one line", at);
   if (!expression_.value(value)) return refuse(block);
@@ -179,7 +179,7 @@ bool BlockReader::word(Block& block, Words& words, char letter) {
   Value value;
   words.any = true;
   const bool code = letter == 'g' || letter == 'm';
-  if (!code && !words.line.letters.insert(letter).second)
+  if (!code && !words.line.add(letter))
     return refuse(block, Cause::AddressGivenTwice,
                   std::string("Multiple ") + letter + " words on one line", at);
   constexpr std::string_view kWhole = "hlmt";
@@ -213,7 +213,7 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const int code = to_whole<int>(tens - low > 0.999 ? low + 1 : low);
   const int group = group_of_g(code);
   if (group < 0) return refuse(block, Cause::GCodeNotAvailable, "Unknown g code used", value.at);
-  if (!words.g_groups.insert(group).second) {
+  if (words.g_groups[static_cast<std::size_t>(group)]) {
     const bool motion = group == group_of_g(kCycleOff);
     if (motion && code == kCycleOff) return true;
     if (!motion || !replace_cycle_off(words.line, words.list, code))
@@ -221,6 +221,7 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
                     value.at);
     return true;
   }
+  words.g_groups.set(static_cast<std::size_t>(group));
   words.line.g.push_back(code);
   words.list.add_g({false, 0, static_cast<double>(code)});
   return true;
@@ -243,9 +244,10 @@ bool BlockReader::m_code(Block& block, Words& words, const Value& value) {
   const int group = group_of_m(code);
   if (group < 0)
     return refuse(block, Cause::MCodeNotAvailable, "Unknown m code used: M" + text, value.at);
-  if (!words.m_groups.insert(group).second)
+  if (words.m_groups[static_cast<std::size_t>(group)])
     return refuse(block, Cause::AddressGivenTwice, "Two m codes used from same modal group",
                   value.at);
+  words.m_groups.set(static_cast<std::size_t>(group));
   const Role role = to_.control().calls.roles.value.of_m(code);
   words.ends = words.ends || role == Role::End || role == Role::Return;
   words.line.m.push_back(code);

@@ -1,8 +1,8 @@
 // The compiler of a line: words, assignments and comments, or an O-word.
 #pragma once
 
+#include <bitset>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -35,7 +35,7 @@ class BlockReader {
     std::vector<Statement> statements;
     std::optional<Print> print;
     LineWords line;
-    std::set<int> g_groups, m_groups;
+    std::bitset<32> g_groups, m_groups;  // the modal groups of its codes
     bool any = false;
     bool ends = false;
   };

@@ -103,7 +103,7 @@ bool BlockReader::words_of_98(Block& block, CallRecord& call, Words& words) {
       continue;
     }
     line_.take();
-    if (!words.line.letters.insert(letter).second)
+    if (!words.line.add(letter))
       return refuse(block, Cause::AddressGivenTwice,
                     std::string("Multiple ") + letter + " words on one line", call.at);
     Value value;

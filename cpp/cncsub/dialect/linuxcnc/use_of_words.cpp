@@ -15,8 +15,8 @@ namespace cncsub::linuxcnc {
 namespace {
 
 bool any_of(const std::vector<int>& there, std::initializer_list<int> wanted) {
-  return std::any_of(wanted.begin(), wanted.end(), [&](int code) {
-    return std::find(there.begin(), there.end(), code) != there.end();
+  return std::any_of(there.begin(), there.end(), [&](int code) {
+    return std::find(wanted.begin(), wanted.end(), code) != wanted.end();
   });
 }
 
@@ -137,6 +137,7 @@ std::optional<WrongWord> against_m(const LineWords& line) {
     return wrong('g', Cause::MotionWordMissing, "S word missing with G96");
   if (line.has_g({432}) && !line.has('h') && !has_axes(line))
     return wrong('g', Cause::MotionWordMissing, "G43.2: No axes specified and H word missing");
+  if (line.m.empty()) return std::nullopt;
   for (const int m : {62, 63, 64, 65})
     if (line.has_m({m}) && !line.has('p'))
       return wrong('m', Cause::MotionWordMissing, "No valid P word with M" + std::to_string(m));

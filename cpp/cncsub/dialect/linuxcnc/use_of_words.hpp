@@ -2,9 +2,9 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -16,13 +16,19 @@ namespace cncsub::linuxcnc {
 struct LineWords {
   std::vector<int> g, m;                         // codes; G times ten
   bool computed = false;                         // a code is an expression
-  std::set<char> letters;                        // of the other words, in small letters
+  std::bitset<128> letters;                      // of the other words, in small letters
   std::array<std::optional<double>, 26> values;  // of the words; nothing if computed
   std::array<std::uint32_t, 26> at{}, width{};   // where each stands
 
   bool has_g(std::initializer_list<int> codes) const;
   bool has_m(std::initializer_list<int> codes) const;
-  bool has(char letter) const { return letters.contains(letter); }
+  bool has(char letter) const { return letters[static_cast<std::size_t>(letter)]; }
+  /// Note the letter of a word; return false if the line has such a word already.
+  bool add(char letter) {
+    const bool is_new = !has(letter);
+    letters.set(static_cast<std::size_t>(letter));
+    return is_new;
+  }
   /// Return the number of a word; `otherwise` if the line lacks the word, or it is computed.
   double number(char letter, double otherwise) const {
     const auto place = static_cast<std::size_t>(letter - 'a');
