@@ -7,12 +7,13 @@ import itertools
 import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
+from cncsub.resume.draft import Draft
 from cncsub.resume.errors import WholeRunError, place_text, refused
-from cncsub.resume.head import Head
+from cncsub.resume.head import Manner, write_head
 from cncsub.resume.history import Before, FlatLines
 from cncsub.resume.not_repeated import comment_of, not_repeated
 from cncsub.resume.place import Place, as_place, length, stand_at
@@ -109,17 +110,6 @@ class Resume(NotPicklable):
         count = len(self.files)
         programs = f"{count} program{'s' if count != 1 else ''}"
         return f"<Resume at {place}: {programs}, {self.form}>"
-
-
-class Manner(NamedTuple):
-    """How a head is made. `repeats`: with the block before the place, where it makes no move.
-    `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
-    moves in the units of power-on: the run may have come to the place in them.
-    """
-
-    repeats: bool = False
-    bends_first: bool = True
-    units_late: bool = False
 
 
 class _Work:
@@ -230,29 +220,18 @@ class _Work:
             self.state.block,
         )
 
-    def head(self, order: Any, manner: Manner, *, data: bool) -> Head:
+    def head(self, order: Any, manner: Manner, *, data: bool) -> Draft:
         """Return the head."""
-        head = Head(self.library, self.machine, self.state, self.starts, self.before, self.options)
-        head.modes_before_moves(units_late=manner.units_late)
-        head.variables(commons=not data)
-        head.tool()
-        head.clamp()  # before the surface speed turns the spindle
-        head.spindle()
-        head.offsets()
-        head.shift_first()
-        head.approach(self.height, order, bends_first=manner.bends_first)
-        head.shift()
-        if not manner.bends_first:
-            head.bend()
-        head.modes_after_moves()
+        head = Draft(self.library, self.machine, self.state, self.starts, self.before, self.options)
+        write_head(head, manner, self.height, order, commons=not data)
         if manner.repeats and not (self.state.step and self._repeat(head)):
             raise NoTailsError("the block before it moves")
         return head
 
-    def _repeat(self, head: Head) -> bool:
+    def _repeat(self, head: Draft) -> bool:
         return head.repeat(self.before.flat_text(self.state.step - 1))
 
-    def told(self, head: Head) -> list[str]:
+    def told(self, head: Draft) -> list[str]:
         """Return what whoever starts it has to know."""
         return [*head.notes, *not_repeated(self.library, self.machine)]
 
@@ -296,7 +275,7 @@ class _Work:
         return self.power_on.get(name)
 
     def differs(
-        self, head: Head, library: Library, main: str | None, *, variables: bool
+        self, head: Draft, library: Library, main: str | None, *, variables: bool
     ) -> str | None:
         options = {**self.options, "start": None, "max_cycles": 1}
         run = uninterrupted(library.run(main, **options))
@@ -335,7 +314,7 @@ def _with(library: Library, text: str, file: str | None) -> Library:
         raise NoTailsError(str(error)) from None
 
 
-def _prove(head: Head, told: str | None) -> None:
+def _prove(head: Draft, told: str | None) -> None:
     if told is not None:
         raise NoTailsError("; ".join([*head.lacks, told]))
 
