@@ -14,7 +14,6 @@ from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.machine import Machine
 from cncsub.number_text import length_text, number_text
 from cncsub.reports.code_facts import code_explanations
-from cncsub.setup import AXES
 
 # A value before it is shown, by the name of its group, the call whose it is, and its own name.
 Facts = dict[tuple[str, int, str], Any]
@@ -22,6 +21,7 @@ Facts = dict[tuple[str, int, str], Any]
 _WORDS = {"F": "feed", "S": "spindle speed", "T": "tool", "H": "length offset number",
           "D": "radius offset number"}  # fmt: skip
 MODAL_SCOPES = ("modes", "offsets in force", "tool, spindle and feed")  # scopes of modes
+SWITCHES = ("block_skip", "optional_stop")  # as a machine calls them
 _IN_FORCE = ("work", "length", "radius", "rotation", "scaling", "mirror", "H", "D")
 _MOST_BLOCKS = 20_000  # of the programs in which system variables are looked for
 
@@ -60,6 +60,13 @@ def value_text(value: Any) -> str:
     if isinstance(value, str):
         return f'"{value}"'
     return f"[{', '.join(map(value_text, value))}]"
+
+
+def switch_text(machine: Machine, name: str) -> str:
+    """Return how a switch of the panel stands: the numbers of those that are on, or on and off."""
+    if name == "block_skip":
+        return " ".join(map(str, machine.block_skip)) or "off"
+    return "on" if machine.optional_stop else "off"
 
 
 class StateFacts:
@@ -115,10 +122,16 @@ class StateFacts:
         position = self._machine.position
         for axis, value in position.items():
             yield ("position", -1, axis), value
-        yield from self._machine_position()
+        for axis, value in self._machine.machine_position.items():
+            yield ("position", -1, f"{axis} (machine)"), value
         yield from ((("modes", -1, n), code) for n, code in modal.items() if n not in _WORDS)
         yield from ((("offsets in force", -1, n), modal[n]) for n in _IN_FORCE if n in modal)
         yield from ((("tool, spindle and feed", -1, n), modal[n]) for n in _WORDS if n in modal)
+        sign = self._machine.core.code.variable_sign
+        for number, signal in self._machine.signals.items():
+            yield ("signals", -1, f"{sign}{number}"), signal
+        for name in SWITCHES:
+            yield ("switches", -1, name), switch_text(self._machine, name)
 
     def _numbered(
         self, frame: StackFrame, opener: int
@@ -168,17 +181,6 @@ class StateFacts:
             except KeyError:
                 continue  # it has no value in this state
 
-    def _machine_position(self) -> Iterator[tuple[tuple[str, int, str], Any]]:
-        """Yield the place of the tool in machine coordinates, known from the last move on."""
-        moves = self._machine.moves
-        if not len(moves):
-            return
-        last = moves[-1]
-        for axis in AXES:
-            value = getattr(last, f"m{axis.lower()}", None)
-            if value is not None:
-                yield ("position", -1, f"{axis} (machine)"), value
-
     # ---- how they are shown ----
 
     def _shown(
@@ -187,7 +189,11 @@ class StateFacts:
         """Return a value as it is shown; `defined` are the variables that the program defines."""
         core = self._machine.core
         if group == "position":
-            return Value(name, name.partition(" ")[0], length_text(value), changed)
+            return Value(name, name, length_text(value), changed, can_set=True)
+        if group == "switches":
+            return Value(name, name, value, changed, can_set=True)
+        if group == "signals":
+            return Value(name, name, value_text(value), changed, can_set=True)
         if group in MODAL_SCOPES:
             title = f"{name} ({_WORDS[name]})" if name in _WORDS else name
             return Value(title, name, str(value), changed, can_set=True)

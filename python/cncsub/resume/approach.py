@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.draft import NEAR, REACHED, Draft, coordinate, stands_at
@@ -19,7 +19,6 @@ _HOME = (28, 30)
 _INCREMENTS = {"X": "U", "Y": "V", "Z": "W"}  # of a lathe
 _AIR = ("rapid", "dwell")  # the kinds of moves that do not cut
 _FEEDS = ("per-minute", "per-revolution")  # those that mean the same in another move
-_CUT = 100_000  # moves of one cut that are looked at
 
 
 class Approach:
@@ -87,31 +86,51 @@ class Approach:
                 )
 
     def _cut_in(self, wanted: dict[str, float]) -> bool:
-        """Move the last axes with the feed of the run, where the run came to the place with it:
-        material may be in the way. Above the height from which it has cut Z goes with rapid.
+        """Move the last axes with the feed of the run, where a cut has brought the tool or one of
+        these axes there: material may be in the way. Z goes with rapid down to the height from
+        which the run has gone down with feed.
         """
-        moves = self._machine.moves
-        feed = self._state.modal.get("F", "0")
-        if moves[-1].kind in _AIR or feed in ("0", ""):
+        if self._state.modal.get("F", "0") in ("0", "") or not self._came_with_feed(wanted):
             return False
-        if moves[-1].feed_mode not in _FEEDS:
+        if self._machine.moves[-1].feed_mode not in _FEEDS:
             return False
-        if set(wanted) == {"Z"} and (above := self._height_of_cut()) > wanted["Z"]:
+        if set(wanted) == {"Z"} and (above := self._height_of_descent()) > wanted["Z"]:
             self._go({"Z": above})
         if stands_at(self._draft.now, wanted) and set(wanted) <= self._commanded:
             return True
         return any(self._go(wanted, "G01", text) for text in texts_for(self._draft, "F"))
 
-    def _height_of_cut(self) -> float:
-        """Return the highest machine Z that the run has come to since its last rapid."""
+    def _came_with_feed(self, axes: Iterable[str]) -> bool:
+        """Return whether the last move was a cut, or the last one of an axis was."""
+        air = self._in_air()
+        if not air[-1]:
+            return True
+        moved = (self._moves(axis).nonzero()[0] for axis in axes)
+        return any(len(rows) and not air[rows[-1]] for rows in moved)
+
+    def _height_of_descent(self) -> float:
+        """Return the highest machine Z that the run has come to since its last rapid of Z."""
         moves = self._machine.moves
-        top = -math.inf
-        for index in range(len(moves) - 1, max(-1, len(moves) - _CUT), -1):
-            move = moves[index]
-            if move.kind in _AIR:
-                break
-            top = max(top, coordinate(move, "Z"), float(getattr(move, "msz", top)))
-        return top
+        rapids = (self._in_air() & self._moves("Z")).nonzero()[0]
+        if len(rapids):
+            return float(moves.mz[rapids[-1] :].max())
+        return max(float(moves.msz[0]), float(moves.mz.max()))
+
+    def _in_air(self) -> Any:
+        """Return of each move of the run whether it does not cut."""
+        import numpy as np
+
+        moves = self._machine.moves
+        return np.isin(moves.kind, [moves.kinds.index(kind) for kind in _AIR])
+
+    def _moves(self, axis: str) -> Any:
+        """Return of each move of the run whether it moves an axis."""
+        import numpy as np
+
+        moves = self._machine.moves
+        ends = np.asarray(moves[f"m{axis.lower()}"], float)
+        starts = np.concatenate([[self._starts.machine_start(axis)], ends[:-1]])
+        return ~(np.abs(ends - starts) <= NEAR)
 
     def _can_move(self, axis: str) -> bool:
         """Return whether the head can move an axis to the place: not where its place depends on

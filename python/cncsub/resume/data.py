@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from cncsub import _core
+from cncsub._core import Control
 from cncsub.resume.draft import Draft
 from cncsub.resume.errors import refused
 
@@ -42,10 +45,8 @@ def _numbers(draft: Draft) -> Iterator[int]:
     if not any(_sets_data(core, block) for block in draft.blocks()):
         return
     seen = set(known)
-    for number in range(1000, 20000):
-        if number in seen or not can_be_read(core.code, number):
-            continue
-        if _reads(draft.machine, number) != _reads(draft.now, number):
+    for number in _readable(core.code.control):
+        if number not in seen and _reads(draft.machine, number) != _reads(draft.now, number):
             yield number
 
 
@@ -56,7 +57,14 @@ def _reads(machine: Machine, number: int) -> float | None:
         return None
 
 
-def can_be_read(code: Any, number: int) -> bool:
+@cache
+def _readable(control: Control) -> tuple[int, ...]:
+    """Return the numbers of the control's own variables."""
+    code = _core.compile(control, [], False)
+    return tuple(number for number in range(1000, 20000) if can_be_read(code, number))
+
+
+def can_be_read(code: _core.Code, number: int) -> bool:
     """Return whether the control has a variable that can be read: asking is ten times as fast as
     reading in vain, and most numbers are none.
     """

@@ -22,7 +22,7 @@ _ROTARY = "ABC"
 
 
 class Draft:
-    """The blocks of a head so far: `lines`, and the machine that has run them: `now`. `lacks` tells
+    """The blocks of a head so far: `lines`, and the modes after them: `modal`. `lacks` tells
     what could not be put in force, `notes` what whoever starts the program should know.
     """
 
@@ -51,8 +51,18 @@ class Draft:
         self.lacks: list[str] = []
         self.notes: list[str] = []
         self.now = self.run([])
-        self.power_on = dict(self.now.modal)
+        self.power_on = self.modal
         self.lathe = self.power_on.get("plane", "G18") == "G18"
+
+    @property
+    def now(self) -> Machine:
+        """The machine that has run the blocks."""
+        return self._now
+
+    @now.setter
+    def now(self, machine: Machine) -> None:
+        self._now = machine
+        self.modal = dict(machine.modal)  # the modes in force now
 
     def run(self, lines: list[str]) -> Machine:
         """Return the machine that has run some blocks."""
@@ -88,7 +98,7 @@ class Draft:
         wanted = self.state.modal[name]
 
         def right(before: Machine) -> bool:
-            in_force = self.now.modal.get(name) == wanted
+            in_force = self.modal.get(name) == wanted
             return in_force and (name in BENDING or self.stands_still(before))
 
         return any(self.add_where(right, *text.split("\n")) for text in texts if text)
@@ -118,7 +128,7 @@ class Draft:
         """Return whether a mode is as the state has it. One that is not told any more is of the
         group of another: G97 after G94 on a SINUMERIK.
         """
-        wanted, now = self.state.modal.get(name), self.now.modal.get(name)
+        wanted, now = self.state.modal.get(name), self.modal.get(name)
         return now == wanted or (now is None and wanted == self.power_on.get(name))
 
     def blocks(self) -> Iterator[Any]:

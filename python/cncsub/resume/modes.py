@@ -57,7 +57,7 @@ def _add_if_right(draft: Draft, code: str) -> None:
     """
     keep = [
         name
-        for name, mode in draft.now.modal.items()
+        for name, mode in draft.modal.items()
         if mode == draft.state.modal.get(name) and name != "distance" and name not in _CANCELLED
     ]
     draft.add_where(lambda before: all(draft.in_force(name) for name in keep), code)
@@ -66,7 +66,7 @@ def _add_if_right(draft: Draft, code: str) -> None:
 def _join(draft: Draft, codes: list[str]) -> None:
     """Write the codes as one block, where the control takes them so with the same effect."""
     joined = draft.run([" ".join(draft.lines)])
-    if joined.alarm is None and dict(joined.modal) == dict(draft.now.modal):
+    if joined.alarm is None and dict(joined.modal) == draft.modal:
         draft.lines = [" ".join(draft.lines)] if codes else []
         draft.now = joined
 

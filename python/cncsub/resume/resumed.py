@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
 from cncsub.interrupts import uninterrupted
+from cncsub.option_errors import carrying
 from cncsub.pickling import NotPicklable
 from cncsub.resume.draft import Draft
 from cncsub.resume.errors import WholeRunError, place_text, refused
@@ -393,6 +394,10 @@ def resume(
     place = as_place(at, given)
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
+    try:
+        options["setup"] = given_setup(options)
+    except (TypeError, ValueError) as error:
+        raise carrying("setup", error) from None
     height = None if safe_height is None else length("safe_height", safe_height)
     groups = _order(order)
     asked = _Asked(library, main, height, groups, dict(options))

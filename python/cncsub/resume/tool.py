@@ -23,14 +23,14 @@ def change_tool(draft: Draft) -> None:
         if not draft.add(f"{word}{change}") and not draft.add(word, change.strip()):
             raise refused(f"the control takes no block '{word}{change}' here", state.block)
     chosen = state.modal.get("T")
-    if chosen is not None and draft.now.modal.get("T") != chosen:
+    if chosen is not None and draft.modal.get("T") != chosen:
         draft.add(f"T{chosen}")
 
 
 def choose_edge(draft: Draft) -> None:
     """Choose the edge of the tool, where D does that: no axis may move before."""
     edge = draft.state.modal.get("D", "0")
-    if "length" not in draft.power_on and draft.now.modal.get("D", edge) != edge:
+    if "length" not in draft.power_on and draft.modal.get("D", edge) != edge:
         draft.add(f"D{edge}")
 
 
@@ -49,7 +49,7 @@ def turn_spindle(draft: Draft) -> None:
     speed = state.modal.get("S", "0")
     turn = f" {state.spindle}" if state.spindle else ""
     code = state.modal.get("surface")
-    told = "surface" in draft.now.modal
+    told = "surface" in draft.modal
     written = code and ((draft.lathe and told) or not draft.in_force("surface"))
     first = f"{code} " if written else ""
     if speed != "0" or turn:
@@ -92,7 +92,7 @@ def length_words(draft: Draft) -> list[str]:
 
 def length_is_right(draft: Draft) -> bool:
     """Return whether it is as the run has it."""
-    return all(draft.now.modal.get(name) == draft.state.modal.get(name) for name in ("length", "H"))
+    return all(draft.modal.get(name) == draft.state.modal.get(name) for name in ("length", "H"))
 
 
 def _sets_clamp(block: Any) -> bool:

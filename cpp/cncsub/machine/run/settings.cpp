@@ -98,6 +98,14 @@ std::optional<std::string> set_mode(Run& run, const std::shared_ptr<const Code>&
   return std::nullopt;
 }
 
+std::optional<std::string> set_position(Run& run, int axis, double value, Coordinates of) {
+  if (auto refused = run.motion.stand_at(axis, value, of, run.moves())) return refused;
+  run.motion.forget_table();
+  ++run.state.changes;
+  note_changes_from_outside(run);
+  return std::nullopt;
+}
+
 std::optional<std::string> set_named(Run& run, int level, const std::string& name,
                                      const std::vector<NamedValue>& values) {
   const auto found = named_variable(run, level, name);
