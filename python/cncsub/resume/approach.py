@@ -22,10 +22,13 @@ _FEEDS = ("per-minute", "per-revolution")  # those that mean the same in another
 
 
 class Approach:
-    """The moves of a head. `said`: the axes whose place the head has said where it starts."""
+    """The moves of a head. `said`: the axes whose place the head has said where it starts.
+    `mixes_units`: an axis moves in other units where those in force do not lead to its place.
+    """
 
-    def __init__(self, draft: Draft, said: set[str]) -> None:
+    def __init__(self, draft: Draft, said: set[str], *, mixes_units: bool) -> None:
         self._draft = draft
+        self._mixes_units = mixes_units
         self._machine, self._state = draft.machine, draft.state
         self._starts, self._before = draft.starts, draft.before
         self._said = said
@@ -69,21 +72,46 @@ class Approach:
                 self._draft.lacks.append(
                     f"the head cannot move {' and '.join(wanted)} to the place"
                 )
-            self._tell_between(wanted)
+            self._settle(wanted)
         polar(self._draft)
 
-    def _tell_between(self, wanted: dict[str, float]) -> None:
-        """Tell where an axis stands that no word leads to: the run came there in other units or
-        through a rotation.
+    def _settle(self, wanted: dict[str, float]) -> None:
+        """Bring axes to where no word in the units in force leads exactly, where units are mixed.
+        Tell what stands between the increments: the run came there in other units, or through a
+        rotation.
         """
-        for axis, value in wanted.items():
-            if not stands_at(self._draft.now, {axis: value}) and stands_at(
-                self._draft.now, {axis: value}, REACHED
-            ):
+        now = self._draft.now
+        between = {
+            axis: value
+            for axis, value in wanted.items()
+            if not stands_at(now, {axis: value}) and stands_at(now, {axis: value}, REACHED)
+        }
+        if not between or self._go_in_other_units(between):
+            return
+        for axis, value in between.items():
+            if not self._go_in_other_units({axis: value}):
                 self._draft.lacks.append(
                     f"{axis} stands at {self._machine.position[axis]:.9g}, between the increments"
                     " of the control"
                 )
+
+    def _go_in_other_units(self, aim: dict[str, float]) -> bool:
+        """Move axes in other units of the run; return whether they stand there exactly then."""
+        if not self._mixes_units:
+            return False
+        draft = self._draft
+        before = draft.lines, draft.now
+        here = draft.modal.get("units", "")
+        for code in draft.codes_of_group("units"):
+            if (
+                code != here
+                and draft.add(code)
+                and draft.add_where(lambda _: stands_at(draft.now, aim), self._line_to(aim, "G00"))
+                and draft.add(here)
+            ):
+                return True
+            draft.lines, draft.now = before
+        return False
 
     def _cut_in(self, wanted: dict[str, float]) -> bool:
         """Move the last axes with the feed of the run, where a cut has brought the tool or one of
@@ -253,17 +281,19 @@ class Approach:
         return line
 
     def _shortest(self, words: dict[str, float], aim: dict[str, float], lead: str) -> str:
-        """Return the block with the fewest digits that leads to machine coordinates, else all."""
-        line = ""
-        for digits in (3, 4, 6, 10):
-            rounded = {axis: round(value, digits) + 0.0 for axis, value in words.items()}
-            line = self._rapid(rounded, lead)
-            if stands_at(self._draft.run([*self._draft.lines, line]), aim):
-                break
-        return line
+        """Return the block with the fewest digits that leads to machine coordinates; where none
+        does, that with those of the control's increment.
+        """
+        lines = {digits: self._rapid(words, lead, digits) for digits in (3, 4, 6, 10)}
+        exact = (
+            line
+            for line in lines.values()
+            if stands_at(self._draft.run([*self._draft.lines, line]), aim)
+        )
+        return next(exact, lines[4])
 
-    def _rapid(self, words: dict[str, float], lead: str) -> str:
-        texts = (f"{axis}{self._draft.text(axis, value)}" for axis, value in words.items())
+    def _rapid(self, words: dict[str, float], lead: str, digits: int | None = None) -> str:
+        texts = (f"{axis}{self._draft.text(axis, value, digits)}" for axis, value in words.items())
         return " ".join([lead, *texts])
 
     def _solved(

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.history import Before
 from cncsub.resume.start import Starts, given_setup, machine_coordinate
-from cncsub.resume.state import RestartState
+from cncsub.resume.state import RestartState, group_of
 
 if TYPE_CHECKING:
     from cncsub.library import Library
@@ -144,6 +144,19 @@ class Draft:
             for word in block.words
         )
 
+    def is_of_group(self, word: Any, group: str) -> bool:
+        """Return whether a word is a G code of a group."""
+        if word.address != "G" or word.value is None:
+            return False
+        machine = self.setup.machine or ""
+        return group_of(self.library.control, f"G{word.value:g}", machine) == group
+
+    def codes_of_group(self, group: str) -> list[str]:
+        """Return the G codes of a group that the programs have, as `modal` has them."""
+        words = (word for block in self.blocks() for word in block.words)
+        codes = (f"G{w.value:02g}" for w in words if self.is_of_group(w, group))
+        return list(dict.fromkeys(codes))
+
     def words(self, line: str) -> Iterator[Any]:
         """Yield the words of a block that is given as a text."""
         library = self.library.of_text(f"{line}\n", self.library.control)
@@ -155,12 +168,17 @@ class Draft:
         """Return the words that the block of a step was in a program without calls."""
         return [word for line in self.before.flat_text(step) for word in self.words(line)]
 
-    def text(self, axis: str, value: float) -> str:
-        """Return a coordinate in mm as a word has it."""
+    def text(self, axis: str, value: float, digits: int | None = None) -> str:
+        """Return a coordinate in mm as a word has it, in the units in force: exactly, or with so
+        many digits after the point.
+        """
         if self.now.core.inch and axis not in _ROTARY:
             value /= _INCH
-        most = 4 if self.used("polar") else 11  # the polar words say it exactly, and come after
-        places = next((n for n in range(3, most) if abs(round(value, n) - value) < 1e-10), 4)
+        most = digits or 10
+        if self.used("polar"):  # the polar words say it exactly, and come after
+            most, digits = 3, None
+        exact = (n for n in range(3, most + 1) if abs(round(value, n) - value) < 1e-10)
+        places = next(exact, digits or 4)
         whole, _, part = f"{round(value, places) + 0.0:.{places}f}".partition(".")
         return f"{whole}.{part.rstrip('0')}"
 

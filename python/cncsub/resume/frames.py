@@ -4,11 +4,10 @@ polar coordinates and shifts, as the run has them.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.draft import BENDING, NEAR, PLANES, REACHED, Draft, coordinate, stands_at
-from cncsub.resume.state import group_of
 
 if TYPE_CHECKING:
     from cncsub.machine import Machine
@@ -22,22 +21,15 @@ def bend(draft: Draft) -> None:
         if name == "polar" or name not in draft.state.modal or not draft.used(name):
             continue
         found = draft.before.block_that_changed(name)
-        for step in draft.before.steps_with(found[1] if found else 0, _of_group(draft, name)):
+        asked = partial(_has_code_of, draft, name)
+        for step in draft.before.steps_with(found[1] if found else 0, asked):
             draft.add_where(lambda _: True, *draft.before.flat_text(step))
     for step in draft.before.frame_steps():
         draft.add_where(lambda _: True, *draft.before.flat_text(step))
 
 
-def _of_group(draft: Draft, name: str) -> Callable[[Any], bool]:
-    """Return what asks whether a block has a code of a group."""
-    control = draft.library.control
-    machine = "" if draft.setup.machine is None else draft.setup.machine
-
-    def asked(block: Any) -> bool:
-        codes = (f"G{w.value:g}" for w in block.words if w.address == "G" and w.value is not None)
-        return any(group_of(control, code, machine) == name for code in codes)
-
-    return asked
+def _has_code_of(draft: Draft, group: str, block: Any) -> bool:
+    return any(draft.is_of_group(word, group) for word in block.words)
 
 
 def polar(draft: Draft) -> None:

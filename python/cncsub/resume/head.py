@@ -15,12 +15,14 @@ from cncsub.resume.tool import change_tool, choose_edge, clamp_speed, turn_spind
 class Manner(NamedTuple):
     """How a head is made. `repeats`: with the block before the place, where it makes no move.
     `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
-    moves in the units of power-on: the run may have come to the place in them.
+    moves in the units of power-on: the run may have come to the place in them. `mixes_units`: each
+    axis moves in the units that lead to its place exactly.
     """
 
     repeats: bool = False
     bends_first: bool = True
     units_late: bool = False
+    mixes_units: bool = False
 
 
 def write_head(
@@ -41,7 +43,7 @@ def write_head(
     clamp_speed(draft)  # before the surface speed turns the spindle
     turn_spindle(draft)
     choose_edge(draft)
-    approach = Approach(draft, shift_first(draft))
+    approach = Approach(draft, shift_first(draft), mixes_units=manner.mixes_units)
     approach.go(height, order, bends_first=manner.bends_first)
     shift(draft)
     if not manner.bends_first:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
+from typing import Any
 
 from cncsub.resume.draft import BENDING, PLANES, Draft
 from cncsub.resume.errors import ResumeError, place_text, refused
@@ -96,9 +98,15 @@ def texts_for(draft: Draft, name: str) -> Iterator[str]:
         None if name in _WORDS and len(code) < _DIGITS else draft.before.block_that_changed(name)
     )
     if name in _WORDS:
-        lines = draft.before.flat_text(found[1]) if found is not None else []
-        words = [word for line in lines for word in draft.words(line) if word.address == name]
+        words = [] if found is None else _words_at(draft, found[1], name)
+        if found is not None and not words:  # other units have changed its value
+            step = draft.before.last_executed(partial(_has, name))
+            words = [] if step is None else _words_at(draft, step, name)
         yield from (word.text for word in words)
+        here = draft.modal.get("units", "")
+        others = [unit for unit in draft.codes_of_group("units") if unit != here]
+        # It may have been given in other units.
+        yield from (f"{unit}\n{word.text}\n{here}" for word in words for unit in others)
         yield from (f"{name}{code}", f"{name}{code}.")
         return
     if name == "cycle" and found is not None:
@@ -115,6 +123,14 @@ def texts_for(draft: Draft, name: str) -> Iterator[str]:
     if found is None:
         return
     yield from draft.before.flat_text(found[1])
+
+
+def _words_at(draft: Draft, step: int, address: str) -> list[Any]:
+    return [word for word in draft.words_of(step) if word.address == address]
+
+
+def _has(address: str, block: Any) -> bool:
+    return any(word.address == address for word in block.words)
 
 
 def _rigid_before(draft: Draft, step: int) -> str:
