@@ -224,6 +224,41 @@ def test_scopes_show_what_changed_since_the_last_pause(session: Session) -> None
     assert "locals of level 1" not in [each.name for each in session.scopes()]
 
 
+def test_the_tool_the_switches_and_signals_are_set_by_the_names_that_are_shown() -> None:
+    text = "O1\nN10 G90 G54 G0 X5. Z2.\n/N20 #100=#1004\nN30 G91 X1.\nN40 M1\nN50 M30\n"
+    setup = {"work_offsets": {"G54": {"X": 10.125}}}
+    session = Session(cncsub.loads(text, control="fanuc-0i-f"), setup=setup)
+    session.into()
+    assert scope(session, "switches") == {
+        "block_skip": ("off", False), "optional_stop": ("off", False),
+    }  # fmt: skip
+    assert session.set("X", "#100+20") == "20"
+    assert session.set("z (machine)", "-3") == "-3"
+    assert session.set("#1004", "1") == "1"
+    assert session.set("block_skip", "2, 3") == "2 3"
+    assert session.set("optional_stop", "on") == "on"
+    assert scope(session, "signals") == {"#1004": ("1", True)}
+    assert scope(session, "switches")["block_skip"] == ("2 3", True)
+    assert scope(session, "position")["X"] == ("20", True)
+    for name, shown in (
+        ("X", "20"), ("X (machine)", "30.125"), ("Z", "-3"), ("#1004", "1"), ("block_skip", "2 3"),
+    ):  # fmt: skip
+        assert session.evaluate(name) == shown
+    session.into()
+    session.into()
+    assert (session.machine.variables[100], session.machine.position["X"]) == (1, 21)
+    assert session.set("block_skip", "no") == "off"
+    for name, value, why in (
+        ("X", "vacant", "X always stands somewhere"),
+        ("X", "#99999", "99999"),
+        ("A", "1", "'A' cannot be set: it is no variable, mode, axis or switch"),
+        ("#5001", "1", "5001"),
+        ("optional_stop", "3", "optional_stop is on or off, not '3'"),
+    ):
+        with pytest.raises((KeyError, ValueError), match=why):
+            session.set(name, value)
+
+
 def test_named_variables_are_shown_and_set() -> None:
     text = 'DEF INT SIDES[2]=SET(3,4)\nDEF STRING[8] NAME="A"\nDEF REAL DEPTH=5\nR1=DEPTH\nM30\n'
     session = Session(cncsub.loads({"A.MPF": text}, control="siemens-one"))
@@ -268,7 +303,7 @@ def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Se
         session.evaluate("#4+1", 1)
     assert session.set("work", "G55") == "G55"
     assert (session.evaluate("work"), session.evaluate("F")) == ("G55", "0")
-    for name in ("nobody", "X"):
+    for name in ("nobody", "A"):
         with pytest.raises(KeyError, match="cannot be set"):
             session.set(name, "1")
 

@@ -435,7 +435,7 @@ def test_the_name_of_a_program_has_the_sign_of_the_control() -> None:
     text = "%1\nN10 G00 X100 Z50\nN20 G01 X90 F80\nN30 Z40\nN40 M02\n"
     resumed = cncsub.loads(text, control="gsk-928te").resume(at="%1:N30")
     assert resumed.text.startswith("%156\n")
-    assert resumed.form == "flat"
+    assert list(resumed.files) == ["%156.nc"]
 
 
 def test_a_file_between_marks_goes_on_between_marks(tmp_path: Path) -> None:

@@ -38,8 +38,7 @@ std::string_view written_operator(const Code& code, Ins op) {
 py::list operator_texts(const Record& record) {
   const auto code = record.code();
   py::list texts;
-  for (const Ins op : kOperators)
-    texts.append(py::str(std::string(written_operator(*code, op))));
+  for (const Ins op : kOperators) texts.append(py::str(std::string(written_operator(*code, op))));
   return texts;
 }
 

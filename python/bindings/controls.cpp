@@ -437,8 +437,8 @@ bool are_equal(const Control& a, const Control& b) {
          std::equal(a.alarms.begin(), a.alarms.end(), b.alarms.begin(), b.alarms.end(), same_alarm);
 }
 
-/// Return the hash of its names. Copies with other rules share it, and `are_equal` tells them apart:
-/// the values of all rules would take a hundred times as long.
+/// Return the hash of its names. Copies with other rules share it, and `are_equal` tells them
+/// apart: the values of all rules would take a hundred times as long.
 py::ssize_t hash_of(const Control& control) {
   return py::hash(py::make_tuple(control.name, control.base, control.title));
 }

@@ -27,8 +27,7 @@ py::tuple coverage(const Record& record) {
   work_away([&](InterruptCheck& interrupt) {
     for (std::int64_t* counts : {held.data, failed.data, skipped.data})
       std::fill_n(counts, blocks, 0);
-    found = coverage_of(*code, record.trace(), {held.data, failed.data, skipped.data},
-                        interrupt);
+    found = coverage_of(*code, record.trace(), {held.data, failed.data, skipped.data}, interrupt);
   });
   py::list loops, calls, arguments;
   for (const auto& [address, entries] : found.loops)

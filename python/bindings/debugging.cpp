@@ -302,8 +302,7 @@ void add_debugging(MachineClass& machine) {
   py::class_<ExpressionList>(machine, "Expressions", py::is_final())
       .def_property_readonly("are_numbers", &are_numbers);
   machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
-      .def("set_position", &set_position, py::arg("axis"), py::arg("value"),
-           py::arg("in_machine"))
+      .def("set_position", &set_position, py::arg("axis"), py::arg("value"), py::arg("in_machine"))
       .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
       .def("type_in", &type_in, py::arg("text"))
       .def("set_next_block", &set_next_block, py::arg("address"))

@@ -71,8 +71,8 @@ class Motion {
   double time() const { return state().time; }
 
   /// Let an axis, as kAxisNames count them, stand at a work coordinate, or a machine coordinate, as
-  /// if it was brought there by hand: no row is written, and the next one of the table begins there.
-  /// Return why it cannot stand there; then nothing has changed.
+  /// if it was brought there by hand: no row is written, and the next one of the table begins
+  /// there. Return why it cannot stand there; then nothing has changed.
   std::optional<std::string> stand_at(int axis, double value, Coordinates of, Moves* moves);
 
   // What variables write. `system` and `axis` count as in query.hpp.

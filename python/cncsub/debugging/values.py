@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cncsub import _core
 from cncsub.debugging.frames import StackFrame
 from cncsub.debugging.scopes import SWITCHES, switch_text, value_text
 from cncsub.machine import Machine
@@ -50,12 +51,24 @@ def evaluate(machine: Machine, text: str, frame: StackFrame) -> str:
     return value_text(machine.evaluate(asked))
 
 
+def is_state_name(core: _core.Machine, name: str) -> bool:
+    """Return whether a name is that of a mode, an axis or a switch: it is no expression."""
+    return name.strip() in (*core.modal, *SWITCHES) or _axis(core, name) is not None
+
+
+def _axis(core: _core.Machine, name: str) -> tuple[str, bool] | None:
+    """Return the axis that `X` or `X (machine)` means, and whether in machine coordinates."""
+    axis, _, of = name.strip().upper().partition(" ")
+    known = axis in core.position and of.strip() in ("", "(MACHINE)")
+    return (axis, bool(of)) if known else None
+
+
 def _place(machine: Machine, name: str) -> tuple[Position, str] | None:
-    """Return the coordinates that a name means, `X` or `X (machine)`, and the axis."""
-    axis, _, of = name.strip().partition(" ")
-    position = machine.machine_position if of.strip() == "(machine)" else machine.position
-    known = axis.upper() in position and of.strip() in ("", "(machine)")
-    return (position, axis.upper()) if known else None
+    """Return the coordinates that a name means, and the axis."""
+    if (meant := _axis(machine.core, name)) is None:
+        return None
+    axis, in_machine = meant
+    return (machine.machine_position if in_machine else machine.position), axis
 
 
 def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
