@@ -495,6 +495,11 @@ def test_modes_are_set_as_the_control_reads_them(machine: cncsub.Machine) -> Non
         machine.modal["distance"] = 91
     with pytest.raises(TypeError, match="cannot be taken out"):
         del machine.modal["distance"]
+    modes["length"] = "G43 H2"
+    assert (machine.modal["length"], machine.modal["H"]) == ("G43", "2")
+    other = cncsub.loads("G0 X1\nM2\n", control="linuxcnc").machine()
+    with pytest.raises(ValueError, match=r"H word with no G43.*modal\['length'\] = 'G43 H1'"):
+        other.modal["H"] = 1
 
 
 # ---- where the tool stands ----

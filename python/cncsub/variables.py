@@ -213,6 +213,9 @@ class _ByName(dict[str, Any]):
     __delitem__ = pop = popitem = clear = setdefault = _refuse
 
 
+_WITH_CODE = {"H": "modal['length'] = 'G43 H1'", "D": "modal['radius'] = 'G41 D1'"}
+
+
 class Modes(_ByName):
     """The modal codes of a machine by group, and the values of F, S, T, H and D."""
 
@@ -234,7 +237,8 @@ class Modes(_ByName):
         try:
             self._core.set_mode(name, one_line(text))
         except ValueError as error:
-            raise ValueError(f"modal[{name!r}] = {value!r}: {error}") from None
+            cure = f" (give it with its code: {_WITH_CODE[name]})" if name in _WITH_CODE else ""
+            raise ValueError(f"modal[{name!r}] = {value!r}: {error}{cure}") from None
         return self._core.modal[name]
 
 

@@ -104,7 +104,25 @@ def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
     if asked in machine.modal:
         machine.modal[asked] = text.strip()
         return str(machine.modal[asked])
-    raise KeyError(f"{asked!r} cannot be set: it is no variable, mode, axis or switch")
+    return _assign(machine, asked, text, frame)
+
+
+def _assign(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
+    """Give what the control calls by a name, such as `#<depth>` or `$P_UIFR[1,X,TR]`, a value by a
+    block that is typed; it changes nothing where it raises an alarm.
+    """
+    try:
+        evaluate(machine, name, frame)
+    except ValueError:
+        raise KeyError(f"{name!r} cannot be set: it is no variable, mode, axis or switch") from None
+    value = _number(machine, text) if text.strip()[:1] != '"' else None
+    written = text if value is None else f"{value:.10f}".rstrip("0").rstrip(".")
+    tried = machine.copy()
+    for each in (tried, machine):
+        each.mdi(f"{name}={written}")
+        if each.alarm is not None:
+            raise ValueError(f"{name}={text}: {each.alarm.detail or each.alarm.cause}")
+    return evaluate(machine, name, frame)
 
 
 def _switch(machine: Machine, name: str, text: str) -> None:

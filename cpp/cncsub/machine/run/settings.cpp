@@ -32,12 +32,12 @@ bool decode_typed(Run& run, const std::shared_ptr<const Code>& typed, NcWords& w
   return decoded;
 }
 
-/// Return whether words set this mode and nothing else.
+/// Return whether words set this mode and nothing else; the numbers of an offset belong to it.
 bool sets(const NcWords& words, const std::string& mode) {
   const BlockCodes& codes = *words.codes;
   if (codes.m_count != 0) return false;
   if (const auto group = group_named(mode))
-    return codes.g_count == 1 && codes.groups == bit(*group) && (words.mask & ~bit('P')) == 0;
+    return codes.g_count == 1 && codes.groups == bit(*group) && (words.mask & ~(bit('P') | bit('H') | bit('D'))) == 0;
   return mode.size() == 1 && codes.g_count == 0 && words.mask == bit(mode[0]);
 }
 
