@@ -139,6 +139,12 @@ def test_a_place_that_was_reached_in_other_units_is_reached_in_them() -> None:
     assert head[2:] == ["G00 Z30.", "G00 X7. Y5.", "G20"]
 
 
+def test_a_block_that_a_control_wants_first_is_the_first() -> None:
+    text = "O1\nN10 G21 G90\nN20 G0 X0 Y0 Z5.\nN30 G1 X9. F100\nN40 M30\n"
+    assert head_of(text, "O1:N10", "hnc-21m", safe_height=5) == []
+    assert head_of(text, "O1:N30", "hnc-21m") != []
+
+
 MIXED = """O1
 N10 G21 G90 G0 X0 Y0 Z5.
 N20 G1 F300
@@ -170,6 +176,23 @@ def test_axes_that_stand_between_increments_are_moved_in_the_units_of_their_word
 
 
 # ---- axes ----
+
+
+HALF = """O1
+N10 G19 G91 G0 X-1. Y-0.43 F27.9
+N20 Z-.49 X4.9
+N30 Z-.016 X2.5 Y.25
+N40 Z5. X-16. Y-38.
+N50 G3 R6.865 Z10.984 Y8.238
+N60 M30
+"""
+
+
+@pytest.mark.parametrize("n", [30, 40, 50])
+def test_a_half_circle_by_its_radius_has_the_same_centre_from_every_start(n: int) -> None:
+    """What rounding leaves of the square of its height, the root makes a thousandth of a mm."""
+    start = {"start": {"X": 0.033, "Y": 1.4, "Z": 27.0}}
+    assert head_of(HALF, f"O1:N{n}", "fanuc-16i", setup=start)
 
 
 def test_every_axis_is_moved_to_the_place_also_where_the_start_is_assumed_there() -> None:

@@ -16,13 +16,15 @@ class Manner(NamedTuple):
     """How a head is made. `repeats`: with the block before the place, where it makes no move.
     `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
     moves in the units of power-on: the run may have come to the place in them. `mixes_units`: each
-    axis moves in the units that lead to its place exactly.
+    axis moves in the units that lead to its place exactly. `is_empty`: at the first block of a run
+    nothing need come before, and a control may want that block first.
     """
 
     repeats: bool = False
     bends_first: bool = True
     units_late: bool = False
     mixes_units: bool = False
+    is_empty: bool = False
 
 
 def write_head(
@@ -37,6 +39,8 @@ def write_head(
     `order`: of the axes; `commons`: whether it sets the variables that programs may use as they
     like. Raises `ResumeError` where no head can be written.
     """
+    if manner.is_empty:
+        return
     write_modes_first(draft, units_late=manner.units_late)
     write_variables(draft, commons=commons)
     change_tool(draft)

@@ -274,7 +274,11 @@ class _Asked:
         reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
         in_units = work.state.modal.get("units") == work.power_on.get("units")
         for manner in _MANNERS:
-            if (manner.units_late and in_units) or (manner.mixes_units and not work.has_units()):
+            if (
+                (manner.units_late and in_units)
+                or (manner.mixes_units and not work.has_units())
+                or (manner.is_empty and work.state.step > 0)
+            ):
                 continue
             for form in (_of_calls, _flat):
                 try:
@@ -315,4 +319,5 @@ _MANNERS = (
     Manner(repeats=True, bends_first=False),
     Manner(units_late=True),
     Manner(mixes_units=True),
+    Manner(is_empty=True),
 )

@@ -37,7 +37,8 @@ bool sets(const NcWords& words, const std::string& mode) {
   const BlockCodes& codes = *words.codes;
   if (codes.m_count != 0) return false;
   if (const auto group = group_named(mode))
-    return codes.g_count == 1 && codes.groups == bit(*group) && (words.mask & ~(bit('P') | bit('H') | bit('D'))) == 0;
+    return codes.g_count == 1 && codes.groups == bit(*group) &&
+           (words.mask & ~(bit('P') | bit('H') | bit('D'))) == 0;
   return mode.size() == 1 && codes.g_count == 0 && words.mask == bit(mode[0]);
 }
 

@@ -77,8 +77,9 @@ inline double turn_between(double from, double to, bool clockwise) {
 }
 
 /// Return the vector from the start of an arc to its centre: `way` leads to its end, which `radius`
-/// reaches. The radius is negative where the arc is more than half a circle. What rounding leaves of
-/// the height of a half circle is none: its root would move the centre by a millionth of the radius.
+/// reaches. The radius is negative where the arc is more than half a circle. What rounding leaves
+/// of the height of a half circle is none: its root would move the centre by a millionth of the
+/// radius.
 inline Point centre_by_radius(Point way, double radius, bool clockwise) {
   constexpr double kRounding = 1e-12;
   const double chord = size(way), square = radius * radius;
