@@ -174,7 +174,7 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
     names = [each["name"] for each in client.ask("scopes", frameId=frames[0]["id"])["scopes"]]
     assert names == [
         "locals of level 1", "system: position", "position", "modes", "offsets in force",
-        "tool, spindle and feed",
+        "tool, spindle and feed", "switches",
     ]  # fmt: skip
     (held, *_) = client.ask("scopes", frameId=frames[0]["id"])["scopes"]
     reference = held["variablesReference"]
@@ -185,7 +185,8 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
     assert client.ask("setExpression", expression="#100", value="#6*2")["value"] == "10"
     for context, text, result in (
         ("watch", "#6*2+#100", "20"), ("repl", "#101=7", "7"), ("repl", "#101", "7"),
-        ("repl", "work=G55", "G55"),
+        ("repl", "work=G55", "G55"), ("repl", "X=2.5*2", "5"), ("watch", "X (machine)", "5"),
+        ("repl", "optional_stop=on", "on"), ("watch", "block_skip", "off"),
         ("hover", "#6", "#6 = 5\na local variable of the program that runs, at its level: #1 to #33"),
         ("watch", "work", "G55"), ("clipboard", "Z", "50"),
     ):  # fmt: skip
@@ -205,6 +206,41 @@ def test_values_are_shown_set_and_asked(client: Client, row: Path) -> None:
         "there is no '#7' among these"
     )
     assert client.refused("variables", variablesReference=999).startswith("there is no variablesR")
+
+
+def test_the_tool_and_the_switches_are_set_where_they_are_shown(client: Client, row: Path) -> None:
+    client.begin(row)
+    client.go("next")
+    frame = client.ask("stackTrace", threadId=1)["stackFrames"][0]["id"]
+    scopes = {s["name"]: s for s in client.ask("scopes", frameId=frame)["scopes"]}
+    for scope, name, value, text in (
+        ("position", "X", "7", "7"), ("position", "Z (machine)", "12", "12"),
+        ("switches", "block_skip", "1 3", "1 3"), ("switches", "optional_stop", "on", "on"),
+    ):  # fmt: skip
+        reference = scopes[scope]["variablesReference"]
+        rows = client.ask("variables", variablesReference=reference)["variables"]
+        (shown,) = [each for each in rows if each["name"] == name]
+        assert "presentationHint" not in shown
+        body = client.ask("setVariable", variablesReference=reference, name=name, value=value)
+        assert body["value"] == text
+        assert client.values(scope)[name] == text
+        asked = client.ask("evaluate", expression=shown["evaluateName"], context="variables")
+        assert asked["result"] == text
+    reference = scopes["position"]["variablesReference"]
+    for name, value, why in (
+        ("X", "vacant", "X always stands somewhere: give a value, mm"),
+        ("X", "100000*100000", "position['X']"),
+        ("Q", "1", "there is no 'Q' among these"),
+    ):
+        told = client.refused("setVariable", variablesReference=reference, name=name, value=value)
+        assert told.startswith(why)
+    reference = scopes["switches"]["variablesReference"]
+    told = client.refused(
+        "setVariable", variablesReference=reference, name="block_skip", value="99"
+    )
+    assert told == "block_skip: a block-skip switch must be 1 to 10, not 99"
+    told = client.refused("setExpression", expression="optional_stop", value="perhaps")
+    assert told == "optional_stop is on or off, not 'perhaps'"
 
 
 def test_another_line_is_made_the_next_one(client: Client, row: Path) -> None:

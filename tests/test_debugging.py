@@ -495,8 +495,128 @@ def test_modes_are_set_as_the_control_reads_them(machine: cncsub.Machine) -> Non
         machine.modal["distance"] = 91
     with pytest.raises(TypeError, match="cannot be taken out"):
         del machine.modal["distance"]
-    with pytest.raises(TypeError, match="the position follows from the moves"):
-        machine.position["X"] = 5
+    modes["length"] = "G43 H2"
+    assert (machine.modal["length"], machine.modal["H"]) == ("G43", "2")
+    other = cncsub.loads("G0 X1\nM2\n", control="linuxcnc").machine()
+    with pytest.raises(ValueError, match=r"H word with no G43.*modal\['length'\] = 'G43 H1'"):
+        other.modal["H"] = 1
+
+
+# ---- where the tool stands ----
+
+SQUARE = """O1
+N10 G90 G54 G0 X10. Y0 Z5.
+N20 G1 X20. F100
+N30 Y10.
+N40 G91 X5.
+N50 M30
+"""
+OFFSETS = {
+    "work_offsets": {"G54": {"X": 100.125, "Y": -50, "Z": 7}},
+    "length_offsets": {1: 33.5},
+    "limits": {"X": (0, 500)},
+}
+
+
+def test_a_tool_that_is_set_elsewhere_goes_on_from_there() -> None:
+    machine = cncsub.loads(SQUARE, control=CONTROL).machine(setup=OFFSETS)
+    machine.run(until="O1:N30")
+    machine.position["X"] = 50
+    machine.machine_position["Y"] = -47
+    assert machine.position == {"X": 50, "Y": 3, "Z": 5}
+    assert machine.machine_position == {"X": 150.125, "Y": -47, "Z": 12}
+    assert len(machine.moves) == 2
+    machine.step()
+    move = machine.moves[2]
+    assert (move.sx, move.sy, move.msx, move.msy) == (50, 3, 150.125, -47)
+    assert (move.x, move.y, move.length) == (50, 10, 7)
+    assert list(machine.moves.length) == [
+        pytest.approx(n) for n in (machine.moves[0].length, 10, 7)
+    ]
+    machine.step()
+    assert machine.position["X"] == 55
+    assert machine.moves.total_length == pytest.approx(machine.moves[0].length + 10 + 7 + 5)
+    assert machine.core.trace.time == pytest.approx(machine.moves.time.sum())
+
+
+def test_a_set_place_is_forgotten_and_set_again_on_the_way_back() -> None:
+    machine = cncsub.loads(SQUARE, control=CONTROL).machine(setup=OFFSETS)
+    machine.position["X"] = 4  # before the first move
+    machine.step()
+    assert machine.moves[0].sx == 4
+    machine.run(until="O1:N40")
+    machine.position["X"] = -3
+    machine.run()
+    whole = [move.length for move in machine.moves]
+    machine.back(3)
+    assert machine.position["X"] == -3
+    machine.run()
+    assert [move.length for move in machine.moves] == whole
+    machine.back(2)
+    assert machine.position["X"] == 20
+    machine.run()
+    assert machine.position["X"] == 25
+    machine.back(0)
+    assert machine.position["X"] == 4
+    machine.run()
+    assert machine.moves[0].sx == 4
+
+
+def test_a_place_is_set_where_rows_are_forgotten_and_on_other_axes() -> None:
+    text = "O1\nN10 G0 X1. Z5.\nN20 G2 X5. Y0 I2. F100\nN30 G0 A90.\nN40 #1=#99999\nN50 M30\n"
+    machine = cncsub.loads(text, control=CONTROL).machine()
+    machine.run(until="O1:N20")
+    machine.position["X"] = -8  # the end of the arc is not on its circle
+    machine.position["Z"] = -1
+    machine.position["X"] = 1  # what is set last counts
+    machine.step()
+    assert (machine.moves[1].sx, machine.moves[1].sz) == (1, -1)
+    assert machine.moves.bounds["Y"] == pytest.approx((0, 2))
+    machine.step()
+    machine.position["A"] = 270
+    machine.mdi("G91 A10.")
+    assert machine.position["A"] == 280
+    assert machine.moves[-1].a == 280
+
+
+def test_a_place_that_cannot_be_is_refused_with_the_reason() -> None:
+    machine = cncsub.loads(SQUARE, control=CONTROL).machine(setup=OFFSETS)
+    machine.run(until="O1:N30")
+    before = dict(machine.position)
+    for name, value, error, words in (
+        ("Q", 1, KeyError, "there is no 'Q' to be set"),
+        ("B", 1, KeyError, "there is no 'B' to be set"),
+        ("X", "far", TypeError, r"position\['X'\] must be a number"),
+        ("X", None, TypeError, r"position\['X'\] must be a number"),
+        ("X", float("nan"), ValueError, "out of range"),
+        ("X", 1e9, ValueError, "out of range"),
+        ("X", 450, ValueError, r"position\['X'\] = 450: X would go to 550.125"),
+    ):
+        with pytest.raises(error, match=words):  # type: ignore[call-overload]
+            machine.position[name] = value
+    with pytest.raises(ValueError, match=r"machine_position\['X'\] = -1: X would go to -1"):
+        machine.machine_position["X"] = -1
+    with pytest.raises(TypeError, match="cannot be taken out"):
+        del machine.position["X"]
+    with pytest.raises(AttributeError, match="'position' of a machine cannot be set"):
+        machine.position = {"X": 1}  # type: ignore[misc,assignment]
+    assert machine.position == before
+    machine.mdi("G41 D1 Y5.")
+    with pytest.raises(ValueError, match="a move waits for the one after it, or the radius"):
+        machine.position["X"] = 1
+
+
+def test_a_place_in_turned_work_coordinates_is_that_of_the_work() -> None:
+    text = "G10 L2 P1 X10 R90\nG54 G0 X1 Y2\nG1 X5 F100\nM2\n"
+    machine = cncsub.loads(text, control="linuxcnc").machine()
+    for _ in range(2):
+        machine.step()
+    machine.position["X"] = 3
+    with pytest.raises(ValueError, match="turned"):
+        machine.machine_position["X"] = 3
+    machine.step()
+    move = machine.moves[1]
+    assert (move.length, move.sx, move.msx, move.msy) == pytest.approx((2, 3, 8, 3))
 
 
 def test_what_was_set_is_set_again_on_the_way_back(machine: cncsub.Machine) -> None:

@@ -224,6 +224,70 @@ def test_scopes_show_what_changed_since_the_last_pause(session: Session) -> None
     assert "locals of level 1" not in [each.name for each in session.scopes()]
 
 
+def test_the_tool_the_switches_and_signals_are_set_by_the_names_that_are_shown() -> None:
+    text = "O1\nN10 G90 G54 G0 X5. Z2.\n/N20 #100=#1004\nN30 G91 X1.\nN40 M1\nN50 M30\n"
+    setup = {"work_offsets": {"G54": {"X": 10.125}}}
+    session = Session(cncsub.loads(text, control="fanuc-0i-f"), setup=setup)
+    session.into()
+    assert scope(session, "switches") == {
+        "block_skip": ("off", False), "optional_stop": ("off", False),
+    }  # fmt: skip
+    assert session.set("X", "#100+20") == "20"
+    assert session.set("z (machine)", "-3") == "-3"
+    assert session.set("#1004", "1") == "1"
+    assert session.set("block_skip", "2, 3") == "2 3"
+    assert session.set("optional_stop", "on") == "on"
+    assert scope(session, "system: signals") == {"#1004": ("1", True)}
+    assert scope(session, "switches")["block_skip"] == ("2 3", True)
+    assert scope(session, "position")["X"] == ("20", True)
+    for name, shown in (
+        ("X", "20"), ("X (machine)", "30.125"), ("Z", "-3"), ("#1004", "1"), ("block_skip", "2 3"),
+    ):  # fmt: skip
+        assert session.evaluate(name) == shown
+    session.into()
+    session.into()
+    assert (session.machine.variables[100], session.machine.position["X"]) == (1, 21)
+    assert session.set("block_skip", "no") == "off"
+    for name, value, why in (
+        ("X", "vacant", "X always stands somewhere"),
+        ("X", "#99999", "99999"),
+        ("A", "1", "'A' cannot be set: it is no variable, mode, axis or switch"),
+        ("#5001", "1", "5001"),
+        ("optional_stop", "3", "optional_stop is on or off, not '3'"),
+    ):
+        with pytest.raises((KeyError, ValueError), match=why):
+            session.set(name, value)
+
+
+def test_names_that_a_program_does_not_define_are_set_as_it_would() -> None:
+    text = "#<depth>=5\n#<_all>=3\nG0 X#<depth> Z#<_all>\nM2\n"
+    session = Session(cncsub.loads(text, control="linuxcnc"))
+    session.into()
+    session.into()
+    assert scope(session, "named variables") == {"#<depth>": ("5", False), "#<_all>": ("3", True)}
+    assert session.set("#<depth>", "#<_all>*2") == "6"
+    session.into()
+    assert session.machine.position == {"X": 6, "Y": 0, "Z": 3}
+    for name, value, why in (
+        ("#<nobody>", "1", "cannot be set"), ("#<depth>", "1/0", "the divisor is 0"), ("1+2", "5", "mdi"),
+    ):  # fmt: skip
+        with pytest.raises((KeyError, ValueError), match=why):
+            session.set(name, value)
+    assert (session.evaluate("#<depth>"), session.machine.alarm) == ("6", None)
+
+
+def test_a_control_whose_variables_begin_at_0_has_that_one_set() -> None:
+    for control, text, name in (
+        ("hnc-21m", "%1\nM98 P2 A3\nM30\n%2\n#1=#0\nM99\n", "#0"),
+        ("siemens-one", "N10 R0=3\nN20 R1=R0\nN30 M30\n", "R0"),
+    ):
+        session = Session(cncsub.loads({"P.MPF": text}, control=control))
+        session.into()
+        assert session.set(name, "7") == "7"
+        session.into()
+        assert session.evaluate(name.replace("0", "1")) == "7"
+
+
 def test_named_variables_are_shown_and_set() -> None:
     text = 'DEF INT SIDES[2]=SET(3,4)\nDEF STRING[8] NAME="A"\nDEF REAL DEPTH=5\nR1=DEPTH\nM30\n'
     session = Session(cncsub.loads({"A.MPF": text}, control="siemens-one"))
@@ -252,7 +316,7 @@ def test_variables_with_names_of_their_own_are_shown() -> None:
     assert at_text(session) == "o100 call [5]"
     assert scope(session, "named variables")["#<_all>"] == ("1", False)
     (shown,) = [each for each in session.scopes() if each.name == "named variables"]
-    assert not any(value.can_set for value in shown.values)
+    assert all(value.can_set for value in shown.values)
 
 
 def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Session) -> None:
@@ -268,7 +332,7 @@ def test_values_are_read_and_set_as_the_program_of_a_frame_sees_them(session: Se
         session.evaluate("#4+1", 1)
     assert session.set("work", "G55") == "G55"
     assert (session.evaluate("work"), session.evaluate("F")) == ("G55", "0")
-    for name in ("nobody", "X"):
+    for name in ("nobody", "A"):
         with pytest.raises(KeyError, match="cannot be set"):
             session.set(name, "1")
 

@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 import cncsub
 import restart_programs
 from cncsub.cli import app
-from cncsub.resume.head import _can_be_read
+from cncsub.resume.data import can_be_read
 from cncsub.resume.proof import Part, parting
 from conformance import rows
 
@@ -323,7 +323,7 @@ def test_what_a_control_says_it_can_read_is_what_it_reads() -> None:
                 read = True
             except (KeyError, ValueError):
                 read = False
-            assert _can_be_read(machine.core.code, number) == read, (name, number)
+            assert can_be_read(machine.core.code, number) == read, (name, number)
 
 
 def test_rows_are_started_again_at_any_step() -> None:

@@ -139,7 +139,60 @@ def test_a_place_that_was_reached_in_other_units_is_reached_in_them() -> None:
     assert head[2:] == ["G00 Z30.", "G00 X7. Y5.", "G20"]
 
 
+def test_a_block_that_a_control_wants_first_is_the_first() -> None:
+    text = "O1\nN10 G21 G90\nN20 G0 X0 Y0 Z5.\nN30 G1 X9. F100\nN40 M30\n"
+    assert head_of(text, "O1:N10", "hnc-21m", safe_height=5) == []
+    assert head_of(text, "O1:N30", "hnc-21m") != []
+
+
+MIXED = """O1
+N10 G21 G90 G0 X0 Y0 Z5.
+N20 G1 F300
+N30 #103=-91.5714
+N40 G20
+N50 G0 X[#103/30]
+N60 G21
+N70 G1 Y108. Z-50. F525
+N80 X1.
+N90 M30
+"""
+
+
+@pytest.mark.parametrize(
+    ("at", "words"),
+    [
+        ("O1:N50", ["G21 G17 G94 G40 G80 G49 G90", "G00 Z5.", "G21", "F300", "G20"]),
+        ("O1:N60", ["G00 X-3.0524 Y0.", "G21", "G00 Z5.", "G20"]),
+        ("O1:N70", ["G00 X-77.5319 Y0.", "G20", "G00 X-3.0524", "G21", "F300"]),
+        ("O1:N80", ["G00 X-77.5319 Y108.", "G20", "G00 X-3.0524", "G21", "G01 Z-50. F525"]),
+    ],
+)
+def test_axes_that_stand_between_increments_are_moved_in_the_units_of_their_words(
+    at: str, words: list[str]
+) -> None:
+    start = {"start": {"X": 0, "Y": 0, "Z": 0}}
+    left = iter(head_of(MIXED, at, "fanuc-16i", setup=start))
+    assert all(word in left for word in words), words
+
+
 # ---- axes ----
+
+
+HALF = """O1
+N10 G19 G91 G0 X-1. Y-0.43 F27.9
+N20 Z-.49 X4.9
+N30 Z-.016 X2.5 Y.25
+N40 Z5. X-16. Y-38.
+N50 G3 R6.865 Z10.984 Y8.238
+N60 M30
+"""
+
+
+@pytest.mark.parametrize("n", [30, 40, 50])
+def test_a_half_circle_by_its_radius_has_the_same_centre_from_every_start(n: int) -> None:
+    """What rounding leaves of the square of its height, the root makes a thousandth of a mm."""
+    start = {"start": {"X": 0.033, "Y": 1.4, "Z": 27.0}}
+    assert head_of(HALF, f"O1:N{n}", "fanuc-16i", setup=start)
 
 
 def test_every_axis_is_moved_to_the_place_also_where_the_start_is_assumed_there() -> None:
@@ -169,6 +222,16 @@ def test_a_cut_is_entered_with_feed_from_the_height_of_the_cut() -> None:
     text = "O1\nN10 G0 X0 Y0 Z50.\nN15 Z2.\nN20 G1 Z-5. F100\nN25 X3. Z-6.\nN30 X5.\nN40 M30\n"
     assert head_of(text, "O1:N30")[2:] == ["G00 Z50.", "G00 X3. Y0.", "G00 Z2.", "G01 Z-6. F100"]
     assert head_of(text, "O1:N20")[2:] == ["G00 Z50.", "G00 X0. Y0.", "G00 Z2."]
+
+
+def test_a_depth_that_was_reached_with_feed_is_entered_with_feed_after_a_rapid_in_it() -> None:
+    """Nothing says that the slot is there: the tool may have broken in it."""
+    text = "O1\nN10 G0 X0 Y0 Z5.\nN20 G1 Z-2. F100\nN30 X40. F200\nN40 G0 X0\nN50 G1 Y3.\nN60 M30\n"
+    down = ["G01 Z-2. F200"]
+    assert head_of(text, "O1:N50")[2:] == ["G00 Z5.", "G00 X0. Y0.", *down, "G00"]
+    assert head_of(text, "O1:N60")[2:] == ["G00 Z5.", "G00 X0. Y3.", *down]
+    in_air = text.replace("G1 Z-2. F100", "Z-2. F100").replace("N30 X40", "N30 G1 X40")
+    assert "G00 Z-2." in head_of(in_air, "O1:N50")
 
 
 # ---- where the tool stands (G92, G50) ----
@@ -333,12 +396,12 @@ def test_a_pass_of_a_place_that_is_met_once_is_refused(at: Any) -> None:
 
 def test_a_refusal_names_the_cause_and_places_that_work() -> None:
     text = (
-        "O1\nN5 G21 G90 G0 X0 Y0 Z5.\nN10 G20\nN20 G0 X[1/3]\nN30 G21\nN40 G1 Y5. F100\nN50 X3.\n"
-        "N60 M30\n"
+        "O1\nN5 G90 G0 X0 Y0 Z5.\nN10 G68 X0 Y0 R30.\nN20 G0 X10.\nN30 G69\nN40 G1 Y5. F100\n"
+        "N50 X3.\nN60 M30\n"
     )
     with pytest.raises(cncsub.ResumeError, match="between the increments of the control") as error:
         head_of(text, "O1:N40")
-    assert "it can be started at O1 N60 or O1 N20" in error.value.reason
+    assert "it can be started at O1 N60 or O1 N30" in error.value.reason
 
 
 # ---- files ----
@@ -389,6 +452,22 @@ def test_numbers_are_those_that_the_control_takes() -> None:
     resumed = cncsub.loads(text, control=control).resume(at="O1:N30")
     assert resumed.form == "flat"
     assert list(resumed.files) == ["O402.nc"]
+
+
+def test_the_name_of_a_program_has_the_sign_of_the_control() -> None:
+    text = "%1\nN10 G00 X100 Z50\nN20 G01 X90 F80\nN30 Z40\nN40 M02\n"
+    resumed = cncsub.loads(text, control="gsk-928te").resume(at="%1:N30")
+    assert resumed.text.startswith("%156\n")
+    assert list(resumed.files) == ["%156.nc"]
+
+
+def test_a_file_between_marks_goes_on_between_marks(tmp_path: Path) -> None:
+    job, out = tmp_path / "job.nc", tmp_path / "again.nc"
+    job.write_text(f"%\n{TWO_SYSTEMS}%\n")
+    resumed = cncsub.load(job, control=CONTROL).resume(at="O1:N60")
+    resumed.write(out)
+    assert out.read_text() == f"%\n{resumed.text}%\n"
+    assert cncsub.load(out, control=CONTROL).run().stop == "end"
 
 
 def test_line_ends_are_kept_and_zero_bytes_are_told(tmp_path: Path) -> None:

@@ -141,7 +141,7 @@ def test_until_counts_calls_from_none_on(library: cncsub.Library, until: int) ->
         ({"variables": {1000: 1}}, ValueError, "variables: #1000 cannot be written"),
         ({"variables": {4001: 1}}, ValueError, "variables: #4001 cannot be written"),
         ({"variables": {9_999_999: 1}}, ValueError, "variables: there is no #9999999"),
-        ({"variables": {0: 1}}, ValueError, "variables: there is no variable #0"),
+        ({"variables": {0: 1}}, ValueError, "variables: #0 is always vacant"),
         (
             {"variables": {100: "5"}},
             TypeError,

@@ -196,7 +196,8 @@ namespace {
 
 /// Return the programs that have a step in a record.
 std::vector<bool> programs_of(const Record& record) {
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   std::vector<bool> ran(code.programs.size(), false);
   const Program* last = nullptr;
   const auto& steps = record.trace().steps;
@@ -216,7 +217,7 @@ std::vector<bool> programs_of(const Record& record) {
 /// letter, its value, its program, N and line; None where there are none.
 py::object lengths_without_point(const Record& record, const std::string& machine) {
   const Record::Reading reading(record);
-  const Code* const code = &record.code();
+  const auto code = record.code();
   WithoutPoint found;
   work_away([&](InterruptCheck& interrupt) {
     found = cncsub::lengths_without_point(*code, programs_of(record), machine, interrupt);

@@ -36,15 +36,16 @@ std::string_view written_operator(const Code& code, Ins op) {
 }
 
 py::list operator_texts(const Record& record) {
+  const auto code = record.code();
   py::list texts;
-  for (const Ins op : kOperators)
-    texts.append(py::str(std::string(written_operator(record.code(), op))));
+  for (const Ins op : kOperators) texts.append(py::str(std::string(written_operator(*code, op))));
   return texts;
 }
 
 py::object compared_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const auto& rows = record.trace().compared;
   if (name == "step")
     return array_of<std::int64_t>(rows, [](const Compared& row) { return row.step; });
@@ -71,7 +72,8 @@ py::tuple compared_row(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   if (index >= record.trace().compared.size()) throw py::index_error("no such comparison");
   const Compared& row = record.trace().compared[index];
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const Block& block = code.blocks[row.address];
   return py::make_tuple(row.step, value_or_none(row.left),
                         std::string(written_operator(code, row.op)), value_or_none(row.right),

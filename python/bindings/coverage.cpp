@@ -20,14 +20,14 @@ namespace {
 /// arguments.
 py::tuple coverage(const Record& record) {
   const Record::Reading reading(record);
-  const std::size_t blocks = record.code().blocks.size();
+  const auto code = record.code();
+  const std::size_t blocks = code->blocks.size();
   const Array<std::int64_t> held(blocks), failed(blocks), skipped(blocks);
   Coverage found;
   work_away([&](InterruptCheck& interrupt) {
     for (std::int64_t* counts : {held.data, failed.data, skipped.data})
       std::fill_n(counts, blocks, 0);
-    found = coverage_of(record.code(), record.trace(), {held.data, failed.data, skipped.data},
-                        interrupt);
+    found = coverage_of(*code, record.trace(), {held.data, failed.data, skipped.data}, interrupt);
   });
   py::list loops, calls, arguments;
   for (const auto& [address, entries] : found.loops)
@@ -36,7 +36,7 @@ py::tuple coverage(const Record& record) {
     calls.append(
         py::make_tuple(call.address, std::string(to_string(call.kind)), call.program, call.count));
   for (const Coverage::Given& given : found.arguments)
-    if (record.code().named(false, given.variable) == nullptr)  // a parameter always has a value
+    if (code->named(false, given.variable) == nullptr)  // a parameter always has a value
       arguments.append(py::make_tuple(given.program, given.variable, given.count));
   return py::make_tuple(held.object, failed.object, skipped.object, loops, calls, arguments);
 }

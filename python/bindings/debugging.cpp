@@ -10,6 +10,7 @@
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/library.hpp"
 #include "cncsub/flat/numbers.hpp"
+#include "cncsub/text/axis_names.hpp"
 #include "gil.hpp"
 #include "live.hpp"
 #include "options.hpp"
@@ -243,6 +244,14 @@ void set_named(Live& live, const std::string& name, const std::vector<NamedValue
   raise_refused(machine->set_named(level < 0 ? machine->state().level : level, name, values));
 }
 
+void set_position(Live& live, const std::string& axis, double value, bool in_machine) {
+  const auto place = axis.size() == 1 ? kAxisNames.find(axis[0]) : std::string_view::npos;
+  if (place == std::string_view::npos) throw py::key_error(axis + " is not an axis");
+  const Work machine(live);
+  raise_refused(machine->set_position(static_cast<int>(place), value,
+                                      in_machine ? Coordinates::Machine : Coordinates::Work));
+}
+
 void set_next_block(Live& live, Address to) {
   if (to >= live.code()->blocks.size()) throw py::index_error("no such block");
   const Work machine(live);
@@ -293,6 +302,7 @@ void add_debugging(MachineClass& machine) {
   py::class_<ExpressionList>(machine, "Expressions", py::is_final())
       .def_property_readonly("are_numbers", &are_numbers);
   machine.def("set_mode", &set_mode, py::arg("mode"), py::arg("text"))
+      .def("set_position", &set_position, py::arg("axis"), py::arg("value"), py::arg("in_machine"))
       .def("set_named", &set_named, py::arg("name"), py::arg("values"), py::arg("level") = -1)
       .def("type_in", &type_in, py::arg("text"))
       .def("set_next_block", &set_next_block, py::arg("address"))

@@ -129,9 +129,8 @@ class Record {
   Record(std::shared_ptr<const Code> code, Trace trace)
       : code_(std::move(code)), trace_(std::make_shared<const Trace>(std::move(trace))) {}
 
-  /// Return the code; that of a machine holds while it is read.
-  const Code& code() const { return *shared_code(); }
-  std::shared_ptr<const Code> shared_code() const { return live_ ? live_->code() : code_; }
+  /// Return the code as it is now: a machine gets another one where blocks are typed in.
+  std::shared_ptr<const Code> code() const { return live_ ? live_->code() : code_; }
   const Trace& trace() const { return *trace_; }
   /// Return the seconds of all moves.
   double time() const {

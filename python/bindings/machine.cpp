@@ -264,6 +264,9 @@ void add_run(MachineClass& machine) {
       .def("reset", [](Live& live) { Work(live)->reset(); })
       .def_property_readonly(
           "position", [](Live& live) { return dict_of(position(Look(live)->motion().view())); })
+      .def_property_readonly(
+          "position_in_machine",
+          [](Live& live) { return dict_of(position_in_machine(Look(live)->motion().view())); })
       .def_property_readonly("modal",
                              [](Live& live) { return dict_of(modal(Look(live)->motion().view())); })
       .def_property_readonly("inch", [](Live& live) { return g20(Look(live)->motion().state()); });

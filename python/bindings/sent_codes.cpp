@@ -19,7 +19,8 @@ constexpr std::string_view kKinds = "MTS";
 
 py::object code_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const auto& codes = record.trace().codes;
   if (name == "kind")
     return array_of<std::int32_t>(codes, [](const Sent& sent) { return kKinds.find(sent.kind); });
@@ -50,7 +51,8 @@ py::tuple code_row(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   if (index >= record.trace().codes.size()) throw py::index_error("no such code");
   const Sent& sent = record.trace().codes[index];
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const Block& block = code.blocks[sent.address];
   return py::make_tuple(std::string(1, sent.kind), plain_number(sent.value), sent.step,
                         code.name_of(code.program_at(sent.address)), sequence_number(block.n),
@@ -71,7 +73,8 @@ py::list values_of(const Record& record, char kind) {
 /// Return step, program, sequence number and line of the blocks of G31 that met no signal.
 py::list missed_skips(const Record& record) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   py::list list;
   const auto& missed = record.trace().missed_skips;
   for (std::size_t i = 0; i < missed.size(); ++i) {

@@ -37,7 +37,8 @@ class ProgramOfStep {
 /// there is no such column. Each part of the rows gets a copy, which may remember the step before.
 template <class Use>
 bool with_step_value(const Record& record, const std::string& name, const Use& use) {
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const auto used = [&](auto value) {
     use(value);
     return true;

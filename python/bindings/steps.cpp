@@ -52,7 +52,8 @@ std::string_view text_at(const Code& code, Address address) {
 /// Return the texts of the blocks of all steps: a number for each step, and the texts by number.
 py::tuple step_text_column(const Record& record) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const auto& steps = record.trace().steps;
   const Array<std::int32_t> array(steps.size());
   std::vector<std::string_view> texts;
@@ -82,10 +83,11 @@ py::tuple step_text_column(const Record& record) {
 /// Return the blocks of some steps as they are written, from row `first` on.
 py::list step_texts(const Record& record, std::size_t first, std::size_t last) {
   const Record::Reading reading(record);
+  const auto code = record.code();
   const auto& steps = record.trace().steps;
   py::list texts;
   for (std::size_t i = first; i < std::min(last, steps.size()); ++i)
-    texts.append(py::str(std::string(text_at(record.code(), steps[i].address))));
+    texts.append(py::str(std::string(text_at(*code, steps[i].address))));
   return texts;
 }
 
@@ -108,6 +110,7 @@ Way way_to(const Code& code, const Trace& trace, const Trace::Step& from, const 
 /// Return how each of some steps leads to the next one, a `Way` each.
 py::object step_ways(const Record& record, std::size_t first, std::size_t last) {
   const Record::Reading reading(record);
+  const auto code = record.code();
   const Trace& trace = record.trace();
   const auto& steps = trace.steps;
   last = std::min(last, steps.size());
@@ -115,7 +118,7 @@ py::object step_ways(const Record& record, std::size_t first, std::size_t last) 
   const Array<std::int8_t> array(last - first);
   for (std::size_t i = first; i < last; ++i)
     array.data[i - first] = static_cast<std::int8_t>(
-        i + 1 < steps.size() ? way_to(record.code(), trace, steps[i], steps[i + 1]) : Way::Other);
+        i + 1 < steps.size() ? way_to(*code, trace, steps[i], steps[i + 1]) : Way::Other);
   return array.object;
 }
 
@@ -124,16 +127,17 @@ py::list texts_after(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   const auto& steps = record.trace().steps;
   if (index + 1 >= steps.size()) throw py::index_error("no step follows");
+  const auto code = record.code();
   py::list texts;
   for (std::uint32_t at = steps[index].address + 1; at < steps[index + 1].address; ++at)
-    texts.append(py::str(std::string(text_at(record.code(), at))));
+    texts.append(py::str(std::string(text_at(*code, at))));
   return texts;
 }
 
 py::object step_row(const Record& record, std::size_t index, const py::type& row) {
   const Record::Reading reading(record);
   if (index >= record.trace().steps.size()) throw py::index_error("no such step");
-  return step_object(record.trace(), record.shared_code(), index, row);
+  return step_object(record.trace(), record.code(), index, row);
 }
 
 /// Make a row of a frozen class. The engine sets its fields in order, as the class itself sets
@@ -168,7 +172,8 @@ py::object step_object(const Trace& trace, const std::shared_ptr<const Code>& co
 
 void add_block(py::dict& fields, const Record& record, std::uint32_t step_of_move) {
   const Trace& trace = record.trace();
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const Trace::Step* const step = trace.find_step(trace.step_of_move(step_of_move));
   if (step == nullptr) {
     for (const char* name : {"program", "n", "line"}) fields[name] = py::none();

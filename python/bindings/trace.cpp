@@ -21,7 +21,8 @@ namespace {
 
 py::list dropped(const Record& record) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   py::list list;
   for (std::size_t i = 0; i < record.trace().dropped.size(); ++i) {
     const Trace::Dropped& drop = record.trace().dropped[i];
@@ -86,7 +87,7 @@ py::tuple call_row(const Record& record, std::size_t index) {
   const std::size_t row = row_of_call(record, index);
   const CallRow& call = record.trace().calls[row];
   return py::make_tuple(record.trace().call_number(row), call.parent,
-                        std::string(to_string(call.kind)), record.code().name_of(call.program),
+                        std::string(to_string(call.kind)), record.code()->name_of(call.program),
                         sequence_number(call.start_n), call.repeats, call.level, call.first_step,
                         call.last_step, call.caller_step);
 }
@@ -94,11 +95,12 @@ py::tuple call_row(const Record& record, std::size_t index) {
 /// Return the arguments of a call, as given.
 py::dict call_arguments(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
+  const auto code = record.code();
   const CallRow& call = record.trace().calls[row_of_call(record, index)];
   py::dict values;
   for (std::uint32_t i = 0; i < call.arguments; ++i) {
     const Trace::Argument& argument = record.trace().arguments[call.first_argument + i];
-    const NamedVariable* const named = record.code().named(false, argument.variable);
+    const NamedVariable* const named = code->named(false, argument.variable);
     const py::object key = named != nullptr ? py::object(py::str(named->name))
                                             : py::object(py::int_(argument.variable));
     values[key] = value_or_none(argument.value);
@@ -278,8 +280,8 @@ std::vector<std::string> names_to(Kind last) {
 
 std::vector<std::string> program_names(const Record& record) {
   std::vector<std::string> names;
-  for (const Program& program : record.code().programs)
-    names.push_back(record.code().name_of(program));
+  const auto code = record.code();
+  for (const Program& program : code->programs) names.push_back(code->name_of(program));
   return names;
 }
 
@@ -322,7 +324,7 @@ void add_trace(py::module_& m) {
       .def_property_readonly("bounds", &bounds_of)
       .def_property_readonly("control",
                              [](const Record& record) {
-                               return std::const_pointer_cast<Control>(record.code().control);
+                               return std::const_pointer_cast<Control>(record.code()->control);
                              })
       .def_property_readonly("dropped", &dropped)
       .def_property_readonly(

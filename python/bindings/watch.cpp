@@ -19,7 +19,8 @@ const Block* block_of(const Code& code, const Trace::Change& change) {
 
 py::object change_column(const Record& record, const std::string& name) {
   const Record::Reading reading(record);
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   using Change = Trace::Change;
   const auto& changes = record.trace().changes;
   if (name == "step")
@@ -48,7 +49,8 @@ py::tuple change_row(const Record& record, std::size_t index) {
   const Record::Reading reading(record);
   if (index >= record.trace().changes.size()) throw py::index_error("no such change");
   const Trace::Change& change = record.trace().changes[index];
-  const Code& code = record.code();
+  const auto shared = record.code();
+  const Code& code = *shared;
   const Block* block = block_of(code, change);
   if (block == nullptr)
     return py::make_tuple(py::none(), change.variable, value_or_none(change.value), py::none(),

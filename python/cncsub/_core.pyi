@@ -624,6 +624,9 @@ class Machine:
         """Run to a breakpoint. Return which were reached, the one that has no value here, and
         whether `pause` stopped it.
         """
+    def set_position(self, axis: str, value: float, in_machine: bool) -> None:
+        """Let an axis stand elsewhere (mm). Raises `KeyError`, and `ValueError` with the reason."""
+
     def set_mode(self, mode: str, text: str) -> None:
         """Put a code or a word in force; a `ValueError` says why it cannot be."""
     def set_named(self, name: str, values: list[float | str], level: int = -1) -> None:
@@ -713,6 +716,8 @@ class Machine:
     def level(self) -> int: ...
     @property
     def position(self) -> dict[str, float]: ...
+    @property
+    def position_in_machine(self) -> dict[str, float]: ...
     @property
     def modal(self) -> dict[str, str]: ...
     @property

@@ -312,6 +312,7 @@ def control(name: str | Control) -> Control:
 control_of = control
 
 
+@functools.cache
 def rule_value(control: Control, name: str) -> object:
     """Return the value of a rule of a control; `None` where it has none of that name."""
     return next((rule.value for rule in control.rules if rule.name == name), None)

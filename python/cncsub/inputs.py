@@ -220,7 +220,7 @@ def _variables(what: str, values: object) -> dict[int, float | None]:
             raise TypeError(
                 f"{what}: a variable number must be a whole number such as 100, not {number!r}"
             )
-        if not 0 < int(number) < 2**31:
+        if not 0 <= int(number) < 2**31:
             raise ValueError(f"{what}: there is no variable #{number} to give a value to")
         checked[int(number)] = _value(f"{what}: #{number}", value)
     return checked

@@ -346,10 +346,30 @@ class Machine(Outcome):
 
     @property
     def position(self) -> Position:
-        """The position of the tool: work coordinates by axis, mm. It follows from the moves and
-        cannot be set: change the block, or set a work offset (`variables[5221]` on a FANUC).
+        """The position of the tool: work coordinates by axis, mm, to read and to set:
+        `machine.position["X"] = 5` lets the tool stand there, as if it was brought there by hand.
+        That is no move: the next one begins there.
+
+        Raises `KeyError` for an axis that is not there, and `ValueError` for a place beyond the
+        travel, and while a move waits for the one after it.
+
+        >>> import cncsub
+        >>> text = "O1\nN10 G0 X5.\nN20 G91 X1.\nM30\n"
+        >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
+        >>> machine.run(until="O1:N20")
+        >>> machine.position["X"] = 20
+        >>> _ = machine.step()
+        >>> machine.position["X"], machine.moves[1].length
+        (21.0, 1.0)
         """
-        return Position(self.core.position)
+        return Position(self.core, in_machine=False)
+
+    @property
+    def machine_position(self) -> Position:
+        """The position of the tool in machine coordinates by axis, mm, to read and to set like
+        `position`.
+        """
+        return Position(self.core, in_machine=True)
 
     @property
     def block_skip(self) -> tuple[int, ...]:
@@ -409,13 +429,19 @@ _OWN = frozenset({"core", "recorded"})
 _SETTABLE = ("block_skip", "optional_stop")
 _INSTEAD = {
     "next": "goto makes another block the next one",
-    "position": "mdi moves the tool: machine.mdi('G0 X5.')",
     "stop": "back takes it away",
     "alarm": "back takes it away",
     "stack": "mdi calls a program, back leaves it",
     "waiting_for": "set the input that it waits for",
 }
-_MAPPINGS = ("variables", "variables.named", "signals", "modal")
+_MAPPINGS = (
+    "variables",
+    "variables.named",
+    "signals",
+    "modal",
+    "position",
+    "machine_position",
+)
 _VARIABLE = re.compile(r"\s*(#|R\d|\$|[A-Za-z_]\w*\s*$)")
 _EVENT = re.compile(r"\s*(alarm|return|mode|[MTS]\d*)\s*$")
 

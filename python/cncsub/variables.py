@@ -11,6 +11,7 @@ from cncsub.controls import did_you_mean
 from cncsub.files import one_line
 from cncsub.inputs import checked_variables
 from cncsub.pickling import NotPicklable
+from cncsub.setup import checked_number
 
 
 class Variables(NotPicklable, Mapping[int, float | None]):
@@ -212,6 +213,9 @@ class _ByName(dict[str, Any]):
     __delitem__ = pop = popitem = clear = setdefault = _refuse
 
 
+_WITH_CODE = {"H": "modal['length'] = 'G43 H1'", "D": "modal['radius'] = 'G41 D1'"}
+
+
 class Modes(_ByName):
     """The modal codes of a machine by group, and the values of F, S, T, H and D."""
 
@@ -233,18 +237,30 @@ class Modes(_ByName):
         try:
             self._core.set_mode(name, one_line(text))
         except ValueError as error:
-            raise ValueError(f"modal[{name!r}] = {value!r}: {error}") from None
+            cure = f" (give it with its code: {_WITH_CODE[name]})" if name in _WITH_CODE else ""
+            raise ValueError(f"modal[{name!r}] = {value!r}: {error}{cure}") from None
         return self._core.modal[name]
 
 
 class Position(_ByName):
-    """The position of a machine by axis."""
+    """The position of a machine by axis, mm: work coordinates, or those of the machine."""
 
-    def __setitem__(self, name: str, value: Any) -> None:
-        raise TypeError(
-            "the position follows from the moves and cannot be set: move there with"
-            " machine.mdi('G0 X5.'), or set a work offset among the variables"
-        )
+    def __init__(self, core: _core.Machine, *, in_machine: bool) -> None:
+        self._core = core
+        self._in_machine = in_machine
+        super().__init__(self._now())
+
+    def _now(self) -> dict[str, float]:
+        return self._core.position_in_machine if self._in_machine else self._core.position
+
+    def _put(self, name: str, value: Any) -> float:
+        what = f"{'machine_' if self._in_machine else ''}position[{name!r}]"
+        number = checked_number(what, value)
+        try:
+            self._core.set_position(name, number, self._in_machine)
+        except ValueError as error:
+            raise ValueError(f"{what} = {value!r}: {error}") from None
+        return self._now()[name]
 
 
 class _Array(list[Any]):

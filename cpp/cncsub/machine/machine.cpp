@@ -267,6 +267,13 @@ std::optional<std::string> Machine::set_named(int level, const std::string& name
   return refused;
 }
 
+std::optional<std::string> Machine::set_position(int axis, double value, Coordinates of) {
+  std::optional<std::string> refused;
+  change([&](Run& run) { refused = cncsub::set_position(run, axis, value, of); },
+         [=](Run& run) { cncsub::set_position(run, axis, value, of); });
+  return refused;
+}
+
 std::optional<std::string> Machine::set_next_block(Address to) {
   const Address pc = run_.state.pc;
   auto refused = cncsub::set_next_block(run_, to);

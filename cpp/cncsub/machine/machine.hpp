@@ -126,6 +126,8 @@ class Machine {
                                       const std::string& mode);
   std::optional<std::string> set_named(int level, const std::string& name,
                                        const std::vector<NamedValue>& values);
+  /// Let an axis stand elsewhere: see Motion::stand_at. Return why it cannot.
+  std::optional<std::string> set_position(int axis, double value, Coordinates of);
   /// Make another block of the program that runs the next one: see next_block.hpp. Return why it
   /// cannot be.
   std::optional<std::string> set_next_block(Address to);

@@ -153,6 +153,30 @@ std::optional<Fault> Motion::set_frame_in_force(FrameInForce which, const FrameV
   return std::nullopt;
 }
 
+std::optional<std::string> Motion::stand_at(int axis, double value, Coordinates of, Moves* moves) {
+  if (moves_wait(state()))
+    return "a move waits for the one after it, or the radius is compensated: step on to where that"
+           " is over";
+  if (of == Coordinates::Machine && state().frame_angle != 0)
+    return "the work coordinates are turned: set the work coordinate";
+  const auto i = static_cast<std::size_t>(axis);
+  MotionState& plan = begin_plan();
+  const double offset = (plan.offset + plan.length)[i];
+  plan.work[i] = of == Coordinates::Machine ? value - offset : value;
+  plan.tool_at[i] = machine_point(plan)[i];
+  plan.unmoved[i] = 0;
+  plan.named |= 1U << i;
+  if (!in_range(plan.work) || !in_range(plan.tool_at)) return "it is out of range";
+  if (plan.frame_angle == 0)
+    if (auto wrong = check_travel({*facts_, plan}, Piece{}, plan.tool_at)) return wrong->detail;
+  if (moves != nullptr) {
+    if (i >= 3) moves->use(1U << i);
+    if (moves->size() > 0) moves->begin_next_at(in_machine(plan, plan.tool_at));
+  }
+  commit(std::nullopt, nullptr, 0);
+  return std::nullopt;
+}
+
 void Motion::reset() {
   const Control& c = *facts_->control;
   MotionState& state = now();

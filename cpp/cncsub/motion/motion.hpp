@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,9 @@
 #include "cncsub/trace/moves.hpp"
 
 namespace cncsub {
+
+/// The coordinates that a value counts in.
+enum class Coordinates : std::uint8_t { Work, Machine };
 
 class Motion {
  public:
@@ -65,6 +69,11 @@ class Motion {
   MotionView view() const { return {*facts_, state()}; }
   const MotionState& state() const { return state_.front(); }
   double time() const { return state().time; }
+
+  /// Let an axis, as kAxisNames count them, stand at a work coordinate, or a machine coordinate, as
+  /// if it was brought there by hand: no row is written, and the next one of the table begins
+  /// there. Return why it cannot stand there; then nothing has changed.
+  std::optional<std::string> stand_at(int axis, double value, Coordinates of, Moves* moves);
 
   // What variables write. `system` and `axis` count as in query.hpp.
   void set_work_offset(int system, int axis, double value);

@@ -160,14 +160,23 @@ double increment(MotionView m, char address, const BlockCodes* of_block) {
   return m.facts.increment * (inches && address > 'C' ? 0.1 : 1);
 }
 
-std::vector<std::pair<std::string, double>> position(MotionView m) {
+/// Return the values of the axes that there are.
+static std::vector<std::pair<std::string, double>> by_axis(MotionView m, const Axes& values) {
   std::vector<std::pair<std::string, double>> list;
-  for (int i = 0; i < kAxes; ++i) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
     const bool always = i < 3 && (i != 1 || !m.facts.lathe());
     if (always || m.state.work[i] != 0 || (m.state.named >> i & 1) != 0)
-      list.emplace_back(std::string(1, kAxisNames[static_cast<std::size_t>(i)]), m.state.work[i]);
+      list.emplace_back(std::string(1, kAxisNames[i]), values[i]);
   }
   return list;
+}
+
+std::vector<std::pair<std::string, double>> position(MotionView m) {
+  return by_axis(m, m.state.work);
+}
+
+std::vector<std::pair<std::string, double>> position_in_machine(MotionView m) {
+  return by_axis(m, in_machine(m.state, standing_point(m)));
 }
 
 static constexpr std::pair<std::string_view, Group> kNames[] = {

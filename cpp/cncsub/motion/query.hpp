@@ -35,7 +35,9 @@ double kept_shift(MotionView m, int axis);
 double reference_point(MotionView m, int number, int axis);
 double offset(MotionView m, VariableKind kind, int number);
 
+/// Return where the tool stands, in work coordinates, and in machine coordinates: mm.
 std::vector<std::pair<std::string, double>> position(MotionView m);
+std::vector<std::pair<std::string, double>> position_in_machine(MotionView m);
 std::vector<std::pair<std::string, std::string>> modal(MotionView m);
 /// Return every name that `modal` may show.
 std::vector<std::string> mode_names();

@@ -116,8 +116,12 @@ void Moves::Walk::widen_by_arcs(std::size_t first, std::size_t last, Bounds& box
   const auto offset = [this](const MoveRow& row) -> const Axes& {
     return moves_.offsets_[row.state->offset];
   };
-  seek(first == 0 ? 0 : first - 1);
-  for (std::size_t i = first == 0 ? 0 : first - 1; i < last; ++i) {
+  const std::size_t before = first == 0 ? 0 : first - 1;
+  seek(before);
+  Along<Leap> leaps(moves_.leaps_);
+  leaps.seek(before);
+  for (std::size_t i = before; i < last; ++i) {
+    if (const Leap* const leap = leaps.at(i)) base = leap->from;
     const MoveRow row = next<false>(i);
     if (i >= first && (row.kind == MoveKind::Cw || row.kind == MoveKind::Ccw)) {
       Axes from = turned_by(-row.state->turned, base);

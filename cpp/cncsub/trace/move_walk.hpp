@@ -49,7 +49,11 @@ class Along {
 class Moves::Walk {
  public:
   explicit Walk(const Moves& moves)
-      : moves_(moves), arcs_(moves.arcs_), vectors_(moves.vectors_), seconds_(moves.seconds_) {}
+      : moves_(moves),
+        arcs_(moves.arcs_),
+        vectors_(moves.vectors_),
+        seconds_(moves.seconds_),
+        leaps_(moves.leaps_) {}
 
   void seek(std::size_t row) {
     from_ = moves_.start_;
@@ -71,6 +75,7 @@ class Moves::Walk {
   /// Return the next row. Without `timed` it lacks times and speeds, which take long to compute.
   template <bool timed = true>
   MoveRow next(std::size_t index) {
+    leap(index);
     const std::size_t place = index % Chunk::kRows;
     if (place == 0 || chunk_ == nullptr) chunk_ = &moves_.chunks_[index / Chunk::kRows];
     if (state_ == nullptr || chunk_->state(place) != state_index_) take_state(chunk_->state(place));
@@ -100,6 +105,7 @@ class Moves::Walk {
 
   template <bool timed = true>
   MoveRow next(std::size_t index, MoveBegin& begin) {
+    leap(index);
     const MoveBegin::Point before = programmed_;
     begin.machine = {from_[0], from_[1], from_[2]};
     const bool vector_before = vector_;
@@ -124,7 +130,17 @@ class Moves::Walk {
     arcs_.seek(row);
     vectors_.seek(row);
     seconds_.seek(row);
+    leaps_.seek(row);
     chunk_ = nullptr;
+  }
+
+  /// Stand where the row begins, if that is elsewhere than where the one before ended.
+  void leap(std::size_t row) {
+    const Leap* const to = leaps_.at(row);
+    if (to == nullptr) return;
+    from_ = to->from;
+    programmed_ = {from_[0], from_[1], from_[2]};
+    vector_ = false;
   }
 
   void take_state(std::uint32_t index) {
@@ -163,6 +179,7 @@ class Moves::Walk {
   Along<Arc> arcs_;
   Along<Vector> vectors_;
   Along<Seconds> seconds_;
+  Along<Leap> leaps_;
   Axes from_{};                    // machine position before the row
   MoveBegin::Point programmed_{};  // the same without a radius offset
   double in_plane_ = 0;            // of the row that was visited last

@@ -76,12 +76,19 @@ void Moves::seconds(double time) { seconds_.push({static_cast<std::uint32_t>(row
 
 void Moves::skip(SkipMove how) { skips_.push({static_cast<std::uint32_t>(rows_ - 1), how}); }
 
+void Moves::begin_next_at(const Axes& machine) {
+  const auto row = static_cast<std::uint32_t>(rows_);
+  leaps_.keep(find_row(leaps_, row));
+  leaps_.push({row, machine});
+}
+
 void Moves::truncate(std::size_t rows) {
   if (rows >= rows_) return;
   arcs_.keep(find_row(arcs_, rows));
   vectors_.keep(find_row(vectors_, rows));
   seconds_.keep(find_row(seconds_, rows));
   skips_.keep(find_row(skips_, rows));
+  leaps_.keep(find_row(leaps_, rows + 1));  // the next row still begins there
   for (Extra& extra : extras_) {
     extra.first = std::min(rows, extra.first);
     extra.values.keep(rows - extra.first);
@@ -93,6 +100,7 @@ void Moves::truncate(std::size_t rows) {
 
 void Moves::rewind(const Mark& mark) {
   truncate(mark.rows);
+  leaps_.keep(std::min(leaps_.size(), mark.leaps));
   extras_.resize(std::min(extras_.size(), mark.extras));
   used_ = std::min(used_, mark.used);
 }
@@ -133,7 +141,7 @@ double Moves::time(InterruptCheck* interrupt) const {
 std::size_t Moves::bytes() const {
   std::size_t sum = chunks_.size() * sizeof(Chunk) + states_.bytes() + offsets_.bytes() +
                     tips_.bytes() + arcs_.bytes() + vectors_.bytes() + seconds_.bytes() +
-                    skips_.bytes();
+                    skips_.bytes() + leaps_.bytes();
   for (const Extra& extra : extras_) sum += extra.values.bytes();
   return sum;
 }

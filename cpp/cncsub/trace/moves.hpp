@@ -107,14 +107,16 @@ class Moves {
   void vector(const std::array<double, 3>& vector);
   void seconds(double time);
   void skip(SkipMove how);
+  /// Begin the next row elsewhere than where the last one has ended: machine coordinates.
+  void begin_next_at(const Axes& machine);
   /// Forget the rows from `rows` on.
   void truncate(std::size_t rows);
   /// How much the table held when a run stood somewhere, to go back to.
   struct Mark {
-    std::size_t rows = 0, extras = 0;
+    std::size_t rows = 0, extras = 0, leaps = 0;
     std::uint32_t used = 0;
   };
-  Mark mark() const { return {rows_, extras_.size(), used_}; }
+  Mark mark() const { return {rows_, extras_.size(), leaps_.size(), used_}; }
   void rewind(const Mark& mark);
 
  private:
@@ -156,6 +158,10 @@ class Moves {
   struct Skip {
     std::uint32_t row;
     SkipMove how;
+  };
+  struct Leap {
+    std::uint32_t row;
+    Axes from;  // where the row begins: machine coordinates
   };
   class Walk;
   class Part;
@@ -206,6 +212,7 @@ class Moves {
   Column<Vector> vectors_;
   Column<Seconds> seconds_;
   Column<Skip> skips_;
+  Column<Leap> leaps_;
   // The last two: feeds or zero points that alternate are no new states every time.
   std::array<ReportedOffset, 2> reported_;
   std::uint32_t last_reported_ = 0;

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from cncsub import _core
 from cncsub.breakpoints import At, Breakpoint, Compiled, blocks_of
 from cncsub.debugging.frames import StackFrame, level_opener
+from cncsub.debugging.values import is_state_name
 from cncsub.program import Block, Program, block_at
 
 
@@ -101,7 +102,7 @@ class PausePoints:
             breakpoint, placed = self._placed(placed)
             Compiled(self._core, [breakpoint])
             for text in log_expressions(point.log):
-                if text.strip() not in (*self._core.modal, *self._core.position):
+                if not is_state_name(self._core, text):
                     Compiled(self._core, [replace(breakpoint, when=text)])
         except (KeyError, TypeError, ValueError) as error:
             return replace(placed, refused=str(error.args[0]))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, NamedTuple
@@ -14,7 +14,6 @@ from cncsub.debugging.frames import StackFrame, level_opener
 from cncsub.machine import Machine
 from cncsub.number_text import length_text, number_text
 from cncsub.reports.code_facts import code_explanations
-from cncsub.setup import AXES
 
 # A value before it is shown, by the name of its group, the call whose it is, and its own name.
 Facts = dict[tuple[str, int, str], Any]
@@ -22,6 +21,8 @@ Facts = dict[tuple[str, int, str], Any]
 _WORDS = {"F": "feed", "S": "spindle speed", "T": "tool", "H": "length offset number",
           "D": "radius offset number"}  # fmt: skip
 MODAL_SCOPES = ("modes", "offsets in force", "tool, spindle and feed")  # scopes of modes
+_SIGNALS = "system: signals"
+SWITCHES = ("block_skip", "optional_stop")  # as a machine calls them
 _IN_FORCE = ("work", "length", "radius", "rotation", "scaling", "mirror", "H", "D")
 _MOST_BLOCKS = 20_000  # of the programs in which system variables are looked for
 
@@ -62,6 +63,13 @@ def value_text(value: Any) -> str:
     return f"[{', '.join(map(value_text, value))}]"
 
 
+def switch_text(machine: Machine, name: str) -> str:
+    """Return how a switch of the panel stands: the numbers of those that are on, or on and off."""
+    if name == "block_skip":
+        return " ".join(map(str, machine.block_skip)) or "off"
+    return "on" if machine.optional_stop else "off"
+
+
 class StateFacts:
     """The facts of a machine, which stands at its head when this is made, as they are now; what
     they were at the last pause is kept to compare.
@@ -83,13 +91,12 @@ class StateFacts:
         """Return what a program that runs sees, in groups; groups without values are left out."""
         groups: dict[str, list[Value]] = {}
         before = self._before
-        defined = self._machine.core.named_variables(frame.level)
         for key, value in self._facts([frame], frames):
             group, call, name = key
             changed = before is not None and self._was_open(call, frames) and (
                 key not in before or before[key] != value
             )  # fmt: skip
-            shown = self._shown(group, name, value, changed, defined)
+            shown = self._shown(group, name, value, changed)
             groups.setdefault(group, []).append(shown)
         return [Scope(name, tuple(values)) for name, values in groups.items()]
 
@@ -115,10 +122,13 @@ class StateFacts:
         position = self._machine.position
         for axis, value in position.items():
             yield ("position", -1, axis), value
-        yield from self._machine_position()
+        for axis, value in self._machine.machine_position.items():
+            yield ("position", -1, f"{axis} (machine)"), value
         yield from ((("modes", -1, n), code) for n, code in modal.items() if n not in _WORDS)
         yield from ((("offsets in force", -1, n), modal[n]) for n in _IN_FORCE if n in modal)
         yield from ((("tool, spindle and feed", -1, n), modal[n]) for n in _WORDS if n in modal)
+        for name in SWITCHES:
+            yield ("switches", -1, name), switch_text(self._machine, name)
 
     def _numbered(
         self, frame: StackFrame, opener: int
@@ -162,42 +172,38 @@ class StateFacts:
         if self._system is None:
             self._system = tuple(_system_variables(self._machine.core))
         variables, sign = self._machine.variables, self._machine.core.code.variable_sign
+        signals = dict(self._machine.signals)
         for number, group in self._system:
+            if number in signals:
+                yield (_SIGNALS, -1, f"{sign}{number}"), signals.pop(number)
+                continue
             try:
                 yield (f"system: {group}", -1, f"{sign}{number}"), variables[number]
             except KeyError:
                 continue  # it has no value in this state
-
-    def _machine_position(self) -> Iterator[tuple[tuple[str, int, str], Any]]:
-        """Yield the place of the tool in machine coordinates, known from the last move on."""
-        moves = self._machine.moves
-        if not len(moves):
-            return
-        last = moves[-1]
-        for axis in AXES:
-            value = getattr(last, f"m{axis.lower()}", None)
-            if value is not None:
-                yield ("position", -1, f"{axis} (machine)"), value
+        for number, signal in signals.items():
+            yield (_SIGNALS, -1, f"{sign}{number}"), signal
 
     # ---- how they are shown ----
 
-    def _shown(
-        self, group: str, name: str, value: Any, changed: bool, defined: Collection[str]
-    ) -> Value:
-        """Return a value as it is shown; `defined` are the variables that the program defines."""
+    def _shown(self, group: str, name: str, value: Any, changed: bool) -> Value:
+        """Return a value as it is shown."""
         core = self._machine.core
         if group == "position":
-            return Value(name, name.partition(" ")[0], length_text(value), changed)
+            return Value(name, name, length_text(value), changed, can_set=True)
+        if group == "switches":
+            return Value(name, name, value, changed, can_set=True)
         if group in MODAL_SCOPES:
             title = f"{name} ({_WORDS[name]})" if name in _WORDS else name
             return Value(title, name, str(value), changed, can_set=True)
         if group == "named variables":
-            return _with_parts(name, value, changed, name in defined)
+            return _with_parts(name, value, changed, True)
         number = int(name.removeprefix(core.code.variable_sign))
         letter = argument_letters(core.code.control).get(number) if "locals" in group else None
         facts = core.code.variable_facts(number)
+        can_set = group == _SIGNALS or (facts is not None and facts[2])
         title = f"{name} ({letter})" if letter else name
-        return Value(title, name, value_text(value), changed, facts is not None and facts[2])
+        return Value(title, name, value_text(value), changed, can_set)
 
 
 def _with_parts(name: str, value: Any, changed: bool, can_set: bool) -> Value:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from cncsub import _core
 from cncsub.debugging.frames import StackFrame
-from cncsub.debugging.scopes import value_text
+from cncsub.debugging.scopes import SWITCHES, switch_text, value_text
 from cncsub.machine import Machine
 from cncsub.number_text import length_text
+from cncsub.variables import Position
 
+_ON, _OFF = ("on", "yes", "true"), ("off", "no", "false")
 _VACANT = ("vacant", "#0", "")
 
 
@@ -35,8 +38,11 @@ def evaluate(machine: Machine, text: str, frame: StackFrame) -> str:
         return value_text(named[asked.upper()])
     if asked in machine.modal:
         return str(machine.modal[asked])
-    if asked.upper() in machine.position:
-        return length_text(machine.position[asked.upper()])
+    if asked in SWITCHES:
+        return switch_text(machine, asked)
+    if (place := _place(machine, asked)) is not None:
+        position, axis = place
+        return length_text(position[axis])
     if frame.index:
         raise ValueError(
             f"{asked!r} is read in the innermost program alone; in {frame.program} ask for a"
@@ -45,15 +51,50 @@ def evaluate(machine: Machine, text: str, frame: StackFrame) -> str:
     return value_text(machine.evaluate(asked))
 
 
+def is_state_name(core: _core.Machine, name: str) -> bool:
+    """Return whether a name is that of a mode, an axis or a switch: it is no expression."""
+    return name.strip() in (*core.modal, *SWITCHES) or _axis(core, name) is not None
+
+
+def _axis(core: _core.Machine, name: str) -> tuple[str, bool] | None:
+    """Return the axis that `X` or `X (machine)` means, and whether in machine coordinates."""
+    axis, _, of = name.strip().upper().partition(" ")
+    known = axis in core.position and of.strip() in ("", "(MACHINE)")
+    return (axis, bool(of)) if known else None
+
+
+def _place(machine: Machine, name: str) -> tuple[Position, str] | None:
+    """Return the coordinates that a name means, and the axis."""
+    if (meant := _axis(machine.core, name)) is None:
+        return None
+    axis, in_machine = meant
+    return (machine.machine_position if in_machine else machine.position), axis
+
+
 def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
-    """Give a variable, a named variable or a mode a value, and return it as it is shown. The text
-    of a variable is an expression of the control or `vacant`; of a mode it is a code.
+    """Give a variable, a named variable, a mode, an axis or a switch a value, and return it as it
+    is shown. The text of a variable is an expression of the control or `vacant`; of an axis an
+    expression, mm; of a mode it is a code; of a switch `on`, `off`, or the numbers of those that
+    are on.
 
     Raises `KeyError` for a name that is not there, and `ValueError` for what cannot be its value.
     """
+    if (place := _place(machine, name)) is not None:
+        position, axis = place
+        value = _number(machine, text)
+        if value is None:
+            raise ValueError(f"{axis} always stands somewhere: give a value, mm")
+        position[axis] = value
+        return length_text(position[axis])
     asked = name.partition(" (")[0].strip()
+    if asked in SWITCHES:
+        _switch(machine, asked, text)
+        return switch_text(machine, asked)
     variables = machine.variables.level(frame.level)
     if (number := number_of(machine, asked)) is not None:
+        if _is_signal(machine, number):
+            machine.signals[number] = _number(machine, text) or 0.0
+            return value_text(machine.signals[number])
         variables[number] = _number(machine, text)
         return value_text(variables[number])
     named = variables.named
@@ -63,7 +104,44 @@ def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
     if asked in machine.modal:
         machine.modal[asked] = text.strip()
         return str(machine.modal[asked])
-    raise KeyError(f"{asked!r} cannot be set: it is no variable and no mode")
+    return _assign(machine, asked, text, frame)
+
+
+def _assign(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
+    """Give what the control calls by a name, such as `#<depth>` or `$P_UIFR[1,X,TR]`, a value by a
+    block that is typed; it changes nothing where it raises an alarm.
+    """
+    try:
+        evaluate(machine, name, frame)
+    except ValueError:
+        raise KeyError(f"{name!r} cannot be set: it is no variable, mode, axis or switch") from None
+    value = _number(machine, text) if text.strip()[:1] != '"' else None
+    written = text if value is None else f"{value:.10f}".rstrip("0").rstrip(".")
+    tried = machine.copy()
+    for each in (tried, machine):
+        each.mdi(f"{name}={written}")
+        if each.alarm is not None:
+            raise ValueError(f"{name}={text}: {each.alarm.detail or each.alarm.cause}")
+    return evaluate(machine, name, frame)
+
+
+def _switch(machine: Machine, name: str, text: str) -> None:
+    words = text.replace(",", " ").lower().split()
+    if name == "block_skip" and all(word.isascii() and word.isdecimal() for word in words):
+        machine.block_skip = [int(word) for word in words]
+    elif len(words) == 1 and words[0] in (*_ON, *_OFF):
+        setattr(machine, name, words[0] in _ON)
+    else:
+        numbers = ", or the numbers of the switches that are on" if name == "block_skip" else ""
+        raise ValueError(f"{name} is on or off{numbers}, not {text!r}")
+
+
+def _is_signal(machine: Machine, number: int) -> bool:
+    try:
+        machine.core.get_signal(number)
+    except KeyError:
+        return False
+    return True
 
 
 def _number(machine: Machine, text: str) -> float | None:

@@ -27,9 +27,16 @@ class Before:
         self._main = main
         self._machine = machine
         self._options = options
+        self._changed: dict[str, tuple[Block, int] | None] = {}  # by mode, as far as asked for
+        self._flat: dict[tuple[int, int | None], list[str]] = {}
 
     def block_that_changed(self, mode: str) -> tuple[Block, int] | None:
         """Return the block that put a mode in force, and its step; `None` where none did."""
+        if mode not in self._changed:
+            self._changed[mode] = self._look_for_change(mode)
+        return self._changed[mode]
+
+    def _look_for_change(self, mode: str) -> tuple[Block, int] | None:
         machine = self._machine.copy()
         machine.core.remember()
         try:
@@ -75,7 +82,12 @@ class Before:
         """Return what a flat program has of a block that was executed, or of those before the step
         `end`; none where it has nothing or cannot be written.
         """
-        options = {**self._options, "max_blocks": step + 1 if end is None else end}
+        if (step, end) not in self._flat:
+            self._flat[step, end] = self._flattened(step, step + 1 if end is None else end)
+        return self._flat[step, end]
+
+    def _flattened(self, step: int, end: int) -> list[str]:
+        options = {**self._options, "max_blocks": end}
         machine = self._library.machine(self._main, **options)
         machine.run()
         machine.back(step)

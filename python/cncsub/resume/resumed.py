@@ -7,26 +7,25 @@ import itertools
 import os
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, Unpack
+from typing import TYPE_CHECKING, Any, Unpack
 
-from cncsub.interrupts import uninterrupted
+from cncsub.option_errors import carrying
 from cncsub.pickling import NotPicklable
-from cncsub.resume.errors import WholeRunError, place_text, refused
-from cncsub.resume.head import Head
-from cncsub.resume.history import Before, FlatLines
-from cncsub.resume.not_repeated import comment_of, not_repeated
-from cncsub.resume.place import Place, as_place, length, stand_at
-from cncsub.resume.proof import Part, parting
-from cncsub.resume.start import Starts, given_setup, machine_coordinate, with_start
-from cncsub.resume.state import RestartState, state_of
+from cncsub.resume.draft import Draft
+from cncsub.resume.errors import place_text, refused
+from cncsub.resume.head import Manner
+from cncsub.resume.history import FlatLines
+from cncsub.resume.place import Place, as_place, length
+from cncsub.resume.start import given_setup
+from cncsub.resume.state import RestartState
 from cncsub.resume.tails import NoTailsError, Tails, free_numbers
+from cncsub.resume.work import Work, Written
 from cncsub.run_options import FlattenOptions, check_names, takes, whole
 from cncsub.setup import AXES
 from cncsub.writing import write_whole
 
 if TYPE_CHECKING:
     from cncsub.library import Library
-    from cncsub.machine import Machine
 
 
 class Resume(NotPicklable):
@@ -61,10 +60,10 @@ class Resume(NotPicklable):
         form: str,
         notes: tuple[str, ...],
         differs: Callable[[], str | None],
-        line_end: str = "\n",
+        written: Written,
     ) -> None:
         self.state = state
-        self._line_end = line_end
+        self._written = written
         self.files = dict(files)
         self.form = form
         self.notes = notes
@@ -77,7 +76,7 @@ class Resume(NotPicklable):
 
     def write(self, path: str | os.PathLike[str], *, force: bool = False) -> None:
         """Write the text to a file; into a folder that exists, a file for each program. Lines end
-        as in the file of the main program.
+        as in the file of the main program, between marks `%` where that begins with one.
 
         Raises `FileExistsError` for a file of the folder that is there and holds another program,
         unless `force` is true; nothing is written then.
@@ -93,7 +92,8 @@ class Resume(NotPicklable):
             write_whole(file, data)
 
     def _bytes(self, text: str) -> bytes:
-        return text.replace("\n", self._line_end).encode(errors="surrogateescape")
+        marked = f"%\n{text}%\n" if self._written.marked else text
+        return marked.replace("\n", self._written.line_end).encode(errors="surrogateescape")
 
     def verify(self) -> None:
         """Run the restart program, and raise `AssertionError` with the first difference to the
@@ -111,213 +111,19 @@ class Resume(NotPicklable):
         return f"<Resume at {place}: {programs}, {self.form}>"
 
 
-class Manner(NamedTuple):
-    """How a head is made. `repeats`: with the block before the place, where it makes no move.
-    `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
-    moves in the units of power-on: the run may have come to the place in them.
-    """
-
-    repeats: bool = False
-    bends_first: bool = True
-    units_late: bool = False
-
-
-class _Work:
-    """What a restart program is made from."""
-
-    def __init__(
-        self,
-        library: Library,
-        main: str | int | None,
-        at: Any,
-        safe: float | None,
-        options: dict[str, Any],
-        chosen: str = "",
-    ) -> None:
-        self.library, self.main, self.options = library, main, options
-        self.whole = uninterrupted(library.run(main, **options))
-        if self.whole.stop not in ("end", "cycles"):
-            raise WholeRunError(self.whole)
-        self.machine: Machine = library.machine(main, **options)
-        stand_at(library, self.machine, at, self.whole)
-        block = self.machine.next
-        if block is None:
-            raise refused("the run ends there: nothing is left to be done")
-        self.state = state_of(self.machine, block)
-        self.before = Before(library, main, self.machine, options)
-        self._refuse_compensation()
-        self.starts = Starts(library, main, options, self.whole, self.machine, chosen)
-        self.safe = safe
-        self.why_flat = ""
-        fresh = library.machine(main, **{**options, "max_blocks": 0})
-        self.power_on = dict(fresh.modal)
-        self.height = self._height() if self._needs_height() else None
-
-    def _needs_height(self) -> bool:
-        """Return whether the head goes up before it moves other axes: not on a lathe."""
-        return (
-            self.power_on.get("plane", "G18") != "G18"
-            and bool(len(self.machine.moves))
-            and "Z" in self.state.position
-            and any(
-                axis != "Z" and not self.starts.stands_at_start(axis)
-                for axis in self.state.position
-            )
-        )
-
-    def _height(self) -> float:
-        """Return the height to which the head goes first, as a machine coordinate."""
-        place = self._machine_z()
-        at_start = self.starts.stands_at_start("Z")
-        if self.safe is not None:
-            here = self.state.position["Z"]
-            if self.safe < here - 1e-9 and not at_start:
-                raise ValueError(
-                    f"safe_height {self.safe:g} lies below the place, which is at Z{here:g}"
-                )
-            height = place + self.safe - here
-        else:
-            known = self.starts.highest()
-            if known is None:
-                raise refused(
-                    "no safe height is known: the run has not moved Z before, and where Z stands"
-                    " depends on data that the setup does not give; give the Z to go to first"
-                    " (safe_height, --safe-height), or the start of Z and the offsets in a setup",
-                    self.state.block,
-                )
-            height = known
-        limit = given_setup(self.options).limits.get("Z")
-        if limit is None or height <= limit[1]:
-            return height
-        if self.safe is None:
-            return max(place, limit[1])
-        raise ValueError(
-            f"safe_height {self.safe:g} is at {height:g} in machine coordinates, above the travel"
-            f" limit of Z, {limit[1]:g}"
-        )
-
-    def _machine_z(self) -> float:
-        return machine_coordinate(self.machine.moves[-1], "Z") or 0.0
-
-    def begun_at_height(self, at: Any) -> _Work:
-        """Return the same work of a run that begins at the safe height, where the place of Z is
-        that of the start of the run, which nobody gave.
-        """
-        if self.height is None or not self.starts.stands_at_start("Z"):
-            return self
-        start = self.starts.at_start["Z"] + self.height - self._machine_z()
-        options = with_start(self.options, {"Z": start})
-        return _Work(self.library, self.main, at, None, options, "Z")
-
-    def _refuse_compensation(self) -> None:
-        """Refuse a start inside radius compensation: its path depends on the blocks before."""
-        code = self.state.modal.get("radius")
-        if code in (None, "G40"):
-            return
-        began = self.before.block_that_changed("radius")
-        if began is None:
-            return
-        place = place_text(began[0])
-        after = self.machine.copy()
-        while after.run(until="mode radius") is None and after.modal.get("radius") != "G40":
-            pass
-        later = after.next
-        cancelled = f" at {place_text(later)}" if after.stop is None and later else ""
-        raise refused(
-            f"radius compensation {code} is in force: start at {place}, which begins it, or"
-            f"{cancelled or ' after it is cancelled'}"
-            f"{', after it is cancelled' if cancelled else ''}",
-            self.state.block,
-        )
-
-    def head(self, order: Any, manner: Manner, *, data: bool) -> Head:
-        """Return the head."""
-        head = Head(self.library, self.machine, self.state, self.starts, self.before, self.options)
-        head.modes_before_moves(units_late=manner.units_late)
-        head.variables(commons=not data)
-        head.tool()
-        head.clamp()  # before the surface speed turns the spindle
-        head.spindle()
-        head.offsets()
-        head.shift_first()
-        head.approach(self.height, order, bends_first=manner.bends_first)
-        head.shift()
-        if not manner.bends_first:
-            head.bend()
-        head.modes_after_moves()
-        if manner.repeats and not (self.state.step and self._repeat(head)):
-            raise NoTailsError("the block before it moves")
-        return head
-
-    def _repeat(self, head: Head) -> bool:
-        return head.repeat(self.before.flat_text(self.state.step - 1))
-
-    def told(self, head: Head) -> list[str]:
-        """Return what whoever starts it has to know."""
-        return [*head.notes, *not_repeated(self.library, self.machine)]
-
-    def comments(self, told: Iterable[str]) -> list[str]:
-        return [text for line in told if (text := comment_of(self.library, line))]
-
-    def resume(
-        self,
-        files: Mapping[str, str],
-        form: str,
-        notes: Iterable[str],
-        differs: Callable[[], str | None],
-    ) -> Resume:
-        left_out = any("\0" in text for text in files.values())
-        kept = {name: text.replace("\0", "") for name, text in files.items()}
-        told = [*notes, *(["bytes of zero in its blocks are left out"] if left_out else [])]
-        return Resume(self.state, kept, form, tuple(told), differs, self._line_end())
-
-    def _line_end(self) -> str:
-        """Return how the lines of the main program's file end."""
-        main = self.library.main if self.main is None else self.library[self.main]
-        path = None if main is None else Path(main.file)
-        if path is None or not path.is_file():
-            return "\n"
-        with path.open("rb") as file:
-            return "\r\n" if b"\r\n" in file.read(1 << 16) else "\n"
-
-    def causes(self) -> str:
-        """Return the modes in force that no head could restore, with the blocks that began them."""
-        found = []
-        for name in ("rotation", "scaling", "polar", "mirror", "cycle"):
-            code = self.state.modal.get(name)
-            began = self.before.block_that_changed(name)
-            if began is not None and code != self._cancelled(name):
-                found.append(f"{code} is in force since {place_text(began[0])}")
-        if self.machine.core.modal_calls:
-            found.append("a modal call is in force")
-        return "".join(f"\n{each}: start there, or after it is cancelled" for each in found)
-
-    def _cancelled(self, name: str) -> str | None:
-        return self.power_on.get(name)
-
-    def differs(
-        self, head: Head, library: Library, main: str | None, *, variables: bool
-    ) -> str | None:
-        options = {**self.options, "start": None, "max_cycles": 1}
-        run = uninterrupted(library.run(main, **options))
-        return parting(
-            Part(self.whole, self.state.step, len(self.machine.messages)),
-            Part(run, len(head.lines), len(head.now.messages)),
-            variables=variables,
-        )
-
-
-def _of_calls(work: _Work, order: Any, manner: Manner) -> Resume:
+def _of_calls(work: Work, order: Any, manner: Manner) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
     tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
     head = work.head(order, manner, data=False)
-    name = f"O{tails.number}" if tails.number else _free_name(work.library, "RESTART{}")
+    headed = tails.number is not None or work.sign == "%"
+    form = f"{work.sign}{{}}" if headed else "RESTART{}"
+    name = f"O{tails.number}" if tails.number else _free_name(work.library, form)
     told = work.told(head)
-    lines = [*([name] if tails.number else []), *work.comments(told), *head.lines, *tails.main]
+    lines = [*([name] if headed else []), *work.comments(told), *head.lines, *tails.main]
     files = _named(work, {name: "".join(f"{line}\n" for line in lines), **tails.programs})
     library = work.library
     for file, text in files.items():
-        library = _with(library, text, None if tails.number else file)
+        library = _with(library, text, None if headed else file)
     if name not in library:
         raise NoTailsError(f"the control does not read {name} as the name of a program")
 
@@ -325,7 +131,7 @@ def _of_calls(work: _Work, order: Any, manner: Manner) -> Resume:
         return work.differs(head, library, name, variables=True)
 
     _prove(head, differs())
-    return work.resume(files, "calls", told, differs)
+    return _made(work, files, "calls", told, differs)
 
 
 def _with(library: Library, text: str, file: str | None) -> Library:
@@ -335,12 +141,12 @@ def _with(library: Library, text: str, file: str | None) -> Library:
         raise NoTailsError(str(error)) from None
 
 
-def _prove(head: Head, told: str | None) -> None:
+def _prove(head: Draft, told: str | None) -> None:
     if told is not None:
         raise NoTailsError("; ".join([*head.lacks, told]))
 
 
-def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
+def _flat(work: Work, order: Any, manner: Manner) -> Resume:
     head = work.head(order, manner, data=True)
     rest = FlatLines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
@@ -350,7 +156,7 @@ def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
         lines[-1] = "M30"
     told = work.told(head)
     comments = work.comments(told)
-    name = _free_name(work.library, "O{}")
+    name = _free_name(work.library, f"{work.sign}{{}}")
     headed = _is_head(work.library, name)
     text = "".join(f"{line}\n" for line in [*([name] if headed else []), *comments, *lines])
     library = work.library.of_text(text, work.library.control)
@@ -362,13 +168,26 @@ def _flat(work: _Work, order: Any, manner: Manner) -> Resume:
     without = f"the rest stands without calls and loops, it sets no variables: {work.why_flat}"
     notes = [without, *told]
     name = name if headed else _free_name(work.library, "RESTART{}")
-    return work.resume(_named(work, {name: text}), "flat", notes, differs)
+    return _made(work, _named(work, {name: text}), "flat", notes, differs)
+
+
+def _made(
+    work: Work,
+    files: Mapping[str, str],
+    form: str,
+    notes: Iterable[str],
+    differs: Callable[[], str | None],
+) -> Resume:
+    left_out = any("\0" in text for text in files.values())
+    kept = {name: text.replace("\0", "") for name, text in files.items()}
+    told = [*notes, *(["bytes of zero in its blocks are left out"] if left_out else [])]
+    return Resume(work.state, kept, form, tuple(told), differs, work.written_as())
 
 
 def _free_name(library: Library, form: str) -> str:
     """Return a name that no program of the memory has."""
     numbers: Iterable[Any] = itertools.chain([""], itertools.count(2))
-    if form.startswith("O"):
+    if not form.startswith("RESTART"):
         numbers = free_numbers(library)
     return next(name for n in numbers if (name := form.format(n)) not in library)
 
@@ -379,7 +198,7 @@ def _is_head(library: Library, name: str) -> bool:
     return alone.main is not None and alone.main.name == name and alone.run().stop == "end"
 
 
-def _named(work: _Work, programs: Mapping[str, str]) -> dict[str, str]:
+def _named(work: Work, programs: Mapping[str, str]) -> dict[str, str]:
     """Return the programs by the names of their files, which end as that of the main one does."""
     main = work.library.main if work.main is None else work.library[work.main]
     suffix = Path(main.file).suffix if main is not None else ""
@@ -414,6 +233,10 @@ def resume(
     place = as_place(at, given)
     if isinstance(switches := options.get("block_skip"), Iterable):
         options["block_skip"] = tuple(switches)  # the program runs more than once
+    try:
+        options["setup"] = given_setup(options)
+    except (TypeError, ValueError) as error:
+        raise carrying("setup", error) from None
     height = None if safe_height is None else length("safe_height", safe_height)
     groups = _order(order)
     asked = _Asked(library, main, height, groups, dict(options))
@@ -442,15 +265,21 @@ class _Asked:
         self._library, self._main, self._height = library, main, height
         self._order, self._options = order, options
 
-    def at(self, place: Any) -> tuple[_Work, Resume | None, list[str]]:
+    def at(self, place: Any) -> tuple[Work, Resume | None, list[str]]:
         """Return the restart at a place, or the first reasons why none can be written: with calls,
         and without.
         """
-        work = _Work(self._library, self._main, place, self._height, self._options)
+        work = Work(self._library, self._main, place, self._height, self._options)
         work = work.begun_at_height(place)
         reasons: dict[Any, list[str]] = {_of_calls: [], _flat: []}
         in_units = work.state.modal.get("units") == work.power_on.get("units")
-        for manner in (m for m in _MANNERS if not (m.units_late and in_units)):
+        for manner in _MANNERS:
+            if (
+                (manner.units_late and in_units)
+                or (manner.mixes_units and not work.has_units())
+                or (manner.is_empty and work.state.step > 0)
+            ):
+                continue
             for form in (_of_calls, _flat):
                 try:
                     return work, form(work, self._order, manner), []
@@ -460,7 +289,7 @@ class _Asked:
                         work.why_flat = str(error).partition("\n")[0]
         return work, None, [each[0] for each in reasons.values()]
 
-    def near(self, work: _Work) -> str:
+    def near(self, work: Work) -> str:
         """Return the nearest places, after and before, at which the run can be started again."""
         count = len(work.whole.steps)
         if count > _MOST_STEPS:
@@ -489,4 +318,6 @@ _MANNERS = (
     Manner(repeats=True),
     Manner(repeats=True, bends_first=False),
     Manner(units_late=True),
+    Manner(mixes_units=True),
+    Manner(is_empty=True),
 )

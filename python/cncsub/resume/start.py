@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 import enum
+import functools
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
+from cncsub.run_options import idle_machine
 from cncsub.setup import Setup, setup_from, work_system
 
 if TYPE_CHECKING:
+    from cncsub._core import Control
     from cncsub.library import Library
     from cncsub.machine import Machine
     from cncsub.program import Block
@@ -21,11 +24,28 @@ _NEAR = 1e-9  # mm
 _SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")
 
 
+class CheckedSetup(Setup):
+    """A setup that nobody changes: it is checked when it is made, and not again for each of the
+    many runs of a restart.
+    """
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "_core", Setup.to_core(self))
+
+    def to_core(self) -> dict[str, Any]:
+        core: dict[str, Any] = self._core  # type: ignore[attr-defined]
+        return core
+
+
 def given_setup(options: Mapping[str, Any]) -> Setup:
+    """Return the setup among the options of a run, an empty one where there is none."""
     given = options.get("setup")
     if given is None:
-        return Setup()
-    return given if isinstance(given, Setup) else setup_from(given)
+        return CheckedSetup()
+    if isinstance(given, CheckedSetup):
+        return given
+    setup = given if isinstance(given, Setup) else setup_from(given)
+    return CheckedSetup(**{f.name: getattr(setup, f.name) for f in dataclasses.fields(Setup)})
 
 
 def with_start(options: dict[str, Any], start: Mapping[str, float]) -> dict[str, Any]:
@@ -133,10 +153,13 @@ class Starts:
         here: float = self._machine.position[axis]
         if not len(moves):
             return here
-        first, last = self._machine_start(axis), machine_coordinate(moves[-1], axis)
+        first, last = self.machine_start(axis), machine_coordinate(moves[-1], axis)
         return here + (first or 0.0) - (last or 0.0)
 
-    def _machine_start(self, axis: str) -> float | None:
+    def machine_start(self, axis: str) -> float | None:
+        """Return where an axis stood before the first move, a machine coordinate; `None` where that
+        is not known.
+        """
         first = self._machine.moves[0]
         value = getattr(first, f"ms{axis.lower()}", getattr(first, f"s{axis.lower()}", None))
         return None if value is None else float(value)
@@ -146,7 +169,7 @@ class Starts:
         moves = self._machine.moves
         if not len(moves):
             return False
-        first = self._machine_start(axis)
+        first = self.machine_start(axis)
         last = machine_coordinate(moves[-1], axis)
         return first is None or last is None or abs(first - last) > _NEAR
 
@@ -202,7 +225,7 @@ class Starts:
         name = self._machine.modal.get("work", _SYSTEMS[0])
         _, numbered, number = name.partition(" P")
         system = f"G54.1 P{number}" if numbered else name
-        return _has(self._library, system)
+        return _has(self._library.control, system)
 
     def stands_at_start(self, axis: str) -> bool:
         """Return whether an axis stands where the run began, and that is not given."""
@@ -243,15 +266,14 @@ def systems_of(library: Library) -> list[str]:
     for program in library.values():
         for block in program.blocks:
             named |= set(_systems_in(block))
-    return [name for name in sorted(named) if _has(library, name)]
+    return [name for name in sorted(named) if _has(library.control, name)]
 
 
-def _has(library: Library, name: str) -> bool:
+@functools.cache
+def _has(control: Control, name: str) -> bool:
     try:
         system = work_system("work", name)
-        library.of_text("M30\n", library.control).machine(
-            setup=Setup(work_offsets={system: {"Z": 0}})
-        )
+        idle_machine(control, setup=Setup(work_offsets={system: {"Z": 0}}))
     except ValueError:
         return False
     return system == name

@@ -138,7 +138,12 @@ def _changes_later(machine: Machine, changes: set[int]) -> bool:
 
 def roles_of(machine: Machine) -> dict[str, tuple[int, ...]]:
     """Return the M codes of the control by what they do."""
-    text = str(rule_value(machine.core.code.control, "roles") or "")
+    return _roles(machine.core.code.control)
+
+
+@functools.cache
+def _roles(control: Control) -> dict[str, tuple[int, ...]]:
+    text = str(rule_value(control, "roles") or "")
     found: dict[str, tuple[int, ...]] = {}
     for entry in text.split():
         code, _, role = entry.partition("=")

@@ -183,7 +183,7 @@ def ask_set(app: DebugApp, value: Value | None = None) -> Ask:
 
         return change_state(app, change)
 
-    fields = [Field("variable or mode", name, "#100"),
+    fields = [Field("variable, mode, axis or switch", name, "#100"),
               Field("value", held, "an expression, vacant, or a code such as G91")]  # fmt: skip
     return Ask("Set", fields, put, partial(completion, app))
 

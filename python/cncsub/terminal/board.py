@@ -94,7 +94,7 @@ class Board:
     def show_values(self, index: int) -> None:
         scopes = scopes_of(self._session, index)
         self.position.update(position_text(scopes.pop("position", None)))
-        modes = [scopes.pop(name) for name in MODAL_SCOPES if name in scopes]
+        modes = [scopes.pop(name) for name in (*MODAL_SCOPES, "switches") if name in scopes]
         self.modes.fill(value_rows(modes))
         self.variables.fill(value_rows(scopes.values()))
 

@@ -52,14 +52,14 @@ KEYS: dict[str, tuple[Key, ...]] = {
     ),
     "Values": (
         Key("e", "ask('evaluate')", "evaluate an expression of the control", "eval"),
-        Key("equals_sign", "ask('set')", "set a variable or a mode; Enter in a list does so too"),
+        Key("equals_sign", "ask('set')", "set a variable, mode, axis or switch; so does Enter"),
         Key("m", "ask('mdi')", "type blocks as in MDI, and run them here"),
         Key("S", "ask('switches')", "block-skip switches, optional stop, signals"),
         Key("i", "tell", "what is known of the block, or of the chosen value"),
     ),
     "The screen": (
         Key("1", "pane('variables')", "variables (*: changed since the last pause)"),
-        Key("2", "pane('modes')", "modes, offsets, tool, spindle, feed"),
+        Key("2", "pane('modes')", "modes, offsets, tool, spindle, feed, switches"),
         Key("3", "pane('path')", "the path so far, and the last moves"),
         Key("4", "pane('points')", "breakpoints; Enter changes one"),
         Key("5", "pane('calls')", "the calls; Enter shows one with its locals"),

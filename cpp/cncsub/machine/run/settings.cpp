@@ -32,12 +32,13 @@ bool decode_typed(Run& run, const std::shared_ptr<const Code>& typed, NcWords& w
   return decoded;
 }
 
-/// Return whether words set this mode and nothing else.
+/// Return whether words set this mode and nothing else; the numbers of an offset belong to it.
 bool sets(const NcWords& words, const std::string& mode) {
   const BlockCodes& codes = *words.codes;
   if (codes.m_count != 0) return false;
   if (const auto group = group_named(mode))
-    return codes.g_count == 1 && codes.groups == bit(*group) && (words.mask & ~bit('P')) == 0;
+    return codes.g_count == 1 && codes.groups == bit(*group) &&
+           (words.mask & ~(bit('P') | bit('H') | bit('D'))) == 0;
   return mode.size() == 1 && codes.g_count == 0 && words.mask == bit(mode[0]);
 }
 
@@ -92,6 +93,14 @@ std::optional<std::string> set_mode(Run& run, const std::shared_ptr<const Code>&
     return fault->detail.empty() ? std::string(info(fault->cause).meaning) : fault->detail;
   if (outcome.moved) return "it moves";
   run.motion = std::move(trial);
+  run.motion.forget_table();
+  ++run.state.changes;
+  note_changes_from_outside(run);
+  return std::nullopt;
+}
+
+std::optional<std::string> set_position(Run& run, int axis, double value, Coordinates of) {
+  if (auto refused = run.motion.stand_at(axis, value, of, run.moves())) return refused;
   run.motion.forget_table();
   ++run.state.changes;
   note_changes_from_outside(run);

@@ -17,6 +17,9 @@ namespace cncsub {
 std::optional<std::string> set_mode(Run& run, const std::shared_ptr<const Code>& typed,
                                     const std::string& mode);
 
+/// Let an axis stand elsewhere: see Motion::stand_at. Return why it cannot, or nothing.
+std::optional<std::string> set_position(Run& run, int axis, double value, Coordinates of);
+
 using NamedValue = std::variant<double, std::string>;
 /// Give a variable that has a name its value, or those of its elements in their order. Return why
 /// it cannot take them, or nothing; then nothing has changed.

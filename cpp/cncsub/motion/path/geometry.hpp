@@ -77,10 +77,14 @@ inline double turn_between(double from, double to, bool clockwise) {
 }
 
 /// Return the vector from the start of an arc to its centre: `way` leads to its end, which `radius`
-/// reaches. The radius is negative where the arc is more than half a circle.
+/// reaches. The radius is negative where the arc is more than half a circle. What rounding leaves
+/// of the height of a half circle is none: its root would move the centre by a millionth of the
+/// radius.
 inline Point centre_by_radius(Point way, double radius, bool clockwise) {
-  const double chord = size(way);
-  const double height = std::sqrt(std::max(0.0, radius * radius - chord * chord / 4));
+  constexpr double kRounding = 1e-12;
+  const double chord = size(way), square = radius * radius;
+  const double rest = square - chord * chord / 4;
+  const double height = rest > kRounding * square ? std::sqrt(rest) : 0;
   const double side = clockwise == (radius > 0) ? -height / chord : height / chord;
   return 0.5 * way + side * left(way);
 }
