@@ -85,12 +85,20 @@ std::string variable_name(const Control& control, std::int64_t number) {
                             : dialect->spelling->name_of_variable(control, number);
 }
 
+/// Return the number of a variable as programs of a control write it; None where it has none.
+std::optional<std::int64_t> variable_number(const Control& control, const std::string& name) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  if (dialect == nullptr) return std::nullopt;
+  return dialect->spelling->number_of_variable(control, name);
+}
+
 }  // namespace
 
 void add_codes(py::module_& m) {
   m.def("code_facts", &facts_of, py::arg("control"), py::arg("name"), py::arg("machine") = "");
   m.def("keywords", &keywords, py::arg("control"));
   m.def("variable_name", &variable_name, py::arg("control"), py::arg("number"));
+  m.def("variable_number", &variable_number, py::arg("control"), py::arg("name"));
   m.def("names_in_block", &names_in, py::arg("control"), py::arg("block"));
   m.def("g_codes", &codes_of, py::arg("control"), py::arg("machine") = "");
 }

@@ -31,6 +31,7 @@ def keywords(control: Control) -> list[tuple[str, str, str]]:
     (`computed`, `passed-over`, `not-computed`, `not-known`, `refused`), and what it does.
     """
 
+def variable_number(control: Control, name: str) -> int | None: ...
 def variable_name(control: Control, number: int) -> str:
     """Return a variable as programs of a control write it: `#500`, `R5`, `$TC_DP3[5,1]`."""
 

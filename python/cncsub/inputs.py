@@ -13,12 +13,16 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
+from cncsub import _core
+from cncsub._core import Control
 from cncsub.controls import did_you_mean
+from cncsub.files import clean
 from cncsub.option_errors import wrong_value
 from cncsub.setup import checked_axis, from_toml
 from cncsub.workpiece import Workpiece, skip_signal, workpiece_of
 
-Values = Mapping[int, float | None]
+Number = int | str  # of a variable, or its name as programs write it: R5, $A_IN[3]
+Values = Mapping[int, float | None] | Mapping[str, float | None] | Mapping[Number, float | None]
 Skips = Sequence[float | Mapping[str, float] | None]
 
 LARGEST_VALUE = 1e47  # that a variable takes from a program
@@ -31,21 +35,22 @@ class Inputs:
     same run.
 
     `signals`: values of the interface inputs by variable number, bits (`#1000`...) and words
-    (`#1032`...). `clock`: a `datetime` for `#3011` and `#3012`, or the milliseconds `#3001` counts
-    from; `None` leaves all at 0. `operator`: one answer for each M00, M01 or `#3006` in order,
-    `"start"` (cycle start) or `"stop"` (the run stops and waits); without it the operator always
-    presses cycle start, with it the run waits when no answer is left. `writes`: what another
-    program writes into variables while this one waits for them, one mapping for each wait;
-    `(3, {500: 1})` is written only at the third wait. `None` makes a variable vacant. `skips`:
-    where the first G31, the second and so on get their skip signal: a coordinate of the path,
-    `{"X": 40.0}` (work coordinates as they are programmed), a fraction 0 to 1 of it (of its time
-    for a G04 that a signal may end), or `None` for one that gets no signal. A list is for all such
-    blocks, whichever signal they watch; a mapping has a list for each signal, 1 to 8:
-    `{1: [{"X": 40}], 2: [None, {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which
-    signals these watch (rule `skip_signals`). G36 and G37, which measure a tool, watch `"XAE"`,
-    `"YAE"` and `"ZAE"`. `workpiece`: what the blocks after the end of the list touch, see
-    `Workpiece`; a G31 without an answer gets no signal. `answers`: what the machine does when a
-    code is sent to it, signals and variables by number: `{"M117": {1004: 1}}`.
+    (`#1032`...), or by their names as programs of the control write them, `{"$A_IN[3]": 1}`, as
+    everywhere in the inputs. `clock`: a `datetime` for `#3011` and `#3012`, or the milliseconds
+    `#3001` counts from; `None` leaves all at 0. `operator`: one answer for each M00, M01 or `#3006`
+    in order, `"start"` (cycle start) or `"stop"` (the run stops and waits); without it the operator
+    always presses cycle start, with it the run waits when no answer is left. `writes`: what another
+    program writes into variables while this one waits for them, one mapping for each wait; `(3,
+    {500: 1})` is written only at the third wait. `None` makes a variable vacant. `skips`: where the
+    first G31, the second and so on get their skip signal: a coordinate of the path, `{"X": 40.0}`
+    (work coordinates as they are programmed), a fraction 0 to 1 of it (of its time for a G04 that a
+    signal may end), or `None` for one that gets no signal. A list is for all such blocks, whichever
+    signal they watch; a mapping has a list for each signal, 1 to 8: `{1: [{"X": 40}], 2: [None,
+    {"Z": -3}]}`, for P of G31 and Q of G04, and the control says which signals these watch (rule
+    `skip_signals`). G36 and G37, which measure a tool, watch `"XAE"`, `"YAE"` and `"ZAE"`.
+    `workpiece`: what the blocks after the end of the list touch, see `Workpiece`; a G31 without an
+    answer gets no signal. `answers`: what the machine does when a code is sent to it, signals and
+    variables by number: `{"M117": {1004: 1}}`.
 
     Raises `TypeError` and `ValueError` for wrong values.
 
@@ -59,7 +64,7 @@ class Inputs:
     (<Stop.END: 'end'>, 42.0)
     """
 
-    signals: Mapping[int, float] = field(default_factory=dict)
+    signals: Mapping[int, float] | Mapping[str, float] = field(default_factory=dict)
     clock: datetime | float | None = None
     operator: Sequence[str] | None = None
     writes: Sequence[Values | tuple[int, Values]] = ()
@@ -172,28 +177,64 @@ def numbered(values: dict[str, Any]) -> dict[Any, Any]:
     return {int(key) if re.fullmatch(r"[0-9]{1,10}", key) else key: v for key, v in values.items()}
 
 
-def checked_variables(what: str, values: object) -> dict[int, float | None]:
-    """Return variables by number, as the engine takes them; `None` is vacant."""
+def checked_variables(what: str, values: object) -> dict[Number, float | None]:
+    """Return variables by number or by their names, which `by_number` turns into numbers; `None` is
+    vacant.
+    """
     return _variables(what, values)
+
+
+def number_of(what: str, control: Control, name: Number) -> int:
+    """Return the number of a variable that programs of the control write so."""
+    if not isinstance(name, str):
+        return name
+    number = _core.variable_number(control, clean(name))
+    if number is None:
+        raise ValueError(f"{what}: {control.name} has no variable {name!r}")
+    return number
+
+
+def by_number(what: str, control: Control, values: Values) -> dict[int, float | None]:
+    """Return variables by number, of which some may be named as programs of the control do."""
+    numbered: dict[int, float | None] = {}
+    for name, value in values.items():
+        number = number_of(what, control, name)
+        if number in numbered:
+            raise ValueError(f"{what}: {name!r} is given twice")
+        numbered[number] = value
+    return numbered
+
+
+def inputs_by_number(control: Control, core: dict[str, Any] | None) -> dict[str, Any] | None:
+    """Return the inputs for the engine with the numbers of signals and variables."""
+    if core is None:
+        return None
+    answers = {c: by_number(f"answers[{c!r}]", control, v) for c, v in core["answers"].items()}
+    return core | {
+        "signals": by_number("signals", control, core["signals"]),
+        "writes": [by_number("writes", control, write) for write in core["writes"]],
+        "answers": answers,
+    }
 
 
 _MOST_WATCHED = 1000
 
 
-def checked_watch(numbers: object) -> list[int]:
-    """Return the numbers of the variables to watch, each once."""
+def checked_watch(numbers: object) -> list[Number]:
+    """Return the numbers or names of the variables to watch, each once."""
     if hasattr(numbers, "__index__") and not hasattr(numbers, "__iter__"):
         numbers = (numbers,)
     if isinstance(numbers, str | bytes) or not isinstance(numbers, Iterable):
         raise TypeError(
             f"watch must be a list of variable numbers such as [100, 500], not {numbers!r}"
         )
-    checked: dict[int, None] = {}
+    checked: dict[Number, None] = {}
     for number in numbers:
+        if is_name(number):
+            checked[number] = None
+            continue
         if isinstance(number, str):
-            raise ValueError(
-                f"watch: give the number of a variable, such as 100, not its name: {number!r}"
-            )
+            raise ValueError(f"watch: {number!r} is no variable that has a number")
         if not is_whole(number):
             raise TypeError(
                 f"watch: a variable number must be a whole number such as 100, not {number!r}"
@@ -208,14 +249,22 @@ def checked_watch(numbers: object) -> list[int]:
     return list(checked)
 
 
-def _variables(what: str, values: object) -> dict[int, float | None]:
+def is_name(text: object) -> bool:
+    """Return whether a text may be a variable as programs write it: R5, #500, $A_IN[3]."""
+    return isinstance(text, str) and re.match(r"\s*[#$A-Za-z].*[0-9]", text) is not None
+
+
+def _variables(what: str, values: object) -> dict[Number, float | None]:
     if not isinstance(values, Mapping):
         raise TypeError(
             f"{what} must be a mapping from variable numbers to values, such as {{100: 23.34}},"
             f" not {type(values).__name__}"
         )
-    checked: dict[int, float | None] = {}
+    checked: dict[Number, float | None] = {}
     for number, value in values.items():
+        if isinstance(number, str) and is_name(number):
+            checked[number] = _value(f"{what}: {number}", value)
+            continue
         if not is_whole(number):
             raise TypeError(
                 f"{what}: a variable number must be a whole number such as 100, not {number!r}"
@@ -254,7 +303,7 @@ def _listed(what: str, values: object) -> Sequence[Any]:
     return values
 
 
-def _write(entry: object) -> list[dict[int, float | None]]:
+def _write(entry: object) -> list[dict[Number, float | None]]:
     if isinstance(entry, Mapping):
         return [_variables("writes", entry)]
     if not isinstance(entry, tuple | list) or len(entry) != 2 or not is_whole(entry[0]):
@@ -311,13 +360,13 @@ def _skip(where: str, skip: object) -> tuple[str, float]:
     return "fraction", value
 
 
-def _answers(answers: object) -> dict[str, dict[int, float | None]]:
+def _answers(answers: object) -> dict[str, dict[Number, float | None]]:
     if not isinstance(answers, Mapping):
         raise TypeError(
             f'answers must be a mapping from codes to variables, such as {{"M117": {{1004: 1}}}},'
             f" not {type(answers).__name__}"
         )
-    checked: dict[str, dict[int, float | None]] = {}
+    checked: dict[str, dict[Number, float | None]] = {}
     for code, values in answers.items():
         match = re.fullmatch(r"([MT])0*([0-9]{1,9})", str(code).strip().upper())
         if match is None:

@@ -21,6 +21,7 @@ from cncsub.files import (
 )
 from cncsub.library import Library, read_again
 from cncsub.option_errors import carrying
+from cncsub.search_path import Search, with_search
 
 
 def load(
@@ -30,6 +31,7 @@ def load(
     encoding: str | None = None,
     prefer: StrPath | Iterable[StrPath] = (),
     general_only: bool = False,
+    search: Search | None = None,
 ) -> Library:
     """Read files and folders as the memory of a control.
 
@@ -38,7 +40,9 @@ def load(
     comments and names; without it, it is detected. Of several programs of one name the first
     counts; `prefer` names files whose programs count before those of the others. `general_only`
     reads and runs every block without the fast paths for common blocks: slower, with the same
-    outcome. It shows whether a fast path is to blame for what is seen.
+    outcome. It shows whether a fast path is to blame for what is seen. `search`: for a control with
+    a search path, folders on the disk that stand for folders of the control, `{"CUS.DIR":
+    "cycles"}`; they are read too. A folder that has its name on the disk, `CUS.DIR`, needs none.
 
     Raises `FileNotFoundError` for a missing path and `ValueError` for an unknown control, a folder
     without programs or an unknown encoding; each suggests similar names. A program a control would
@@ -53,7 +57,7 @@ def load(
     >>> list(library), library.main.name, library.run().stop
     (['O1', 'O2'], 'O1', <Stop.END: 'end'>)
     """
-    return load_with(paths, (), control, external, encoding, prefer, general_only)
+    return load_with(paths, (), control, external, encoding, prefer, general_only, search)
 
 
 def load_with(
@@ -64,11 +68,13 @@ def load_with(
     encoding: str | None = None,
     prefer: StrPath | Iterable[StrPath] = (),
     general_only: bool = False,
+    search: Search | None = None,
 ) -> Library:
     """Read as `load` does, with files beside the paths that nobody named."""
-    known = control_of(control)
+    known = with_search(control_of(control), search)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
+    paths = [*paths, *(search or {}).values()]
     reading = read_paths(paths, siblings=siblings, encoding=encoding, without=external)
     names = reading.names
     outside, skipped = _external_files(external, encoding)

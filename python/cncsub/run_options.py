@@ -15,7 +15,17 @@ from typing import Annotated, Any, NamedTuple, TypedDict, TypeVar, Unpack
 
 from cncsub import _core
 from cncsub.controls import did_you_mean
-from cncsub.inputs import Inputs, checked_variables, checked_watch, inputs_of
+from cncsub.inputs import (
+    Inputs,
+    Number,
+    Values,
+    by_number,
+    checked_variables,
+    checked_watch,
+    inputs_by_number,
+    inputs_of,
+    number_of,
+)
 from cncsub.option_errors import carrying
 from cncsub.setup import Setup, setup_of
 from cncsub.signatures import with_options
@@ -112,7 +122,7 @@ def switches(block_skip: object) -> tuple[int, ...]:
     return switches
 
 
-def _variables(values: object) -> dict[int, float | None]:
+def _variables(values: object) -> dict[Number, float | None]:
     return checked_variables("variables", values)
 
 
@@ -136,11 +146,12 @@ class FlattenOptions(TypedDict, total=False):
         ),
     ]
     variables: Annotated[
-        Mapping[int, float | None] | None,
+        Values | None,
         Option(
             None,
             _none_or(_variables),
-            "The values of variables before the run, by number; `None` is vacant.",
+            "The values of variables before the run, by number or as programs of the control write"
+            ' them, `{"R5": 3}`; `None` is vacant.',
         ),
     ]
     block_skip: Annotated[
@@ -210,12 +221,12 @@ class MdiOptions(FlattenOptions, total=False):
         ),
     ]
     watch: Annotated[
-        Iterable[int] | int,
+        Iterable[int | str] | int | str,
         Option(
             (),
             checked_watch,
-            "The numbers of at most a thousand variables whose changes are recorded in `Run.watch`."
-            " Each takes some time after every block, and 24 bytes for each change.",
+            "The numbers or names of at most a thousand variables whose changes are recorded in"
+            " `Run.watch`. Each takes some time after every block, and 24 bytes for each change.",
         ),
     ]
     conditions: Annotated[
@@ -297,6 +308,14 @@ def takes(
     return shown
 
 
+# The options whose variables may be named, and what turns the names into numbers.
+_NAMED: Mapping[str, Callable[[_core.Control, Any], Any]] = {
+    "variables": lambda control, values: values and by_number("variables", control, values),
+    "watch": lambda control, names: [number_of("watch", control, name) for name in names],
+    "inputs": inputs_by_number,
+}
+
+
 def machine_with(code: _core.Code, main: int, **options: Unpack[RunOptions]) -> _core.Machine:
     """Return the engine with checked options; `main` is the number of the program, -1 the last. An
     error carries the name of the option as `.option`.
@@ -306,6 +325,11 @@ def machine_with(code: _core.Code, main: int, **options: Unpack[RunOptions]) -> 
         try:
             checked[name] = known[name].checked(value)
         except (TypeError, ValueError) as error:
+            raise carrying(name, error) from None
+    for name, numbered in _NAMED.items():
+        try:
+            checked[name] = numbered(code.control, checked[name])
+        except ValueError as error:
             raise carrying(name, error) from None
     return _core.machine(code, main if main >= 0 else len(code) - 1, **checked)
 

@@ -11,18 +11,22 @@ from typing import TYPE_CHECKING, Any
 
 from cncsub import _core
 from cncsub.files import refused_entry
+from cncsub.search_path import searched
 
 if TYPE_CHECKING:
+    from cncsub._core import Control
     from cncsub.library import Library
 
 MOST_FILES = 2_000  # of a folder
 MOST_FOLDERS = 20  # in a folder
+MOST_LEVELS = 4  # of folders above a file: its own, that of workpieces, that of the memory
 MOST_ROUNDS = 100  # files that call files that call files
 
 
 def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]) -> Library:
-    """Load the program of a file, with the files beside it that its calls lead to. A name that
-    several files have leads to none of them.
+    """Load the program of a file, with the files beside it that its calls lead to, and those in
+    the folders of the control's search path that lie near it. A name that several files of a folder
+    have leads to none of them.
 
     `load` takes the file and those beside it. They are files of a folder that was not named: what
     is left out of a folder, such as a link that leads out of it, is left out here.
@@ -31,13 +35,16 @@ def with_files_beside(path: str, load: Callable[[list[str], list[str]], Library]
     library = load([path], [])
     for _ in range(MOST_ROUNDS):
         found: dict[str, None] = {}
+        places = [folders_of(path), *([f] for f in searched_folders(path, library.control))]
         for name in missing_programs(library):
-            files = [
-                file
-                for folder in folders_of(path)
-                for file, fault in files_named(folder, name, library)
-                if fault is None
-            ]
+            files: list[str] = []
+            for folders in places:
+                files = files or [
+                    file
+                    for folder in folders
+                    for file, fault in files_named(folder, name, library)
+                    if fault is None
+                ]
             if len(files) == 1 and files[0] not in siblings:
                 found[files[0]] = None
         if not found:
@@ -51,6 +58,21 @@ def folders_of(path: str) -> list[Path]:
     """Return the folder of a file, and for a link also the folder of the file it leads to."""
     folder, real = Path(path).parent, Path(os.path.realpath(path)).parent
     return [folder] if real == Path(os.path.realpath(folder)) else [folder, real]
+
+
+def searched_folders(path: str, control: Control) -> list[Path]:
+    """Return the folders of the control's search path that lie beside the folder of a file, or
+    beside one that it lies in, in the order in which the control searches them.
+    """
+    around = list(Path(os.path.abspath(path)).parents)[:MOST_LEVELS]  # noqa: PTH100
+    beside = (
+        [inner for folder in around for inner in folders_in(folder)] if searched(control) else []
+    )
+    found: list[Path] = []
+    for folder, on_disk in searched(control):
+        names = {folder, "_N_" + folder.replace(".", "_"), on_disk.upper()}
+        found += [inner for inner in beside if inner.name.upper() in names]
+    return found if Path(path).is_absolute() else [Path(os.path.relpath(inner)) for inner in found]
 
 
 def _entries(folder: Path) -> list[os.DirEntry[str]]:

@@ -9,14 +9,15 @@ from typing import Any
 from cncsub import _core
 from cncsub.controls import did_you_mean
 from cncsub.files import one_line
-from cncsub.inputs import checked_variables
+from cncsub.inputs import by_number, checked_variables, number_of
 from cncsub.pickling import NotPicklable
 from cncsub.setup import checked_number
 
 
 class Variables(NotPicklable, Mapping[int, float | None]):
     """Variables by number: a mapping of those that hold a value. `variables[100]` of any other
-    number that the control has is `None`, the vacant value.
+    number that the control has is `None`, the vacant value. A name as programs of the control write
+    it is as good as the number: `variables["R5"]`.
 
     Iteration and `len` count each variable under one number (the HNC also shows the locals of the
     open levels under `#200` and so on). Reading a number the control does not have, or that cannot
@@ -34,7 +35,8 @@ class Variables(NotPicklable, Mapping[int, float | None]):
         self._core = core
         self._level = level
 
-    def __getitem__(self, number: int) -> float | None:
+    def __getitem__(self, name: int | str) -> float | None:
+        number = self._number(name)
         if isinstance(number, bool) or not hasattr(number, "__index__"):
             raise KeyError(f"a variable number must be a whole number such as 100, not {number!r}")
         try:
@@ -67,13 +69,22 @@ class Variables(NotPicklable, Mapping[int, float | None]):
         except KeyError:
             return False
 
-    def get(self, number: int, default: Any = None) -> Any:
+    def get(self, number: int | str, default: Any = None) -> Any:
         """Return the value, or `default` where the variable is vacant or there is none."""
         try:
             value = self[number]
         except KeyError:
             return default
         return default if value is None else value
+
+    def _number(self, name: Any) -> Any:
+        """Return the number of a variable that is named as programs of the control write it."""
+        if not isinstance(name, str):
+            return name
+        try:
+            return number_of("variables", self._core.code.control, name)
+        except ValueError as error:
+            raise KeyError(str(error).removeprefix("variables: ")) from None
 
     def _set(self) -> dict[int, float | None]:
         return self._core.variables(self._level)
@@ -130,27 +141,31 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         """
         return NamedVariables(self._core, self._level)
 
-    def __setitem__(self, number: int, value: float | None) -> None:
-        ((checked, number_or_none),) = checked_variables("variables", {number: value}).items()
+    def __setitem__(self, number: int | str, value: float | None) -> None:
+        named = checked_variables("variables", {self._number(number): value})
+        ((checked, number_or_none),) = by_number(
+            "variables", self._core.code.control, named
+        ).items()
         try:
             self._core.set_variable(checked, number_or_none, self._level)
         except LookupError as error:
             raise _no_variable(number, error) from None
 
-    def __delitem__(self, number: int) -> None:
+    def __delitem__(self, name: int | str) -> None:
+        number = self._number(name)
         if number not in self:
             raise KeyError(f"{self._name(number)} has no value")
         if not self._core.can_be_vacant(operator.index(number)):
             raise KeyError(f"{self._name(number)} is a system variable and always has a value")
         self[number] = None
 
-    def setdefault(self, number: int, default: float | None = None) -> float | None:
+    def setdefault(self, number: int | str, default: float | None = None) -> float | None:
         """Return the value; a vacant variable is set to `default` first."""
         if number not in self:
             self[number] = default
         return self[number]
 
-    def pop(self, number: int, *default: Any) -> Any:
+    def pop(self, number: int | str, *default: Any) -> Any:
         """Make a variable vacant and return its value. Where it is vacant already, return `default`
         or raise `KeyError`.
         """
@@ -304,7 +319,7 @@ class Signals(NotPicklable, MutableMapping[int, float]):
     """The interface inputs of a machine by variable number, to read and to set. A signal that was
     never set is 0; iteration gives those that were set.
 
-    A number that is no signal of the control is a `KeyError`.
+    A number or a name that is no signal of the control is a `KeyError`.
 
     >>> import cncsub
     >>> text = "O1\\nN10 #100=#1004\\nN20 M30\\n"
@@ -319,7 +334,16 @@ class Signals(NotPicklable, MutableMapping[int, float]):
     def __init__(self, core: _core.Machine) -> None:
         self._core = core
 
-    def __getitem__(self, number: int) -> float:
+    def _number(self, name: Any) -> Any:
+        if not isinstance(name, str):
+            return name
+        try:
+            return number_of("signals", self._core.code.control, name)
+        except ValueError as error:
+            raise KeyError(str(error).removeprefix("signals: ")) from None
+
+    def __getitem__(self, name: int | str) -> float:
+        number = self._number(name)
         if isinstance(number, bool) or not hasattr(number, "__index__"):
             raise KeyError(f"a signal must be a whole number such as 1004, not {number!r}")
         try:
@@ -327,14 +351,15 @@ class Signals(NotPicklable, MutableMapping[int, float]):
         except (TypeError, LookupError) as error:
             raise _no_variable(number, error) from None
 
-    def __setitem__(self, number: int, value: float) -> None:
-        ((checked, number_or_none),) = checked_variables("signals", {number: value}).items()
+    def __setitem__(self, number: int | str, value: float) -> None:
+        named = checked_variables("signals", {self._number(number): value})
+        ((checked, number_or_none),) = by_number("signals", self._core.code.control, named).items()
         try:
             self._core.set_signal(checked, number_or_none or 0.0)
         except LookupError as error:
             raise _no_variable(number, error) from None
 
-    def __delitem__(self, number: int) -> None:
+    def __delitem__(self, number: int | str) -> None:
         self[number] = 0
 
     def __iter__(self) -> Iterator[int]:

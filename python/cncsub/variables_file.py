@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from cncsub.inputs import checked_variables, numbered
+from cncsub.inputs import Number, checked_variables, numbered
 from cncsub.lines import lines_of, without_end
 from cncsub.setup import from_toml
 
@@ -24,11 +24,12 @@ _NO_MATTER = re.compile(r"|%|M0?2|M30|M99|[O:]\d+")
 _COMMENT = re.compile(r"\([^()]*\)")
 
 
-def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
+def read_variables(path: str | os.PathLike[str]) -> dict[Number, float | None]:
     """Return the variables of a file by number, `None` where one is vacant, for
     `run(variables=...)`.
 
-    A file that ends in `.toml` has numbers for keys, `500 = 1.5`, in a table `variables` or without
+    A file that ends in `.toml` has numbers for keys, `500 = 1.5`, or names as programs
+    write them, `"R5" = 1.5`, in a table `variables` or without
     one; one that ends in `.csv` has a row for each variable, its number and its value, separated by
     commas, semicolons or tabs, with a head line or without. Any other file is what a control
     wrote: `G10L85P500(407F400000000000)`, the bits of a FANUC, or statements `#500=1.234`.
@@ -51,7 +52,7 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     except OSError as error:  # a device that fails names no file
         raise OSError(error.errno, error.strerror, name) from None
     rows = _csv_rows(text) if name.lower().endswith(".csv") else _punched(text)
-    found: dict[int, float | None] = {}
+    found: dict[Number, float | None] = {}
     for line, number, value in _checked(name, rows):
         if number in found:
             raise ValueError(f"{name}:{line}: #{number} is there twice")
@@ -59,7 +60,7 @@ def read_variables(path: str | os.PathLike[str]) -> dict[int, float | None]:
     return found
 
 
-def _from_table(table: Mapping[str, Any]) -> dict[int, float | None]:
+def _from_table(table: Mapping[str, Any]) -> dict[Number, float | None]:
     told = table.get("variables", table)
     if not isinstance(told, Mapping) or (told is not table and len(table) > 1):
         raise ValueError(
@@ -82,7 +83,7 @@ def _checked(name: str, rows: Rows) -> Iterator[tuple[int, int, float | None]]:
         for line, number, told in rows:
             value = None if _is_vacant(told) else float(told)
             ((checked, kept),) = checked_variables("variables", {int(number): value}).items()
-            yield line, checked, kept
+            yield line, int(checked), kept
     except _LineError as error:
         raise ValueError(f"{name}:{error.line}: {error}") from None
     except (ValueError, TypeError) as error:

@@ -94,6 +94,11 @@ _TABLE = _joined(
         (*EVERY, "syntec-22ma"),
         "no source says that the control drops a word of the centre",
     ),
+    _all(
+        "search_path",
+        (*EVERY, "syntec-22ma"),
+        "no source says that calls search folders of the control's memory",
+    ),
     # Calls
     _all("max_program_digits start_word caller_call", (TE,), "P of M98 is a sequence number"),
     _all("count_and_l refuses:illegal-repeat-count", (TE, *MITSUBISHI, HNC), NO_COUNT),

@@ -38,6 +38,13 @@ void check_code(Checker& c, Address at, int g) {
   c.refused(refused ? Check::CodeMissing : Check::NotComputed, at, std::move(fault));
 }
 
+/// Return where the calls of a program begin their search, in a check of one main program.
+SearchFrom search_of(const Checker& c, std::int32_t program) {
+  SearchFrom from = known_search(c.code, program);
+  if (c.main != kNoProgram && !is_main(c.code, c.program(program))) from.main = c.main;
+  return from;
+}
+
 /// Check a call whose words are all numbers and that still has no target.
 void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& record) {
   if (record.constant || is_computed(record)) return;
@@ -51,8 +58,11 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   }
   if (target.program != kNoProgram) c.unsure.push_back({target.program, at});
   if (record.kind == CallKind::Local) c.unsure.push_back({program, at});
-  if (auto fault = find_target(c.code, record, target))
+  if (auto fault = find_target(c.code, record, target, search_of(c, program)))
     c.refused(Check::ProgramMissing, at, std::move(*fault));
+  const CallChoice* const choice = chosen(c.code, record, search_of(c, program));
+  if (choice != nullptr && choice->fault != CallChoice::kNone)
+    c.refused(Check::Refused, at, c.code.faults[choice->fault]);
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
 }
 
@@ -62,7 +72,7 @@ void check_part(Checker& c, Address at, std::int32_t program, const CallRecord& 
   if (!part.first_text.present() || record.name_text().present()) return;
   Target target;
   target.program = record.target.program;
-  if (auto fault = find_target(c.code, record, target)) {
+  if (auto fault = find_target(c.code, record, target, search_of(c, program))) {
     c.refused(Check::ProgramMissing, at, std::move(*fault));
     return;
   }

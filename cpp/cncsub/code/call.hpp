@@ -103,11 +103,22 @@ struct PassedReference {
   bool copied = false;
 };
 
+/// The call of one of several programs that a name means by turns: the record that passes the
+/// values to it, or the fault of a call that it does not take.
+struct CallChoice {
+  static constexpr std::uint32_t kNone = 0xffffffff;
+  std::int32_t program = 0;
+  std::uint32_t record = 0;
+  std::uint32_t fault = kNone;  // in Code::faults
+};
+
 /// The parts that few calls have.
 struct CallExtras {
   Operand start, device;
   std::string name;  // <NAME>, P[NAME]
   std::uint32_t name_at = 0, name_width = 1;
+  std::string path;                           // what stands before the name: /_N_SPF_DIR/
+  std::vector<CallChoice> choices;            // where the folder of the main program decides
   char count = 'L';                           // the address of `l` as it is written
   Address part_end = kNowhere;                // of RepeatPart: the block before which a pass ends
   std::uint32_t last_at = 0, last_width = 0;  // the same: where its last block is named, if it is

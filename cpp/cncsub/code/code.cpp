@@ -136,6 +136,11 @@ CodeList Code::codes_of(const Block& block) const {
 }
 
 std::string Code::name_of(const Program& program) const {
+  if (program.named_with_folder) return folders[program.folder] + "/" + bare_name_of(program);
+  return bare_name_of(program);
+}
+
+std::string Code::bare_name_of(const Program& program) const {
   const SourceFile& file = files[program.file];
   if (program.name_length == Program::kOfFile) return file.stem.empty() ? "MAIN" : file.stem;
   if (program.name_length == 0) return "MAIN";

@@ -116,6 +116,9 @@ struct Code {
       hidden_locals;                       // the first of each, by what they are for
   std::vector<std::vector<double>> lists;  // numbers of which an expression chooses one
   std::vector<SourceFile> files;
+  std::vector<std::string> folders{""};  // of the control; the first is none that is known
+  std::int32_t call_path = -1;  // among the commons: the text of the folder that a program adds to
+                                // those that are searched; -1: the control has no such statement
   LargeVector<Program> programs;
   LargeVector<Block> blocks;
   LargeVector<Block> variants;
@@ -183,7 +186,9 @@ struct Code {
   Address head_behind(std::uint32_t label, Address at) const;
   /// Return the codes of a block that are written as numbers.
   CodeList codes_of(const Block& block) const;
+  /// Return the name of a program, with its folder where a program of another folder has the name.
   std::string name_of(const Program& program) const;
+  std::string bare_name_of(const Program& program) const;
   std::string name_of(std::int32_t program) const {
     return name_of(programs[static_cast<std::size_t>(program)]);
   }

@@ -2,8 +2,13 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/search.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -32,6 +37,23 @@ std::uint64_t hash_of(std::string_view name) {  // FNV-1a of the letters as capi
   return hash;
 }
 
+/// Give each program its folder of the control, and take back what was registered before.
+void place_in_folders(Code& code) {
+  std::unordered_map<std::string, std::uint32_t> known;
+  code.folders.assign(1, "");
+  for (Program& program : code.programs) {
+    program.same_name = kNoProgram;
+    program.named_with_folder = false;
+    const std::string folder = folder_of(code, program);
+    program.folder = 0;
+    if (folder.empty()) continue;
+    const auto [found, is_new] =
+        known.try_emplace(folder, static_cast<std::uint32_t>(code.folders.size()));
+    if (is_new) code.folders.push_back(folder);
+    program.folder = found->second;
+  }
+}
+
 bool first_in_file(const Code& code, std::size_t program) {
   return program == 0 || code.programs[program - 1].file != code.programs[program].file;
 }
@@ -55,13 +77,25 @@ auto with_name(const Code& code, std::string_view name) {
   };
 }
 
-bool is_main(const Code& code, const Program& program) {
-  const std::string_view ending = code.spelling->main_ending;
-  const SourceFile& file = code.files[program.file];
-  if (program.name_length == Program::kOfFile) return ends_in(file.name, ending);
-  const std::string_view text = file.text.view();
-  const std::size_t end = std::size_t{program.name_at} + program.name_length;
-  return ends_in(text.substr(0, std::min(end + ending.size() + 1, text.size())), ending);
+/// Put a program after another one of its name.
+void chain(Code& code, std::int32_t program, std::int32_t before) {
+  Program& first = code.programs[static_cast<std::size_t>(before)];
+  code.programs[static_cast<std::size_t>(program)].same_name = first.same_name;
+  first.same_name = program;
+}
+
+/// Return the program that takes a name before this one does, where another one has the name. One
+/// in another folder of the control has it with its folder: CUS.DIR/SUB.
+std::int32_t before_in_folder(Code& code, std::int32_t place, std::int32_t before,
+                              bool other_kind) {
+  Program& program = code.programs[static_cast<std::size_t>(place)];
+  if (before == kNoProgram ||
+      program.folder == code.programs[static_cast<std::size_t>(before)].folder)
+    return other_kind ? kNoProgram : before;
+  program.named_with_folder = true;
+  const std::string name = code.name_of(program);
+  return code.by_name[code.files[program.file].external].find_or_add(hash_of(name),
+                                                                     with_name(code, name), place);
 }
 
 /// Let the number and the name of a program lead to it, and of the first one of a file its name.
@@ -78,17 +112,35 @@ void register_program(Code& code, std::size_t i) {
   const bool other_kind = before != kNoProgram && !code.spelling->called_ending.empty() &&
                           is_main(code, program) &&
                           !is_main(code, code.programs[static_cast<std::size_t>(before)]);
-  if (program.number < 0 && !other_kind) program.duplicate_of = before;
+  if (before != kNoProgram && program.inside == kNoProgram) chain(code, place, before);
+  if (program.number < 0 && (!other_kind || program.folder != 0))
+    program.duplicate_of = before_in_folder(code, place, before, other_kind);
   const std::string_view base = last_of_path(file.name);
   if (first_in_file(code, i) && !base.empty())
     names.find_or_add(hash_of(base), with_name(code, base), place);
+}
+
+/// Register the programs of several folders, each turn by itself: those whose folder nothing tells
+/// have their names alone, then come the others as a search finds them.
+template <class TurnOf>
+void register_by_folders(Code& code, const TurnOf& turn_of, const std::function<bool()>& over) {
+  using Key = std::tuple<decltype(turn_of(code.programs[0])), bool, int, std::size_t>;
+  std::vector<Key> order;
+  for (std::size_t i = 0; i < code.programs.size(); ++i) {
+    const Program& of = code.programs[i];
+    order.emplace_back(turn_of(of), of.folder != 0, place_in_path(code, of), i);
+  }
+  std::sort(order.begin(), order.end());
+  for (const Key& key : order)
+    if (!over()) register_program(code, std::get<3>(key));
 }
 
 }  // namespace
 
 void Code::register_programs(const std::function<bool()>& over) {
   for (auto* index : {&by_number, &by_name})
-    for (ProgramIndex& table : *index) table.reserve(programs.size() + files.size());
+    for (ProgramIndex& table : *index) table.reserve(2 * programs.size() + files.size());
+  place_in_folders(*this);
   // Where a main program has the name of another one, a call means the other. A name means a file
   // first, so the parts of files come last: they are found by their labels.
   enum class Turn : std::uint8_t { First, Main, Part };
@@ -97,6 +149,7 @@ void Code::register_programs(const std::function<bool()>& over) {
     if (of.inside != kNoProgram) return Turn::Part;
     return two_kinds && is_main(*this, of) ? Turn::Main : Turn::First;
   };
+  if (folders.size() > 1) return register_by_folders(*this, turn_of, over);
   bool later = true;
   for (const Turn turn : {Turn::First, Turn::Main, Turn::Part}) {
     if (!std::exchange(later, false)) return;
@@ -131,9 +184,28 @@ std::int32_t Code::find(std::int64_t number, bool external) const {
   return by_number[external].find(static_cast<std::uint64_t>(number), numbered(*this, number));
 }
 
+namespace {
+
+/// Return the program of a name with its folder of the control, CUS.DIR/SUB.
+std::int32_t find_in_folder(const Code& code, std::string_view path, bool external) {
+  const std::string_view name = last_of_path(path);
+  const std::string folder = capitals(path.substr(0, path.size() - name.size() - 1));
+  std::int32_t at = name.empty() ? kNoProgram : code.find(name, external);
+  while (at != kNoProgram) {
+    const Program& program = code.programs[static_cast<std::size_t>(at)];
+    if (program.folder != 0 && is_same_folder(code.folders[program.folder], folder)) return at;
+    at = program.same_name;
+  }
+  return kNoProgram;
+}
+
+}  // namespace
+
 std::int32_t Code::find(std::string_view name, bool external) const {
   const std::int32_t found = by_name[external].find(hash_of(name), with_name(*this, name));
   if (found != kNoProgram) return found;
+  if (folders.size() > 1 && name.find('/') != std::string_view::npos)
+    return find_in_folder(*this, name, external);
   const std::int64_t number = number_in(name);
   return number >= 0 ? find(number, external) : kNoProgram;
 }

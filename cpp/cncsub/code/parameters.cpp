@@ -112,6 +112,16 @@ std::optional<Fault> pass(Code& code, CallRecord& call, const FormalParameter& f
   return std::nullopt;
 }
 
+/// Pass whether the call gives a parameter, if some program asks.
+void pass_given(Code& code, CallRecord& call, std::size_t parameter, bool given) {
+  const auto found = code.hidden_locals.find(std::string(kGivenParameters));
+  if (found == code.hidden_locals.end() || parameter >= kMostGivenParameters) return;
+  Operand value;
+  value.kind = Operand::Kind::Constant;
+  value.value = given ? 1 : 0;
+  add_argument(code, call, found->second + static_cast<std::int32_t>(parameter), value);
+}
+
 /// Return whether the first block of a program is refused: the call enters it, and it alarms there.
 bool has_faulty_head(const Code& code, const Program& program) {
   return program.first < program.last && code.blocks[program.first].op == Op::Fault;
@@ -119,17 +129,16 @@ bool has_faulty_head(const Code& code, const Program& program) {
 
 }  // namespace
 
-std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
+std::optional<Fault> pass_parameters(Code& code, CallRecord& call, std::int32_t called) {
   CallExtras* const extras = call.extras.find();
   if (call.kind != CallKind::Named || extras == nullptr) return std::nullopt;
   if (!code.named_variables.empty()) call.locals = CallRecord::Locals::Own;
   std::vector<ActualParameter> given = std::exchange(extras->given, {});
   call.first_argument = static_cast<std::uint32_t>(code.arguments.size());
-  const std::int32_t found = code.find(extras->name);
   std::span<const FormalParameter> formals;
-  bool is_declared = found != kNoProgram;
+  bool is_declared = called != kNoProgram;
   if (is_declared) {
-    const Program& program = code.programs[static_cast<std::size_t>(found)];
+    const Program& program = code.programs[static_cast<std::size_t>(called)];
     is_declared = !has_faulty_head(code, program);
     formals =
         std::span(code.formal_parameters).subspan(program.first_parameter, program.parameters);
@@ -139,7 +148,7 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
     if (is_declared)
       return fault(
           given[i], Cause::TooManyArguments,
-          code.name_of(found) + " declares " + std::to_string(formals.size()) + " parameters");
+          code.name_of(called) + " declares " + std::to_string(formals.size()) + " parameters");
     add_argument(code, call, 0, given[i].operand);  // what it reads is known, if nothing else
   }
   for (std::size_t i = 0; i < formals.size(); ++i) {
@@ -148,6 +157,7 @@ std::optional<Fault> pass_parameters(Code& code, CallRecord& call) {
     none.operand.width = call.width;
     ActualParameter& actual = i < given.size() ? given[i] : none;
     if (auto wrong = pass(code, call, formals[i], actual)) return wrong;
+    pass_given(code, call, i, is_given(actual));
   }
   return std::nullopt;
 }

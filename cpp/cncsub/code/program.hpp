@@ -79,6 +79,11 @@ struct Program {
   Address last = 0;                               // one after the last block: the EndOfRecord
   std::uint32_t first_entry = 0, last_entry = 0;  // in Code::sequence, sorted by n, then by address
   std::int32_t duplicate_of = kNoProgram;
+  std::int32_t same_name = kNoProgram;  // the next program of the name, which may be in another
+                                        // folder of the control
+  std::uint32_t folder = 0;             // in Code::folders
+  bool named_with_folder = false;       // another program has the name alone
+  std::uint32_t path_at = 0, path_length = 0;         // of the folder that the text itself names
   std::int32_t inside = kNoProgram;                   // the program whose blocks it is a part of
   bool keeps_modes = false;                           // its return restores the modes of its caller
   std::uint32_t first_parameter = 0, parameters = 0;  // in Code::formal_parameters

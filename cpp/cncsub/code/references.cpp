@@ -82,7 +82,8 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
   const CallOperands values{known.p.value, known.l.value, known.start().value,
                             known.device().value};
   if (decode_call(code_, known, values, program_, target)) return;
-  const bool found = !reference.computed_program && !find_target(code_, known, target);
+  const bool found = !reference.computed_program &&
+                     !find_target(code_, known, target, known_search(code_, program_));
   reference.external = target.external;
   reference.start = target.start_n;
   reference.block_in_p = call.p.present() && call.name().empty() && target.program == program_ &&
@@ -116,7 +117,7 @@ void ReferenceReader::part(const CallRecord& call) {
   for (const Operand* of : {&named.first_text, &named.last_text}) used_.operand(*of);
   if (call.name_text().present()) reference.computed_program = place_of(call.name_text());
   if (reference.found == kNoProgram && !reference.computed_program) {
-    reference.found = code_.find(call.name());
+    reference.found = find_called(code_, call.name(), named.path, known_search(code_, program_));
     reference.program = call.name();
   }
   if (reference.found != kNoProgram) reference.program = code_.name_of(reference.found);

@@ -1,8 +1,10 @@
 #include "cncsub/code/spelling.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "cncsub/code/block.hpp"
+#include "cncsub/control/edge_datum.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {
@@ -14,8 +16,40 @@ bool ends_in(std::string_view name, std::string_view ending) {
   return (last[0] == '.' || last[0] == '_') && same_letters(last.substr(1), ending);
 }
 
+namespace {
+
+/// Return what a name begins with on the control: _N_.
+std::string_view mark_of(const Spelling& spelling) {
+  const std::string_view before = spelling.head.before;
+  return before.substr(std::min<std::size_t>(before.size(), 1));
+}
+
+}  // namespace
+
+std::string Spelling::folder_of(std::string_view path) const {
+  constexpr std::size_t kEnding = 4;  // _DIR
+  const std::string_view mark = mark_of(*this);
+  std::string folder;
+  while (!folders.empty() && !path.empty()) {
+    const std::size_t end = std::min(path.find_first_of(kPathSigns), path.size());
+    std::string name = capitals(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
+    if (name.empty()) continue;
+    const bool marked = name.starts_with(mark);
+    if (marked) {
+      name.erase(0, mark.size());
+      if (name.size() > kEnding && name[name.size() - kEnding] == '_')
+        name[name.size() - kEnding] = '.';
+    }
+    const bool own = marked || ends_in(name, folder_ending) ||
+                     std::find(folders.begin(), folders.end(), name) != folders.end();
+    if (folder.empty() ? own : true) folder += (folder.empty() ? "" : "/") + name;
+  }
+  return folder;
+}
+
 std::string_view Spelling::bare_name(std::string_view name) const {
-  const std::string_view mark = head.before.substr(std::min<std::size_t>(head.before.size(), 1));
+  const std::string_view mark = mark_of(*this);
   const std::size_t before = same_letters(name.substr(0, mark.size()), mark) ? mark.size() : 0;
   std::size_t around = before;
   for (const std::string_view ending : {main_ending, called_ending})
@@ -26,6 +60,60 @@ std::string_view Spelling::bare_name(std::string_view name) const {
 std::string Spelling::name_of_variable(const Control& control, std::int64_t number) const {
   std::string name = variable_name == nullptr ? "" : variable_name(control, number);
   return name.empty() ? std::string(variable) + std::to_string(number) : name;
+}
+
+namespace {
+
+/// Return the whole numbers in a text, in their order.
+std::vector<std::int64_t> numbers_in(std::string_view text) {
+  std::vector<std::int64_t> numbers;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (!is_digit(text[i])) continue;
+    if (i == 0 || !is_digit(text[i - 1])) numbers.push_back(0);
+    numbers.back() = std::min<std::int64_t>(numbers.back() * 10 + (text[i] - '0'), 4'000'000'000);
+  }
+  return numbers;
+}
+
+/// Return the numbers among which that of a variable is, of a range: all of a short one.
+std::vector<std::int64_t> candidates(const VariableRange& range,
+                                     const std::vector<std::int64_t>& written) {
+  constexpr std::int64_t kShort = 2000;
+  std::vector<std::int64_t> found;
+  if (range.kind == VariableKind::EdgeDatum) {
+    if (written.size() == 3) {
+      const auto part = [&](std::size_t i) { return static_cast<std::int32_t>(written[i]); };
+      found.push_back(range.first + std::int64_t{EdgeDatum{part(0), part(2), part(1)}.number()});
+    }
+  } else if (range.last - range.first < kShort) {
+    for (std::int64_t number = range.first; number <= range.last; ++number) found.push_back(number);
+  } else if (!written.empty()) {
+    found = {written.back(), range.first + written.back()};
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
+                                                         std::string_view name) const {
+  std::string written = capitals(name);
+  std::erase_if(written, [](char c) { return is_blank(c); });
+  const std::vector<std::int64_t> numbers = numbers_in(written);
+  if (numbers.empty() && variable_name == nullptr) return std::nullopt;
+  if (numbers.size() == 1) {
+    const std::string digits = std::to_string(numbers[0]), sign(variable);
+    for (const std::string& form : {digits, sign + digits, sign + "[" + digits + "]"})
+      if (written == form &&
+          (form == digits || name_of_variable(control, numbers[0]) == sign + digits))
+        return numbers[0];
+  }
+  for (const VariableRange& range : control.variables)
+    for (const std::int64_t number : candidates(range, numbers))
+      if (number >= range.first && number <= range.last &&
+          capitals(name_of_variable(control, number)) == written)
+        return number;
+  return std::nullopt;
 }
 
 namespace {

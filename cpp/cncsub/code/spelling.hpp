@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,11 @@ struct Spelling {
   std::string_view main_ending{};
   // What the name of a program ends in that a call means, where a main program has the same name.
   std::string_view called_ending{};
+
+  // The names of the control's folders, and what the name of any other one ends in. One that begins
+  // as a program's name on the control does is one of them too.
+  std::span<const std::string_view> folders{};
+  std::string_view folder_ending{};
 
   // The spelling of expressions.
   Around brackets{"[", "]"};
@@ -77,8 +83,14 @@ struct Spelling {
 
   /// Return a variable as programs write it: #500, R5, $TC_DP3[5,1].
   std::string name_of_variable(const Control& control, std::int64_t number) const;
+  /// Return the number of a variable as programs write it; nothing where the control has none.
+  std::optional<std::int64_t> number_of_variable(const Control& control,
+                                                 std::string_view name) const;
   /// Return a program's name without what the control puts around it: _N_SHAFT_MPF is SHAFT.
   std::string_view bare_name(std::string_view name) const;
+  /// Return the folder of the control that a path names: WKS.DIR/SHAFT.WPD of
+  /// /_N_WKS_DIR/_N_SHAFT_WPD/ and of nc/wks.dir/shaft.wpd/; nothing where it names none.
+  std::string folder_of(std::string_view path) const;
   /// Return the place of a written address in the mask of a block; -1 where it has none.
   int place_of(std::string_view address) const;
   /// Return the address of a place in the mask as it is written.

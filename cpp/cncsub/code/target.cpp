@@ -225,7 +225,8 @@ Fault not_found(const Code& code, const CallRecord& call, const Target& target) 
       (named ? named_program(code, call.name()) : "O" + std::to_string(target.program_number)) +
       (!target.external       ? " is not in the memory"
        : code.external_device ? " is not on the external device"
-                              : " is not in the memory, and there is no external device");
+                              : " is not in the memory, and there is no external device") +
+      (named && !target.external ? told_elsewhere(code, call.name()) : "");
   if (named) return {cause, call.extras.get().name_at, call.extras.get().name_width, what};
   return call.p.present() ? fault(cause, call.p, what) : fault(cause, call, what);
 }
@@ -242,12 +243,26 @@ std::optional<Fault> decode_call(const Code& code, const CallRecord& call,
   return words.program(own);
 }
 
-std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target) {
+const CallChoice* chosen(const Code& code, const CallRecord& call, const SearchFrom& from) {
+  const CallExtras& named = call.extras.get();
+  if (named.choices.empty()) return nullptr;
+  const std::int32_t program = find_called(code, named.name, named.path, from);
+  for (const CallChoice& of : named.choices)
+    if (of.program == program) return &of;
+  return nullptr;
+}
+
+std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target,
+                                 const SearchFrom& from) {
   if (target.skipped) return std::nullopt;
   if (target.program == kNoProgram) {
     const bool external = target.external && code.external_device;
-    target.program = call.name().empty() ? code.find(target.program_number, external)
-                                         : code.find(call.name(), external);
+    if (call.name().empty())
+      target.program = code.find(target.program_number, external);
+    else if (external)
+      target.program = code.find(call.name(), external);
+    else
+      target.program = find_called(code, call.name(), call.extras.get().path, from);
     if (target.program == kNoProgram) return not_found(code, call, target);
   }
   const Program& program = code.programs[static_cast<std::size_t>(target.program)];

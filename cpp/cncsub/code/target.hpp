@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cncsub/code/code.hpp"
+#include "cncsub/code/search.hpp"
 #include "cncsub/code/spelling.hpp"
 
 namespace cncsub {
@@ -28,6 +29,9 @@ inline std::string named_program(const Code& code, const std::string& name) {
   return std::string(before) + name + std::string(behind);
 }
 /// Look up the program and its start block, after the block's other words have been executed.
-std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target);
+std::optional<Fault> find_target(const Code& code, const CallRecord& call, Target& target,
+                                 const SearchFrom& from);
+/// Return the record that passes the values of a call to the program that it means from here.
+const CallChoice* chosen(const Code& code, const CallRecord& call, const SearchFrom& from);
 
 }  // namespace cncsub

@@ -8,6 +8,12 @@ namespace {
 
 bool is_local(Ins op) { return op == Ins::Local || op == Ins::LocalRaw; }
 bool is_common(Ins op) { return op == Ins::Common || op == Ins::CommonRaw; }
+/// Return whether a local is one that no program can name.
+bool is_hidden(const Code& code, const Instruction& of) {
+  const auto index = static_cast<std::int32_t>(of.at);
+  return is_local(of.op) && of.value == 0 && index > code.locals_per_level &&
+         code.named(false, index) == nullptr;
+}
 bool is_indirect(Ins op) { return op == Ins::Indirect || op == Ins::IndirectRaw; }
 
 }  // namespace
@@ -53,7 +59,7 @@ void VariablesUsed::reads(std::uint32_t expression) {
     VariableReference found;
     found.place = place;
     if (is_local(here.op) || is_common(here.op)) {
-      if (here.value == 0 && here.at == 0) continue;  // #0
+      if ((here.value == 0 && here.at == 0) || is_hidden(code_, here)) continue;  // #0
       found = variable(here, is_local(here.op), place);
     } else if (here.op == Ins::Referenced) {
       found = variable(false, to_whole<std::int32_t>(here.value), place);
@@ -98,6 +104,7 @@ void VariablesUsed::written(const Statement& statement) {
   const TextPlace place{statement.variable_at, statement.variable_width};
   VariableReference to;
   to.place = place;
+  if (statement.target == Target::Common && statement.index == code_.call_path) return;
   switch (statement.target) {
     case Target::None:
       return;

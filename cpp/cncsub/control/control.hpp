@@ -20,6 +20,7 @@
 #include "cncsub/control/parameter.hpp"
 #include "cncsub/control/registered_codes.hpp"
 #include "cncsub/control/roles.hpp"
+#include "cncsub/control/search_path.hpp"
 #include "cncsub/control/set.hpp"
 #include "cncsub/control/source.hpp"
 #include "cncsub/text/number.hpp"

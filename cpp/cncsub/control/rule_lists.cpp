@@ -139,6 +139,12 @@ std::string CornerEntry::wrong(std::string_view text) {
   return std::string(text) + " is not an address: write C or ,C";
 }
 
+std::string SearchFolder::wrong(std::string_view text) {
+  return std::string(text) +
+         " is not a folder of the control, in capitals, with the folder on the disk: write "
+         "CUS.DIR=cycles, or SPF.DIR";
+}
+
 std::string RegisteredEntry::wrong(std::string_view text) {
   return std::string(text) +
          " is not a code with what it calls: write M50=call:9001, G101=macro-call:9010, "

@@ -102,6 +102,7 @@ void prepare(Code& code, std::shared_ptr<const Control> control, const Dialect& 
   code.word_uses = dialect.word_uses;
   code.texts.number_of("");  // the value 0, of a text that was given nothing
   number_variables(code);
+  if (!code.control->calls.search_path.value.empty()) code.call_path = code.commons++;
   list_codes(code);
 }
 
@@ -223,7 +224,13 @@ class Reading {
   }
 
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
-    if (auto fault = pass_parameters(code_, call)) return to_.refuse(block, std::move(*fault));
+    const CallExtras& named = call.extras.get();
+    if (call.kind == CallKind::Named && !means_one(code_, named.name, named.path))
+      return choose_as_it_runs(block.aux);
+    const std::int32_t program =
+        call.kind == CallKind::Named ? find_called(code_, named.name, named.path, {}) : kNoProgram;
+    if (auto fault = pass_parameters(code_, call, program))
+      return to_.refuse(block, std::move(*fault));
     if (const SystemProgram* const called = system_program(code_, call))
       return to_.refuse(block, not_computed(call, *called));
     if (!has_constant_operands(call)) return;
@@ -232,10 +239,29 @@ class Reading {
     Target target;
     if (auto fault = decode_call(code_, call, operands, own, target))
       return to_.refuse(block, std::move(*fault));
-    if (code_.general_only || find_target(code_, call, target))
+    if (code_.general_only || find_target(code_, call, target, {}))
       return;  // reported when the call is reached
     call.target = target;
     call.constant = true;
+  }
+
+  /// Make a record for each program that a call may mean: the folder of the main program decides.
+  void choose_as_it_runs(std::uint32_t number) {
+    std::vector<CallChoice> choices;
+    for (const std::int32_t program :
+         programs_named(code_, code_.calls[number].extras.get().name)) {
+      CallRecord one = code_.calls[number];
+      CallChoice choice{program, static_cast<std::uint32_t>(code_.calls.size())};
+      if (auto fault = pass_parameters(code_, one, program)) {
+        choice.fault = static_cast<std::uint32_t>(code_.faults.size());
+        code_.faults.push_back(std::move(*fault));
+      }
+      code_.calls.push_back(std::move(one));
+      choices.push_back(choice);
+    }
+    CallRecord& call = code_.calls[number];
+    call.extras.make().choices = std::move(choices);
+    pass_parameters(code_, call, kNoProgram);  // what it reads is known where no program is found
   }
 
   Code& code_;

@@ -18,6 +18,8 @@ void calls_and_returns(Control& c) {
   leave_out(c, RuleGroup::TurningRules, kManual, Inferred);
   c.calls.max_nesting = {15, "828D p.490: 16 program levels, the main program is on the first",
                          Secondary};
+  c.calls.search_path = {"SPF.DIR CALLPATH CUS.DIR CMA.DIR CST.DIR",
+                         "SONE p.559-560: search path for subprogram call", Manual};
   c.calls.main_return = {MainReturn::Ends, kManual, Manual};
   c.calls.max_repeats = {9999, kKnown, Inferred};
   c.calls.zero_repeats = {ZeroRepeats::Alarm, kKnown, Inferred};

@@ -12,6 +12,7 @@ from cncsub._core import Control
 from cncsub.analysis.block_errors import BlockError
 from cncsub.analysis.pairs import Pair, Parting, Question, variables_lacking
 from cncsub.controls import control_of
+from cncsub.inputs import by_number
 from cncsub.interrupts import uninterrupted
 from cncsub.pickling import NotPicklable
 from cncsub.run_options import FlattenOptions, check_names, idle_machine, takes
@@ -270,7 +271,7 @@ def _parts(
         "start": None,
     }  # the flat program begins there
     flat = library.of_text(text, control)
-    given = options.get("variables") or {}
+    given = by_number("variables", library.control, options.get("variables") or {})
     lacking = variables_lacking(control, given)  # their values stand in the text
     again["variables"] = {n: value for n, value in given.items() if n not in lacking}
     question: Question = "flat" if control is library.control else "rewritten"

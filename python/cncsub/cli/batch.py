@@ -28,6 +28,7 @@ from cncsub.cli.options import (
     Encoding,
     External,
     Param,
+    SearchPath,
     SetupFile,
     setup_for,
     wrong_use,
@@ -57,6 +58,7 @@ def batch(
     ] = None,
     each: Each = "file",
     external: External = None,
+    search: SearchPath = None,
     encoding: Encoding = None,
     setup: SetupFile = None,
     check: Annotated[

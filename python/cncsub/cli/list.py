@@ -20,6 +20,7 @@ from cncsub.cli.options import (
     Param,
     Paths,
     Prefer,
+    SearchPath,
     wrong_use,
 )
 from cncsub.cli.output import tell_all, write_json, write_text
@@ -36,6 +37,7 @@ def list_programs(
     control: ControlName = None,
     param: Param = None,
     external: External = None,
+    search: SearchPath = None,
     prefer: Prefer = None,
     encoding: Encoding = None,
     format: Annotated[Format, typer.Option()] = Format.TEXT,

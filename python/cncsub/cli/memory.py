@@ -11,7 +11,7 @@ from typing import Any
 
 import cncsub
 from cncsub.analysis.notes import Note, program_in_its_place, same_blocks
-from cncsub.cli.options import control_for
+from cncsub.cli.options import control_for, search_of
 from cncsub.cli.output import tell_all
 from cncsub.cli.project import PLACES, Project, project_for
 from cncsub.loading import load_with
@@ -71,6 +71,7 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
         "external": options["external"] or project.external,
     }
     paths = options["paths"] or project.folders
+    searched = list(search_of(options).values())
     if options.get("prefer") and (not paths or paths == ["-"]):
         raise ValueError("--prefer chooses between files: give the files or folders to read")
     if "-" in paths and len(paths) > 1:
@@ -88,7 +89,9 @@ def _read(options: Mapping[str, Any]) -> cncsub.Library:
             return load_with(named, siblings, **wanted)
 
         _refuse_words_of_mdi(options["paths"] or (), options["mdi"])
-        return with_files_beside(paths[0], load) if _is_one_file(paths) else load(paths)
+        if searched or not _is_one_file(paths):
+            return load([*paths, *searched])
+        return with_files_beside(paths[0], load)
     if options["mdi"] is None:
         raise ValueError("which program? Give a file, a folder or --mdi")
     return cncsub.loads("", **places)

@@ -7,6 +7,7 @@ import enum
 import inspect
 import math
 import os
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any, TypeVar, get_type_hints
@@ -17,8 +18,10 @@ import cncsub
 from cncsub import system
 from cncsub.cli.project import Project, project_for
 from cncsub.controls import alias_named, names_beginning
+from cncsub.inputs import by_number, is_name
 from cncsub.option_errors import option_of
 from cncsub.run_options import RunOptions, stated
+from cncsub.search_path import with_search
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -73,7 +76,11 @@ Main = Annotated[str | None, typer.Option(help="The program to run, such as O20.
 Mdi = Annotated[str | None, typer.Option(help="Run this text as if it were typed in MDI.")]
 Set = Annotated[
     list[str] | None,
-    typer.Option("--set", help="A variable before the run: 100=23.34.", metavar="N=VALUE"),
+    typer.Option(
+        "--set",
+        help="A variable before the run, as programs write it: 100=23.34, R5=3.",
+        metavar="N=VALUE",
+    ),
 ]
 VariablesFile = Annotated[
     Path | None,
@@ -93,6 +100,14 @@ Skip = Annotated[
 ]
 External = Annotated[
     Path | None, typer.Option(help="The folder of the external device, from which M198 calls.")
+]
+SearchPath = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--search",
+        help="A folder of the control's search path by another name on the disk: CUS.DIR=cycles.",
+        metavar="FOLDER=PATH",
+    ),
 ]
 Encoding = Annotated[
     str | None,
@@ -116,7 +131,9 @@ InputsFile = Annotated[
 Watch = Annotated[
     list[str] | None,
     typer.Option(
-        "--watch", help="Report the changes of these variables: 500, 100-149,500.", metavar="N[-N]"
+        "--watch",
+        help="Report the changes of these variables: 500, 100-149,500, R5.",
+        metavar="N[-N]",
     ),
 ]
 Output = Annotated[
@@ -131,6 +148,7 @@ _SHARED: dict[str, Any] = {
     "param": Param,
     "skip": Skip,
     "external": External,
+    "search": SearchPath,
     "prefer": Prefer,
     "encoding": Encoding,
 }
@@ -262,17 +280,28 @@ def run_options(options: Mapping[str, Any], trace: str) -> dict[str, Any]:
     return asked
 
 
-def _variables(options: Mapping[str, Any]) -> dict[int, float | None]:
+def _variables(options: Mapping[str, Any]) -> dict[int | str, float | None]:
     """Return the variables of the file, overridden by those of `--set`."""
-    file = options.get("variables") or project_for(options.get("paths")).variables
-    given = {} if file is None else dict(cncsub.read_variables(file))
-    return given | dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
+    project = project_for(options.get("paths"))
+    file = options.get("variables") or project.variables
+    given: dict[int | str, float | None] = {}
+    if file is not None:
+        given |= cncsub.read_variables(file)
+    named = dict(_assignment("--set", text, _vacant) for text in options["set"] or ())
+    if not given or all(isinstance(name, int) for name in (*given, *named)):
+        return given | named
+    control = project.control_named(str(options["control"] or project.control))
+    numbered = by_number("--variables", control, given) | by_number("--set", control, named)
+    return dict(numbered.items())
 
 
-def watched_numbers(texts: Iterable[str]) -> list[int]:
-    """Return `100-102,500` as numbers, each once."""
-    numbers: dict[int, None] = {}
-    for text in ",".join(texts).split(",") if texts else ():
+def watched_numbers(texts: Iterable[str]) -> list[int | str]:
+    """Return `100-102,500,R5` as numbers and names, each once."""
+    numbers: dict[int | str, None] = {}
+    for text in _parted(",".join(texts)) if texts else ():
+        if is_name(text) and not re.fullmatch(r"[#\d\s-]*", text):
+            numbers[text.strip()] = None
+            continue
         first, dash, last = text.strip().replace("#", "").partition("-")
         try:
             low, high = int(first), int(last if dash else first)
@@ -288,6 +317,11 @@ def watched_numbers(texts: Iterable[str]) -> list[int]:
     return list(numbers)
 
 
+def _parted(text: str) -> list[str]:
+    """Return what stands between commas, but for those in the brackets of a name."""
+    return re.split(r",(?![^\[]*\])", text)
+
+
 def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     """Return the control of the options or the project, with the parameters of both."""
     named = options["control"] or project.control
@@ -295,7 +329,16 @@ def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
     if options["param"]:
         pairs = (_named_value("--param", text) for text in options["param"])
         control = control.with_parameters(dict(pairs))
-    return control
+    return with_search(control, search_of(options))
+
+
+def search_of(options: Mapping[str, Any]) -> dict[str, str]:
+    """Return the folders of the search path that the options name, with those on the disk."""
+    pairs = [text.partition("=") for text in options.get("search") or ()]
+    for folder, _, path in pairs:
+        if not folder or not path:
+            raise ValueError(f"--search must be FOLDER=PATH such as CUS.DIR=cycles, not {folder!r}")
+    return {folder.strip(): path.strip() for folder, _, path in pairs}
 
 
 def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | None:
@@ -345,11 +388,14 @@ def _vacant(value: str) -> float | None:
 
 def _assignment(
     option: str, text: str, read: Callable[[str], float | None]
-) -> tuple[int, float | None]:
-    number, _, value = text.strip().removeprefix("#").partition("=")
+) -> tuple[int | str, float | None]:
+    name, _, value = text.strip().partition("=")
+    number = name.removeprefix("#")
     try:
-        return int(number), read(value)
+        named = is_name(name) and not number.strip().isdecimal()
+        return name.strip() if named else int(number), read(value)
     except ValueError:
         raise ValueError(
-            f"{option} must be NUMBER=VALUE, such as 100=23.34 or 100=vacant, not {text!r}"
+            f"{option} must be NUMBER=VALUE, such as 100=23.34 or 100=vacant, or R5=3 as"
+            f" programs write it, not {text!r}"
         ) from None

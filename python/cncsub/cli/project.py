@@ -13,6 +13,7 @@ from typing import Any
 from cncsub import system
 from cncsub.controls import Control, control_named, controls, did_you_mean
 from cncsub.own_control import own_control
+from cncsub.search_path import with_search
 from cncsub.setup import toml_of
 
 PLACES = ("setup", "inputs", "variables", "external")  # what a project names
@@ -27,6 +28,7 @@ class Project:
     `inputs`, TOML files, for `variables`, a file of variables before the run, and for `external`,
     the folder of the external device. `folders`: the programs, where a command names none.
     `entry`: the programs that something outside of the folders calls, by name or pattern.
+    `search`: folders of the control's search path that have other names on the disk.
     `ignore`: rules of `check` that are off; `severity`: rules to another severity. `own`: whether
     it is the user's own project, which may name what lies outside its folder.
     """
@@ -40,6 +42,7 @@ class Project:
     ignore: frozenset[str] = frozenset()
     severity: Mapping[str, str] = field(default_factory=dict)
     entry: tuple[str, ...] = ()
+    search: Mapping[str, Path] = field(default_factory=dict)
     own: bool = True
 
     def control_named(self, name: str) -> Control:
@@ -50,12 +53,14 @@ class Project:
         return control_named(name, {**own, **controls})
 
     def configured(self, control: Control, name: str | None) -> Control:
-        """Return the control of a name with the parameters of the project, where it is the one that
-        the project names.
+        """Return the control of a name with the parameters and the search path of the project,
+        where it is the one that the project names.
         """
-        if name != self.control or not self.parameters:
+        if name != self.control:
             return control
-        return control.with_parameters(dict(self.parameters))
+        if self.parameters:
+            control = control.with_parameters(dict(self.parameters))
+        return with_search(control, self.search)
 
     @property
     def setup(self) -> Path | None:
@@ -80,7 +85,8 @@ class Project:
     @property
     def folders(self) -> tuple[str, ...]:
         """The files and folders of the programs."""
-        return tuple(str(self._allowed("folders", path)) for path in self.programs)
+        searched = self.search.values() if self.programs else ()
+        return tuple(str(self._allowed("folders", path)) for path in (*self.programs, *searched))
 
     def outside(self, name: str) -> Path | None:
         """Return where a place really lies that is outside the folder of the project."""
@@ -90,7 +96,11 @@ class Project:
     @property
     def programs_outside(self) -> list[Path]:
         """The real paths of the programs that are outside the folder of the project."""
-        return [Path(os.path.realpath(path)) for path in self.programs if not self._holds(path)]
+        return [
+            Path(os.path.realpath(path))
+            for path in (*self.programs, *self.search.values())
+            if not self._holds(path)
+        ]
 
     def _place(self, name: str) -> Path | None:
         path = self.places.get(name)
@@ -180,6 +190,7 @@ _KINDS: Mapping[str, type | tuple[type, ...]] = {
     "external": str,
     "folders": list,
     "entry": list,
+    "search": dict,
     "check": dict,
 }
 
@@ -222,6 +233,7 @@ def _read(file: Path, told: Any) -> Project:
             _ignored(check.get("ignore", [])),
             _severities(check["severity"]) if "severity" in check else {},
             tuple(told.get("entry", ())),
+            _search(file, told.get("search", {})),
         )
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(f"{file}: {error.args[0]}") from None
@@ -233,6 +245,13 @@ _NAMES: Mapping[type | tuple[type, ...], str] = {
     list: "list",
     (str, dict): "text or a table",
 }
+
+
+def _search(file: Path, told: Mapping[str, Any]) -> dict[str, Path]:
+    for folder, path in told.items():
+        if not isinstance(path, str):
+            raise ValueError(f"search: the folder {folder} must be a path, not {path!r}")
+    return {folder: file.parent / path for folder, path in told.items()}
 
 
 def _numbers(parameters: Mapping[str, Any]) -> dict[str, float]:

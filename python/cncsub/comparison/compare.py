@@ -14,6 +14,7 @@ from cncsub.analysis.pairs import Again, Pair, Parting, Question, variables_lack
 from cncsub.comparison.changes import BlockChange, block_changes
 from cncsub.comparison.reasons import modes_apart, reasons
 from cncsub.controls import control_of
+from cncsub.inputs import by_number
 from cncsub.library import Library
 from cncsub.loading import load
 from cncsub.option_errors import wrong_value
@@ -204,7 +205,9 @@ class _OfControls:
         self._main = main
         self._options = options
         for each in controls:
-            if lacking := variables_lacking(each, options.get("variables") or {}):
+            if lacking := variables_lacking(
+                each, by_number("variables", each, options.get("variables") or {})
+            ):
                 name = variable_name(each, lacking[0])
                 raise wrong_value("variables", f"variables: {each.name} has no {name}")
         self._other = library.read_for(other)

@@ -13,6 +13,7 @@ from cncsub.analysis.pairs import Pair, variables_lacking
 from cncsub.checking import Edit
 from cncsub.comparison.rewriting import Rewriting, TranslateError
 from cncsub.controls import control_of
+from cncsub.inputs import by_number
 from cncsub.library import Library
 from cncsub.lines import diff_of
 from cncsub.loading import load
@@ -101,7 +102,9 @@ def translate(
         raise TypeError(f"translate reads {os.fspath(of)} for a control: give control=")
     else:
         library = load(of, control=control)
-    if lacking := variables_lacking(target, options.get("variables") or {}):
+    if lacking := variables_lacking(
+        target, by_number("variables", target, options.get("variables") or {})
+    ):
         name = variable_name(target, lacking[0])
         raise TranslateError(f"{target.name} has no {name}, to which a value is given")
     rewriting = Rewriting(library, target, machine_of(options.get("setup")))

@@ -18,6 +18,7 @@ from cncsub.analysis.notes import Note
 from cncsub.analysis.static_tree import LETTERS
 from cncsub.checking import Finding
 from cncsub.controls import controls
+from cncsub.inputs import by_number
 from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.lines import lines_of
@@ -528,10 +529,11 @@ def without_effect(
     programs = [*library.values(), *library.external.values(), *([typed] if typed else ())]
     if sum(len(program.blocks) for program in programs) > MOST_BLOCKS:
         return
-    name = functools.partial(_core.variable_name, library.control)
+    control = library.control
+    name = functools.partial(_core.variable_name, control)
     if variables := asked.get("variables"):
         read = _read_variables(programs)
-        for number in variables if read is not None else ():
+        for number in by_number("variables", control, variables) if read is not None else ():
             if number not in (read or ()):
                 yield _note("--set, --variables", f"no block reads {name(number)}")
     called = any(e.kind == "M198" for e in library.call_graph().edges)
@@ -546,7 +548,7 @@ def without_effect(
     inputs = asked.get("inputs")
     if inputs is not None:
         read = _read_variables(programs)
-        for number in inputs.signals if read is not None else ():
+        for number in by_number("signals", control, inputs.signals) if read is not None else ():
             if number not in (read or ()):
                 yield _note("--inputs", f"no block reads the signal {name(number)}")
         if (inputs.skips or inputs.workpiece) and not _any_word(programs, "G", *_PROBING):

@@ -85,7 +85,7 @@ def _shown(value: Any) -> str:
 def state_of(machine: Machine, block: Block) -> RestartState:
     """Return the state of a machine that stands before a block."""
     tool, spindle, coolant = _switched(machine)
-    named: dict[int | str, Any] = {**machine.variables}  # type: ignore[dict-item]
+    named: dict[int | str, Any] = {**machine.variables}
     named.update(machine.variables.named)
     modal = dict(machine.modal)
     return RestartState(

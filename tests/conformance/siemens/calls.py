@@ -336,3 +336,25 @@ case(
     program="N10 SUB1(5,6)\nN20 M30\n%_N_SUB1_SPF\nN30 PROC SUB1(REAL A1,REAL B1)\nN40 M17",
     runs="N10", alarm="illegal-variable-name", at="SUB1 N30",
 )
+
+# ---- assignments and messages beside a return ----
+
+for back in ("M17", "RET"):
+    case(
+        f"an assignment beside {back} is made before the return", **RET,
+        program=f"%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 R1=7 {back}\nN40 R1=8", runs="N10 N30 N20", vars={1: 7},
+    )
+    case(
+        f"words, an assignment and a message stand beside {back}", **RET,
+        program=f'%_N_MAIN_MPF\nN10 PART P2\nN20 M30\n%_N_PART_SPF\nN30 G0 X=IC(5) R1=R1+1 MSG("OUT") {back}\nN40 R1=8',
+        runs="N10 N30 N30 N20", vars={1: 2}, moves="R X5\nR X10",
+    )
+    case(
+        f"a fault of an assignment beside {back} leaves the program open", **RET,
+        program=f"%_N_MAIN_MPF\nN10 PART\nN20 M30\n%_N_PART_SPF\nN30 R1=1/R2 {back}\nN40 R1=8", runs="N10",
+        alarm="division-by-zero", number="14051", at="PART N30",
+    )
+case(
+    "blanks around the name of a called program are no part of it", **KNOWN,
+    program='%_N_MAIN_MPF\nN10 CALL " PART "\nN20 CALL " PA"<<"RT "\nN30 M30\n%_N_PART_SPF\nN40 M17', runs="N10 N40 N20 N40 N30",
+)

@@ -196,3 +196,34 @@ case(
     program=_call("PART(GRID[1]+1)", "(VAR REAL FIRST)", "", "N5 DEF REAL GRID[3]\n"), runs="N5",
     alarm="parameter-no-variable", number="12320", at="MAIN N20", word="GRID[1]+1",
 )
+
+# ---- which parameters a call gives ----
+
+GIVEN = {"control": ONE, "source": "MD840, variables.svar: $P_SUBPAR", "evidence": "secondary"}
+HEAD, ASKS = "(INT AA, REAL BB=5, STRING[8] CC)", "N50 R1=$P_SUBPAR[1] R2=$P_SUBPAR[2] R3=$P_SUBPAR[3]\n"
+for call, given in [
+    ("PART(1,2,\"A\")", (1, 1, 1)), ("PART(1)", (1, 0, 0)), ("PART(,2)", (0, 1, 0)), ("PART(,,\"A\")", (0, 0, 1)),
+    ("PART", (0, 0, 0)), ("PART()", (0, 0, 0)), ('CALL "PART"', (0, 0, 0)), ('CALL "PA"<<"RT"', (0, 0, 0)),
+]:
+    case(
+        f"$P_SUBPAR says which parameters {call} gives", **GIVEN,
+        program=_call(call, HEAD, ASKS), vars=dict(zip((1, 2, 3), given)), runs="N20 N40 N50 N60 N30",
+    )
+case(
+    "$P_SUBPAR decides a condition", **GIVEN,
+    program=_call("PART(1)", HEAD, "N50 IF $P_SUBPAR[2]==FALSE\nN52 R9=BB\nN54 ENDIF\n"), vars={9: 5}, runs="N20 N40 N50 N52 N54 N60 N30",
+)
+for number in ("0", "4"):
+    case(
+        f"the program has no parameter {number} to ask for", **POLICY,
+        program=_call("PART(1)", HEAD, f"N50 R1=$P_SUBPAR[{number}]\n"), runs="N20 N40", alarm="code-not-computed", at="PART N50",
+    )
+case(
+    "a computed parameter to ask for is not computed", **POLICY,
+    program=_call("PART(1)", HEAD, "N50 R1=$P_SUBPAR[R5]\n"), runs="N20 N40", alarm="code-not-computed", at="PART N50",
+    word="$P_SUBPAR[",
+)
+case(
+    "$P_SUBPAR has an index", **KNOWN,
+    program=_call("PART(1)", HEAD, "N50 R1=$P_SUBPAR\n"), runs="N20 N40", alarm="bracket-not-opened", number="12080", at="PART N50",
+)

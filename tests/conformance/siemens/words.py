@@ -186,7 +186,7 @@ for text in ("DRFOF", "CYCLE832(0.01,1,1)", "NEWCONF", "CTABDEL(1)", "MMC(\"A\",
 for words, word in (
     ("LIFTFAST", "LIFTFAST"), ("LFTXT", "LFTXT"), ("SETINT(3) PRIO=1 LIFT_Z", "SETINT"), ("ID=1 WHEN $AA_IM[X]>5 DO M8", "ID"),
     ("WHENEVER R1>0 DO M8", "WHENEVER"), ("OSCTRL[X]=(1,0)", "OSCTRL"), ("MASLON(X)", "MASLON"), ("TANG(C,X,Y)", "TANG"),
-    ('EXECSTRING("X5")', "EXECSTRING"), ('CALLPATH("/_N_SPF_DIR")', "CALLPATH"), ("CTABLOCK(1)", "CTABLOCK"), ("PRIO=1", "PRIO"),
+    ('EXECSTRING("X5")', "EXECSTRING"), ("CTABLOCK(1)", "CTABLOCK"), ("PRIO=1", "PRIO"),
 ):
     case(
         f"{words} is not computed, and no call of a program", control=ONE, source="policy, nobody says", evidence="inferred",

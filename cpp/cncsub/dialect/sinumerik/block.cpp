@@ -298,13 +298,17 @@ bool write(OpenBlock& open, Block& block, Words& words) {
 }
 
 bool write_return(OpenBlock& open, Block& block, const Words& words, std::uint32_t at) {
-  if (!words.statements.empty() || words.print || words.ends)
-    return open.not_computed(block, "an assignment, a message or M30 beside the return", at);
-  open.to.words(block, words.list);
+  if (words.ends) return open.not_computed(block, "M30 beside the return", at);
+  Block own = block;
+  open.to.words(own, words.list);
   CallRecord back;
   back.at = at;
   back.width = open.line.width_from(at);
-  open.to.become(block, Op::Return, std::move(back));
+  open.to.become(own, Op::Return, std::move(back));
+  if (words.statements.empty() && !words.print)
+    block = own;
+  else
+    open.to.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr, &own);
   return true;
 }
 

@@ -90,11 +90,12 @@ bool called_in_one_mode(OpenBlock& open, Block& block, std::string_view name, st
 /// Write the call of a program by its path, of which the last name counts.
 bool named_call(OpenBlock& open, Block& block, std::string_view path, std::uint32_t at,
                 std::vector<ActualParameter> given) {
-  const std::string_view name = last_of_path(path, kPathSigns);
+  const std::string_view last = last_of_path(path, kPathSigns), name = trimmed(last);
   if (name.empty())
     return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing", at);
   CallRecord call = call_of(open, name, at);
   if (!called_in_one_mode(open, block, call.name(), at)) return false;
+  call.extras.make().path = path.substr(0, path.size() - last.size());
   call.extras.make().given = std::move(given);
   if (!open.end_of_statement(block)) return false;
   open.to.become(block, Op::Call, std::move(call));
@@ -217,7 +218,9 @@ bool call_by_text(OpenBlock& open, Block& block, Link& link, std::uint32_t at) {
     named.name_text = operand_of(path);
   } else {
     const std::string& written = open.to.code().texts.at(to_whole<std::size_t>(path.number));
-    named.name = open.to.code().spelling->bare_name(last_of_path(written, kPathSigns));
+    const std::string_view name = last_of_path(written, kPathSigns);
+    named.path = written.substr(0, written.size() - name.size());
+    named.name = open.to.code().spelling->bare_name(trimmed(name));
     if (named.name.empty())
       return open.refuse(block, Cause::IllegalProgramName, "the name of the program is missing",
                          path.at);
@@ -269,6 +272,31 @@ bool call_in_iso_mode(OpenBlock& open, Block& block, std::uint32_t at) {
   CallRecord call = iso_call(open, name, at);
   if (!open.end_of_statement(block)) return false;
   open.to.become(block, Op::Call, std::move(call));
+  return true;
+}
+
+/// Read CALLPATH("/_N_WKS_DIR/_N_PARTS_WPD"), which adds a folder to those that calls search, or
+/// CALLPATH(), which takes it away. [SONE p.559, step 5]
+bool call_path(OpenBlock& open, Block& block, std::uint32_t at) {
+  if (!open.line.take('(')) return open.refuse(block, Cause::BracketNotOpened, "( is missing", at);
+  Value path;
+  Type type = Type::String;
+  const std::uint32_t text = open.line.offset();
+  if (open.line.peek() != ')' && !open.expression.value_of_any(path, type))
+    return open.refuse(block);
+  if (type != Type::String)
+    return open.refuse(block, Cause::TypeMismatch,
+                       "a folder is named by a text: CALLPATH(\"/_N_CUS_DIR\")", text);
+  if (!open.line.take(')'))
+    return open.refuse(block, Cause::BracketNotClosed, ") is missing", open.line.offset());
+  if (!open.end_of_statement(block)) return false;
+  Statement statement;
+  statement.at = statement.variable_at = at;
+  statement.width = statement.variable_width = open.line.width_from(at);
+  statement.target = Statement::Target::Common;
+  statement.index = open.to.code().call_path;
+  statement.expression = open.to.expressions().expression_of(path);
+  open.to.become(block, Op::Assign, statement);
   return true;
 }
 
@@ -345,6 +373,7 @@ bool other_call(OpenBlock& open, Block& block, Link& link, const std::string& wo
   }
   if (word == "PCALL") return call_by_path(open, block, at);
   if (word == "EXTCALL") return external_call(open, block, at);
+  if (word == "CALLPATH") return call_path(open, block, at);
   if (word == "SETAL") return user_alarm(open, block, at);
   return call_in_iso_mode(open, block, at);
 }

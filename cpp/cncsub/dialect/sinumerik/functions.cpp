@@ -20,8 +20,8 @@ struct Function {
 };
 // [828Dj p.70, MINVAL, MAXVAL and BOUND; 840slj p.84, ROUNDUP; 828Dj p.74, string operations; what
 // the others compute is general knowledge]
-constexpr Function kFunctions[] = {{"SIN", "N", Ins::SineOf, Type::Real},
-                                   {"COS", "N", Ins::CosineOf, Type::Real},
+constexpr Function kFunctions[] = {{"SIN", "N", Ins::Sin, Type::Real},
+                                   {"COS", "N", Ins::Cos, Type::Real},
                                    {"TAN", "N", Ins::TangentOf, Type::Real},
                                    {"ASIN", "N", Ins::ArcSineOf, Type::Real},
                                    {"ACOS", "N", Ins::ArcCosineOf, Type::Real},

@@ -88,23 +88,23 @@ constexpr std::string_view kOffAtZero[] = {"TOFFL",  "TOFFR", "TOFF", "TCARR",
 // Words of statements, calls and frames, and words that say how an axis goes. [NCI grammar; NCI
 // groups; general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kNotComputed[] = {
-    "AROTS",      "ASPLINE",  "AXIS",     "BLOCK",    "BOOL",     "BSPLINE",  "CALL",
-    "CALLPATH",   "CASE",     "CHAR",     "CROTS",    "CSPLINE",  "CUT3DC",   "DEFAULT",
-    "DEFINE",     "DELETE",   "DIAM90",   "DO",       "ENDFOR",   "ENDLABEL", "EVERY",
-    "EXECSTRING", "EXTCALL",  "FOR",      "FP",       "FRAME",    "FROM",     "FXS",
-    "GOTOS",      "ID",       "IDS",      "INIT",     "INT",      "INVCCW",   "INVCW",
-    "ISFILE",     "KONT",     "KONTC",    "KONTT",    "MEAW",     "MPF",      "OF",
-    "PCALL",      "POLF",     "POLY",     "POSA",     "POSP",     "PRESETON", "RDISABLE",
-    "READ",       "REAL",     "REPEATB",  "ROTS",     "ROUNDUP",  "SAVE",     "SET",
-    "SETINT",     "START",    "STRING",   "TO",       "TOFRAME",  "TOROT",    "TRACYL",
-    "TRAILON",    "TRAILOF",  "TRANSMIT", "TRAORI",   "WHEN",     "WHENEVER", "WRITE",
-    "BAUTO",      "BNAT",     "BTAN",     "EAUTO",    "ENAT",     "ETAN",     "PW",
-    "SD",         "PL",       "AC",       "IC",       "DC",       "ACP",      "ACN",
-    "CTABDEF",    "CTABEND",  "EGDEF",    "EGON",     "EGONSYN",  "EGOFS",    "EGOFC",
-    "LEADON",     "LEADOF",   "COUPDEF",  "COUPON",   "COUPOF",   "TRAANG",   "TRACON",
-    "TRACOORD",   "GEOAX",    "PAROT",    "MEAFRAME", "SETPIECE", "GETT",     "REPOS",
-    "REPOSA",     "REPOSL",   "REPOSH",   "REPOSHA",  "REPOSQ",   "REPOSQA",  "INITIAL_INI",
-    "CONTPRON",   "CONTDCON", "EXECTAB",  "EXECUTE",  "CORROF",   "POLFMASK", "POLFMLIN"};
+    "AROTS",    "ASPLINE",  "AXIS",     "BLOCK",    "BOOL",     "BSPLINE",     "CALL",
+    "CASE",     "CHAR",     "CROTS",    "CSPLINE",  "CUT3DC",   "DEFAULT",     "DEFINE",
+    "DELETE",   "DIAM90",   "DO",       "ENDFOR",   "ENDLABEL", "EVERY",       "EXECSTRING",
+    "EXTCALL",  "FOR",      "FP",       "FRAME",    "FROM",     "FXS",         "GOTOS",
+    "ID",       "IDS",      "INIT",     "INT",      "INVCCW",   "INVCW",       "ISFILE",
+    "KONT",     "KONTC",    "KONTT",    "MEAW",     "MPF",      "OF",          "PCALL",
+    "POLF",     "POLY",     "POSA",     "POSP",     "PRESETON", "RDISABLE",    "READ",
+    "REAL",     "REPEATB",  "ROTS",     "ROUNDUP",  "SAVE",     "SET",         "SETINT",
+    "START",    "STRING",   "TO",       "TOFRAME",  "TOROT",    "TRACYL",      "TRAILON",
+    "TRAILOF",  "TRANSMIT", "TRAORI",   "WHEN",     "WHENEVER", "WRITE",       "BAUTO",
+    "BNAT",     "BTAN",     "EAUTO",    "ENAT",     "ETAN",     "PW",          "SD",
+    "PL",       "AC",       "IC",       "DC",       "ACP",      "ACN",         "CTABDEF",
+    "CTABEND",  "EGDEF",    "EGON",     "EGONSYN",  "EGOFS",    "EGOFC",       "LEADON",
+    "LEADOF",   "COUPDEF",  "COUPON",   "COUPOF",   "TRAANG",   "TRACON",      "TRACOORD",
+    "GEOAX",    "PAROT",    "MEAFRAME", "SETPIECE", "GETT",     "REPOS",       "REPOSA",
+    "REPOSL",   "REPOSH",   "REPOSHA",  "REPOSQ",   "REPOSQA",  "INITIAL_INI", "CONTPRON",
+    "CONTDCON", "EXECTAB",  "EXECUTE",  "CORROF",   "POLFMASK", "POLFMLIN"};
 
 // The same, of words that some programs define as names of their own. [general knowledge of the
 // SINUMERIK 840D]
@@ -179,7 +179,6 @@ constexpr Need kNeeds[] = {
     {"EXECSTRING",
      "the text is a block that is known only when it runs: write the block "
      "itself, or choose among blocks by IF"},
-    {"CALLPATH", "all programs that are given are searched already: leave it out"},
     {"INIT", "a run has one channel"},
     {"START", "a run has one channel"},
     {"EXTOPEN", kFiles},

@@ -20,6 +20,21 @@ std::string_view numbered_name_in(std::string_view text) {
   return text.substr(0, count == 0 ? 0 : count + name_in(text.substr(count)).size());
 }
 
+/// Return the folder that a comment from a place on, before anything else, names, as it is written:
+/// ;$PATH=/_N_WKS_DIR/_N_SHAFT_WPD. [NCX chapter 1]
+std::string_view path_in(std::string_view text, std::size_t from) {
+  constexpr std::string_view kPath = ";$PATH=";
+  while (from < text.size()) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view said = trimmed(text.substr(from, end - from));
+    if (same_letters(said.substr(0, kPath.size()), kPath))
+      return trimmed(said.substr(kPath.size()));
+    if (!said.empty() && said[0] != ';') break;
+    from = end + 1;
+  }
+  return {};
+}
+
 class FileReader {
  public:
   FileReader(Builder& to, const ProgramNames& called_in_iso_mode)
@@ -64,6 +79,10 @@ class FileReader {
     program.file = file;
     program.line = line;
     program.text = at;
+    const std::string_view text = to_.code().files[file].text.view();
+    const std::string_view path = path_in(text, head.empty() ? 0 : at + head.size());
+    program.path_at = path.empty() ? 0 : static_cast<std::uint32_t>(path.data() - text.data());
+    program.path_length = static_cast<std::uint32_t>(path.size());
     std::string_view rest;
     if (!head.empty()) {
       const std::string_view said = trimmed(head.substr(1));

@@ -34,7 +34,7 @@ constexpr Structure kStructures[] = {{"ELSE", Link::Kind::Else, Op::Else, false}
 
 constexpr std::string_view kJumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
 constexpr std::string_view kOthers[] = {"IF", "FOR", "CASE", "REPEAT", "REPEATB"};
-constexpr std::string_view kCalls[] = {"CALL", "PCALL", "EXTCALL", "ISOCALL", "SETAL"};
+constexpr std::string_view kCalls[] = {"CALL", "PCALL", "EXTCALL", "ISOCALL", "CALLPATH", "SETAL"};
 
 bool is_jump(std::string_view word) { return is_among(kJumps, word); }
 

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <iterator>
 
+#include "cncsub/code/parameters.hpp"
 #include "cncsub/control/edge_datum.hpp"
 #include "cncsub/dialect/sinumerik/code_groups.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
@@ -101,6 +102,34 @@ bool push_group(OpenExpression& open, std::int32_t first, std::uint32_t at) {
   return true;
 }
 
+/// Read $P_SUBPAR[2], whether the call gives the second parameter of the program, and push it. A
+/// level keeps that beside the values of the parameters. [MD840, variables.svar: $P_SUBPAR]
+bool push_given(OpenExpression& open, std::uint32_t at) {
+  if (!open.line.take('['))
+    return open.wrong(Cause::BracketNotOpened, "[ is missing: the variable has an index", at);
+  open.line.peek();
+  const std::string written(open.line.take_digits());
+  const char next = open.line.peek();
+  if (written.empty() || next != ']')
+    return open.wrong(Cause::CodeNotComputed,
+                      "cncsub does not compute $P_SUBPAR of a computed number: write the number",
+                      at);
+  open.line.take(']');
+  std::uint32_t number = 0;
+  std::from_chars(written.data(), written.data() + written.size(), number);
+  const std::uint32_t parameters = open.to.code().programs.back().parameters;
+  if (number < 1 || number > parameters)
+    return open.wrong(Cause::CodeNotComputed,
+                      "cncsub does not compute $P_SUBPAR[" + written + "] of a program with " +
+                          std::to_string(parameters) + " parameters",
+                      at);
+  Definition given;
+  given.local = open.to.names().hidden(std::string(kGivenParameters), kMostGivenParameters) +
+                static_cast<std::int32_t>(number) - 1;
+  open.to.expressions().emit(reading(given));
+  return true;
+}
+
 /// Read $TC_DP3[5,1], whose name is passed.
 Read read_element(OpenExpression& open, const SystemArray& of, int depth) {
   if (!read_system_array(open, of, depth + 1)) return std::nullopt;
@@ -166,7 +195,7 @@ bool read_system_array(OpenExpression& open, const SystemArray& of, int depth) {
 }
 
 std::vector<std::string_view> known_system_variables() {
-  std::vector<std::string_view> names{"PI"};
+  std::vector<std::string_view> names{"PI", "P_SUBPAR"};
   for (const SystemVariable& of : kVariables) names.push_back(of.name);
   return names;
 }
@@ -233,6 +262,11 @@ Read read_system_variable(OpenExpression& open, int depth) {
     open.constant.reset();
     open.emit(Ins::Constant, 3.14159265358979323846);
     return Type::Real;
+  }
+  if (name == "P_SUBPAR") {
+    open.constant.reset();
+    if (!push_given(open, at)) return std::nullopt;
+    return Type::Bool;
   }
   if (is_frame_variable(name)) return read_control_frame(open, name, at, depth);
   const auto array = system_array_of(open.to, name);

@@ -150,7 +150,7 @@ const std::string_view sinumerik_rules =
     "refuses power_on missing_end g_codes max_sequence_number "
     "self_call caller_call max_repeats zero_repeats too_many_repeats max_nesting max_total_nesting "
     "modal_locals modal_trigger second_modal_call cancel_alone calls_in_modal "
-    "roles main_return end_in_subprogram commons "
+    "search_path roles main_return end_in_subprogram commons "
     "machine g_meanings rapid_rate max_feed arc_tolerance arc_tolerance_share no_radius "
     "small_radius negative_radius helix dwell_words arc_angle_words added_turns "
     "drops_centre_across poles "
@@ -163,6 +163,12 @@ const std::string_view sinumerik_rules =
     "corners_in_rapid "
     "contour_offset_words fine_shift";
 
+namespace sinumerik {
+// [SONE p.559-560: the search path; NCX chapter 1: WKS; general knowledge: DEF]
+constexpr std::string_view kFolders[] = {"MPF.DIR", "SPF.DIR", "WKS.DIR", "CUS.DIR",
+                                         "CMA.DIR", "CST.DIR", "DEF.DIR"};
+}  // namespace sinumerik
+
 const std::span<const WordUse> sinumerik_word_uses;
 // The feed of POS[X] stands where the centre of an arc along X does.
 static constexpr Spelling::IndexedAddress kIndexed[] = {{"AX"}, {"POS"}, {"FA", 'I' - 'X'}};
@@ -172,6 +178,8 @@ const Spelling sinumerik_spelling{.comment = {";", ""},
                                   .head = {"%_N_", "_MPF"},
                                   .main_ending = "MPF",
                                   .called_ending = "SPF",
+                                  .folders = sinumerik::kFolders,
+                                  .folder_ending = "WPD",
                                   .brackets = {"(", ")"},
                                   .operators = [](LogicOrder) { return sinumerik::kOperators; },
                                   .numbered = false,

@@ -239,7 +239,9 @@ std::optional<Fault> refused(const Run& run, const CallRecord& record, const Tar
 }
 
 bool call(Run& run, const Block& block) {
-  const CallRecord& record = run.code->calls[block.aux];
+  const std::optional<std::uint32_t> number = record_of(run, block);
+  if (!number) return false;
+  const CallRecord& record = run.code->calls[*number];
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
   Target target;
   if (!decode_target(run, record, target)) return false;
@@ -251,7 +253,7 @@ bool call(Run& run, const Block& block) {
     return alarm(run, fault(record, Cause::CallWithWordsInCycle,
                             "M98 has other words in its block while a canned cycle is active"));
   if (!execute_words(run, block)) return false;
-  return target.skipped ? after_words(run) : call_or_wait(run, block.aux, target, passes);
+  return target.skipped ? after_words(run) : call_or_wait(run, *number, target, passes);
 }
 
 bool call_now(Run& run, std::uint32_t aux, Target& target) {
@@ -260,7 +262,8 @@ bool call_now(Run& run, std::uint32_t aux, Target& target) {
     return alarm(run, fault(record, Cause::ExternalCallNested,
                             "a program of the external device calls another one"));
   if (!record.constant)
-    if (auto fault = find_target(*run.code, record, target)) return alarm(run, *fault);
+    if (auto fault = find_target(*run.code, record, target, search_of(run)))
+      return alarm(run, *fault);
   if (!target.jump) return enter(run, aux, target, -1);
   const Program& program = run.code->programs[static_cast<std::size_t>(target.program)];
   record_block(run);

@@ -1,6 +1,7 @@
 // Calls: M98 and its family, macro calls, calls by codes, and what refuses them.
 #pragma once
 
+#include "cncsub/code/search.hpp"
 #include "cncsub/machine/state/context.hpp"
 
 namespace cncsub {
@@ -32,6 +33,11 @@ bool leave(Run& run, Address to, bool goes_on = true);
 bool evaluate_references(Run& run, const CallRecord& record);
 /// Give the arrays that a call hands over by value copies of their own, on the level that is open.
 void copy_arrays(Run& run, const CallRecord& record);
+/// Return where a call begins its search: the main program, and the folder of CALLPATH.
+SearchFrom search_of(const Run& run);
+/// Return the record of the call of a block, by the program that it means now; nothing where that
+/// program does not take it, and the run stopped.
+std::optional<std::uint32_t> record_of(Run& run, const Block& block);
 /// Find the program that the text of a call names.
 bool find_by_text(Run& run, const CallRecord& record, Target& target);
 /// Give the parameters of a program that a text names their own values: the call has none.

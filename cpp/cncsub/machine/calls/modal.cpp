@@ -41,7 +41,7 @@ bool enter_modal(Run& run, std::int32_t index) {
   if (modal.target.skipped) return true;
   std::optional<Fault> fault;
   if (modal.target.start == kNowhere && !record.constant)
-    fault = find_target(*run.code, record, modal.target);
+    fault = find_target(*run.code, record, modal.target, search_of(run));
   if (!fault) fault = refused(run, record, modal.target);
   if (fault) {
     // The call stands in another block: what the alarm points at is the move.
@@ -59,7 +59,9 @@ bool enter_modal(Run& run, std::int32_t index) {
 
 bool modal_call(Run& run, const Block& block) {
   State& s = run.state;
-  const CallRecord& record = run.code->calls[block.aux];
+  const std::optional<std::uint32_t> number = record_of(run, block);
+  if (!number) return false;
+  const CallRecord& record = run.code->calls[*number];
   if (auto fault = refused_here(run, record)) return alarm(run, *fault);
   ModalCall modal;
   if (!decode_target(run, record, modal.target) || !evaluate_arguments(run, record)) return false;
@@ -70,7 +72,7 @@ bool modal_call(Run& run, const Block& block) {
                        "the control allows " + std::to_string(most) + " modal calls"});
   if (!execute_words(run, block)) return false;
   if (!stacks) s.modals.clear();
-  modal.record = block.aux;
+  modal.record = *number;
   modal.locals = run.block.arguments;
   modal.program = run.frame().program;
   modal.every_block = record.code_kind == CodeCallKind::ModalEveryBlock;
@@ -100,7 +102,8 @@ bool every_block(Run& run, const Block& block) {
   ModalCall& modal = run.state.modals.back();
   const CallRecord& record = run.code->calls[modal.record];
   if (modal.target.start == kNowhere && !record.constant)
-    if (auto fault = find_target(*run.code, record, modal.target)) return alarm(run, *fault);
+    if (auto fault = find_target(*run.code, record, modal.target, search_of(run)))
+      return alarm(run, *fault);
   const Target target = modal.target;
   return enter(run, modal.record, target, static_cast<std::int32_t>(run.state.modals.size()) - 1);
 }

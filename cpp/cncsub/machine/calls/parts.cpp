@@ -58,7 +58,8 @@ bool call_part(Run& run, const Block& block, const CallRecord& record) {
   target.program = record.target.program;
   if (!decode_target(run, record, target)) return false;
   if (target.program == kNoProgram)
-    if (auto fault = find_target(*run.code, record, target)) return alarm(run, *fault);
+    if (auto fault = find_target(*run.code, record, target, search_of(run)))
+      return alarm(run, *fault);
   Part part;
   const Program& in = run.code->programs[static_cast<std::size_t>(target.program)];
   if (!find_part(run, record.extras.get(), in, part)) return false;

@@ -78,16 +78,36 @@ bool evaluate_references(Run& run, const CallRecord& record) {
   return true;
 }
 
+SearchFrom search_of(const Run& run) {
+  SearchFrom from{run.state.frames.front().program};
+  const std::int32_t added = run.code->call_path;
+  if (added >= 0) from.added = text_of(run, run.state.commons[static_cast<std::size_t>(added)]);
+  return from;
+}
+
+std::optional<std::uint32_t> record_of(Run& run, const Block& block) {
+  const CallRecord& record = run.code->calls[block.aux];
+  if (record.constant) return block.aux;
+  const CallChoice* const choice = chosen(*run.code, record, search_of(run));
+  if (choice == nullptr) return block.aux;
+  if (choice->fault == CallChoice::kNone) return choice->record;
+  alarm(run, run.code->faults[choice->fault]);
+  return std::nullopt;
+}
+
 bool find_by_text(Run& run, const CallRecord& record, Target& target) {
   double value = 0;
   const Operand& text = record.name_text();
   if (!value_of(run, text, value)) return false;
-  const std::string_view last = trimmed(last_of_path(text_of(run, value), kPathSigns));
-  const std::string name(run.code->spelling->bare_name(last));
-  target.program = run.code->find(name);
+  const std::string_view path = text_of(run, value);
+  const std::string_view last = last_of_path(path, kPathSigns);
+  const std::string name(run.code->spelling->bare_name(trimmed(last)));
+  target.program =
+      find_called(*run.code, name, path.substr(0, path.size() - last.size()), search_of(run));
   return target.program != kNoProgram ||
          alarm(run, {Cause::NamedProgramNotFound, text.at, text.width,
-                     named_program(*run.code, name) + " is not in the memory"});
+                     named_program(*run.code, name) + " is not in the memory" +
+                         told_elsewhere(*run.code, name)});
 }
 
 bool take_own_values(Run& run, const CallRecord& record, const Target& target) {
