@@ -8,6 +8,7 @@
 #include "cncsub/control/motion_lists.hpp"
 #include "cncsub/control/registered_codes.hpp"
 #include "cncsub/control/roles.hpp"
+#include "cncsub/control/search_path.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub {

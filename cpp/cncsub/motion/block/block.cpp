@@ -215,7 +215,7 @@ void drop_unused_words(MotionContext& m, const BlockWords& block) {
         motion == Meaning::Thread)
       taken = kCentreWords;
   }
-  m.outcome.drop(((bit('R') | kCentreWords | turns | angles | frames) & ~taken | corners) &
+  m.outcome.drop((((bit('R') | kCentreWords | turns | angles | frames) & ~taken) | corners) &
                  block.words.mask);
 }
 
