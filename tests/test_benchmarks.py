@@ -31,6 +31,14 @@ def test_every_kind_of_block_runs_to_its_end() -> None:
     assert "| G90 G1 |" in table
 
 
+def test_typing_in_an_editor_is_measured() -> None:
+    pytest.importorskip("pygls", reason="pygls is not installed")
+    table = printed("typing_in_editor.py", "--blocks", "400", "--keys", "1", "--only", "flat")
+    assert "| key to diagnostics | " in table
+    assert "| key to completion | " in table
+    assert len(table.splitlines()) == 22
+
+
 def test_every_way_to_a_flat_program_is_measured() -> None:
     table = printed("flattening.py", "--blocks", "30000")
     assert len(table.splitlines()) == 7

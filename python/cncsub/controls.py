@@ -315,7 +315,13 @@ control_of = control
 @functools.cache
 def rule_value(control: Control, name: str) -> object:
     """Return the value of a rule of a control; `None` where it has none of that name."""
-    return next((rule.value for rule in control.rules if rule.name == name), None)
+    return _rule_values(control).get(name)
+
+
+@functools.lru_cache(maxsize=64)
+def _rule_values(control: Control) -> dict[str, object]:
+    """Return the values of all rules of a control, which never change: they are 250 objects."""
+    return {rule.name: rule.value for rule in control.rules}
 
 
 def first_made_number(control: Control) -> int:

@@ -13,6 +13,7 @@ import argparse
 import itertools
 import json
 import math
+import os
 import queue
 import statistics
 import subprocess
@@ -222,7 +223,7 @@ def measured(program: Program, keys: int) -> Figures:
 
 
 PAUSE, PAUSES = 1.2, 5  # seconds, and how many
-RESTING = 5.0  # seconds after the last key
+RESTING = 3.0  # seconds after the last key
 
 
 def typed(
@@ -270,6 +271,13 @@ def percentiles(seconds: list[tuple[float, float]]) -> str:
     return f"{statistics.median(ordered) * 1e3:.0f}, {high * 1e3:.0f} ms{told}"
 
 
+def load() -> str:
+    """Return what else the machine did meanwhile, where the system tells it."""
+    if not hasattr(os, "getloadavg"):
+        return ""
+    return f"; {os.getloadavg()[1]:.1f} processes at work on average, this one included."
+
+
 def main() -> None:
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--blocks", type=int, default=100_000)
@@ -279,7 +287,7 @@ def main() -> None:
     given = options.parse_args()
     chosen = [each for each in programs(given.blocks) if (given.only or "") in each.title]
     found = {each.title: measured(each, given.keys) for each in chosen}
-    text = f"{table(found, chosen)}\n\n{report.machine()}"
+    text = f"{table(found, chosen)}\n\n{report.machine()}{load()}"
     print(text)
     if given.write:
         report.write(given.write, MARK, text)
