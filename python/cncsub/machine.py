@@ -354,7 +354,7 @@ class Machine(Outcome):
         travel, and while a move waits for the one after it.
 
         >>> import cncsub
-        >>> text = "O1\nN10 G0 X5.\nN20 G91 X1.\nM30\n"
+        >>> text = "O1\\nN10 G0 X5.\\nN20 G91 X1.\\nM30\\n"
         >>> machine = cncsub.loads(text, control="fanuc-0i-f").machine()
         >>> machine.run(until="O1:N20")
         >>> machine.position["X"] = 20
