@@ -80,9 +80,12 @@ std::optional<TextPlace> MentionReader::word(std::string_view address, double va
 
 // ---- blocks ----
 
-/// Add the beginning of a block that has no number.
+/// Add the beginning of a block that has no number. None can stand before the values of a branch,
+/// `2, 3:`, and the second block of a statement that does two things has that of the first.
 void MentionReader::unnumbered(const Block& block) {
   const std::string_view whole = code_.text_of(block, own());
+  const bool second = at_ > own().first && code_.blocks[at_ - 1].text == block.text;
+  if (second || (!whole.empty() && is_digit(whole[0]))) return;
   std::size_t from = 0;
   auto first = code_.read_word(whole, from);
   while (first && first->address == "/") first = code_.read_word(whole, from);

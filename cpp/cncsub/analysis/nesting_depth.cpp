@@ -42,7 +42,8 @@ int NestingDepth::of_o_word(const OWord& word) {
 }
 
 bool NestingDepth::is_second(Address at) const {
-  return at > 0 && code_.blocks[at].length > 0 && code_.blocks[at - 1].line == code_.blocks[at].line &&
+  return at > 0 && code_.blocks[at].length > 0 &&
+         code_.blocks[at - 1].line == code_.blocks[at].line &&
          code_.blocks[at - 1].text == code_.blocks[at].text;
 }
 

@@ -43,7 +43,8 @@ WordPlace whole_token(const Spelling& spelling, std::string_view text, WordPlace
   const auto token = [](std::size_t from, std::size_t to) {
     return WordPlace{static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to - from)};
   };
-  if (is_variable_sign(text[first])) return token(first, std::max(last, end_of_variable(text, first)));
+  if (is_variable_sign(text[first]))
+    return token(first, std::max(last, end_of_variable(text, first)));
   const bool name = in_name(text[first]);
   if (!name && !in_number(text[first])) return place;
   while (!name && first > 0 && in_number(text[first - 1])) --first;

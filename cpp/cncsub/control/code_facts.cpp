@@ -208,8 +208,8 @@ void add_registered(const Control& control, char letter, int tenfold, CodeFacts&
     const bool every = list.form == CodeCall::Form::Switch;
     if (list.address != letter || (!every && number == 0)) return;
     if (every || list.tenths_of(std::abs(number)) == tenfold)
-      facts.programs.push_back({kind(list.kind), calls_by_name(list) ? -1 : program,
-                                {"", list.source, list.evidence}});
+      facts.programs.push_back(
+          {kind(list.kind), calls_by_name(list) ? -1 : program, {"", list.source, list.evidence}});
   });
   for (const CodeCall& list : control.code_calls)
     if (calls_all(list) && list.address == letter && tenfold >= 10 * list.first_code &&

@@ -236,7 +236,9 @@ void NameReader::exponent() {
 /// Read a word, a code or an address with its number. Where variables have numbers for names, a
 /// number ends a name: GOTO10 is one, and EQ2 of EQ2AND.
 void NameReader::name() {
-  const std::size_t letters = run_of(0, is_letter);
+  std::size_t letters = run_of(0, is_letter);
+  while (spelling_.numbered && ahead(letters) == '_' && is_letter(ahead(letters + 1)))
+    letters = run_of(letters + 1, is_letter);  // END_IF
   const std::size_t whole = run_of(0, is_of_name);
   const bool code = letters == 1 && is_digit(ahead(1));
   const bool indexed = letters == 1 && ahead(1) == '[' && !spelling_.numbered;

@@ -120,6 +120,9 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
     return refuse("a log is written, and the other control has none");
   std::string statement = observer_.print->binary ? "BPRNT[" : "DPRNT[";
   if (message.before.empty()) {
+    const auto lacking = for_->lacks(StatementKind::Dprnt, 0);
+    if (lacking && lacking->cause == Cause::StatementNotAvailable)
+      return refuse("a message is shown, and the flat program has no statement for it");
     if (!print_fields(text, origins, statement)) return false;
     text += statement + "]";
     end_line(text, origins);

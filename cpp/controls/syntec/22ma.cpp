@@ -15,11 +15,10 @@ void variables(Control& c) {
   constexpr const char* kSources =
       "SYM: #1 to #400 are of the level, #401 to #999 kept; @1 to @400, @656 to @999 and @1001 to "
       "@1999 hold numbers";
-  c.variables = {
-      {0, 0, VariableKind::Vacant, Access::ReadOnly, 0, "SYM: #0 is vacant", Secondary},
-      {1, 400, VariableKind::Local, Access::ReadWrite, 0, kSources, Secondary},
-      {kAtVariables, kAtVariables, VariableKind::Vacant, Access::ReadOnly, 0, "SYM: @0 is vacant",
-       Secondary}};
+  c.variables = {{0, 0, VariableKind::Vacant, Access::ReadOnly, 0, "SYM: #0 is vacant", Secondary},
+                 {1, 400, VariableKind::Local, Access::ReadWrite, 0, kSources, Secondary},
+                 {kAtVariables, kAtVariables, VariableKind::Vacant, Access::ReadOnly, 0,
+                  "SYM: @0 is vacant", Secondary}};
   c.variable_choices.clear();
   c.macros.commons = {"401-999 1000001-1000400 1000656-1000999 1001001-1001999", kSources,
                       Secondary};
@@ -53,8 +52,7 @@ void calling(Control& c) {
             "SYM: G66.1 P L, after each block, which itself is executed", Secondary);
   c.macros.modal_locals = {ModalLocals::Kept, "SYM: the locals of G66 are kept until G67",
                            Secondary};
-  c.macros.argument_sets = {ArgumentSets::First, "SYM: I, J and K are #4, #5 and #6",
-                            Secondary};
+  c.macros.argument_sets = {ArgumentSets::First, "SYM: I, J and K are #4, #5 and #6", Secondary};
 }
 
 /// Set the codes that call programs, each by its name: G0200, M0050, T0000.
@@ -95,10 +93,11 @@ void calling_codes(Control& c) {
     add_parameter(c, {std::to_string(i), 0, "M code that calls the macro of its name, 0 = none",
                       "SYM: Pr3601 to Pr3610", Secondary});
   c.calls.registered_codes = {"", "SYM: Pr3601 to Pr3610 are 0 as delivered", Secondary};
-  c.macros.code_cascade = {CodeCascade::OtherKind,
-                           "SYM: in a macro of an M code no other M or T code calls; the G codes of "
-                           "a macro of a G code are ordinary",
-                           Secondary};
+  c.macros.code_cascade = {
+      CodeCascade::OtherKind,
+      "SYM: in a macro of an M code no other M or T code calls; the G codes of "
+      "a macro of a G code are ordinary",
+      Secondary};
   c.reading.unlisted_codes = {UnlistedCode::NotKnown, "which G codes it has beyond those of SYM",
                               Inferred};
 }
@@ -110,8 +109,8 @@ void language(Control& c) {
                          "SYM: an ISO file has no statements, but of #1=5 and X#1 in one the "
                          "sources differ",
                          Inferred};
-  c.macros.functions = {
-      "SIN COS TAN ASIN ACOS ATAN ATAN2 SQRT ABS ROUND EXP LN POW SIGN MOD", "SYM, functions", Secondary};
+  c.macros.functions = {"SIN COS TAN ASIN ACOS ATAN ATAN2 SQRT ABS ROUND EXP LN POW SIGN MOD",
+                        "SYM, functions", Secondary};
   c.macros.atan_range = {AngleRange::Signed, "SYM: ATAN -90 to 90, ATAN2 -180 to 180", Secondary};
   c.macros.asin_range = {AngleRange::Signed, "SYM: ASIN -90 to 90", Secondary};
   c.macros.max_ifs = {10, "SYM: ten structures inside each other, COM-007", Secondary};

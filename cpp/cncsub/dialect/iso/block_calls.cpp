@@ -63,8 +63,8 @@ void BlockWriter::name_by_code(CallRecord& call) const {
   const std::string_view text = rules_.code.files.back().text.view();
   CallExtras& named = call.extras.make();
   named.name = name_of_called(token.letter, rules_.calling.whole_letter(token.letter)
-                                              ? std::string_view()
-                                              : text.substr(call.at, call.width));
+                                                ? std::string_view()
+                                                : text.substr(call.at, call.width));
   named.name_at = call.at;
   named.name_width = call.width;
 }

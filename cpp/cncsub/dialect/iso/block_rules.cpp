@@ -3,11 +3,7 @@
 namespace cncsub {
 
 BlockRules::BlockRules(const Code& of, const IsoVariant& its)
-    : code(of),
-      control(*of.control),
-      variant(its),
-      expressions(of, its.structured),
-      calling(of) {
+    : code(of), control(*of.control), variant(its), expressions(of, its.structured), calling(of) {
   const auto mark = [this](const auto& letters, std::uint8_t what) {
     for (const char letter : letters) letters_[static_cast<unsigned char>(letter)] |= what;
   };

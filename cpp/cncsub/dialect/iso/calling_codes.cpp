@@ -11,11 +11,10 @@ CallingCodes::CallingCodes(const Code& code) {
   each_code_call(*code.control,
                  [&](const CodeCall& list, std::int32_t number, std::int32_t program) {
                    if (list.form == CodeCall::Form::Switch)
-                     add_letter(list.address,
-                                {.kind = list.kind,
-                                 .program = program,
-                                 .variable = list.variable,
-                                 .by_name = calls_by_name(list)});
+                     add_letter(list.address, {.kind = list.kind,
+                                               .program = program,
+                                               .variable = list.variable,
+                                               .by_name = calls_by_name(list)});
                    else
                      add_code(code, list, number, program);
                  });

@@ -30,7 +30,8 @@ class ExpressionReader : private ValueReader {
   /// Read the value that a counter takes next: the variable at `counter`, plus the step that is
   /// written at `step`, or 1.
   std::optional<std::uint32_t> counted(const Scanner& counter, const Scanner* step);
-  /// Read the condition that a counter has not passed its last value, whatever the sign of its step.
+  /// Read the condition that a counter has not passed its last value, whatever the sign of its
+  /// step.
   std::optional<std::uint32_t> not_passed(const Scanner& counter, const Scanner& last,
                                           const Scanner& step);
   /// Read a condition, and return the contrary one.

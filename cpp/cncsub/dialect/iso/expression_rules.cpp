@@ -56,9 +56,8 @@ ExpressionRules::ExpressionRules(const Code& of, bool is_structured)
                            VacantComparison::Distinguished),
       word_arithmetic(is_structured || control.macros.word_arithmetic.value),
       modulo(has(Function::Mod)),
-      most_brackets(is_structured
-                        ? kDeepestBrackets
-                        : std::min(control.macros.max_brackets.value, kDeepestBrackets)),
+      most_brackets(is_structured ? kDeepestBrackets
+                                  : std::min(control.macros.max_brackets.value, kDeepestBrackets)),
       most_digits(std::min(control.macros.max_constant_digits.value, kMostDigits)),
       structured(is_structured) {
   for (const FunctionName& of_name : kFunctions) {

@@ -1,4 +1,6 @@
 // The reader of a file of the ISO family: it finds the programs on a tape and their blocks.
+#include "cncsub/dialect/iso/program_file.hpp"
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -12,7 +14,6 @@
 #include "cncsub/dialect/iso/block.hpp"
 #include "cncsub/dialect/iso/leader.hpp"
 #include "cncsub/dialect/iso/next_mark.hpp"
-#include "cncsub/dialect/iso/program_file.hpp"
 #include "cncsub/dialect/iso/structure.hpp"
 #include "cncsub/dialect/iso/structured_words.hpp"
 #include "cncsub/system/compiler.hpp"
@@ -398,7 +399,8 @@ class ProgramFileReader {
     to_.end_program(offset, line_);
     if (std::exchange(is_other_, false))
       others_.end_program(code_.programs.back());
-    else if (!rest && code_.statements.size() > statements_) match_structure(to_, code_.programs.back());
+    else if (!rest && code_.statements.size() > statements_)
+      match_structure(to_, code_.programs.back());
   }
 
   /// Return whether the open program began before the lines that are read apart.

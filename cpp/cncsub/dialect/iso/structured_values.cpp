@@ -27,24 +27,15 @@ struct TypedFunction {
   Gives gives;
 };
 constexpr TypedFunction kFunctions[] = {
-    {"SIN", Ins::Sin, 1, Gives::Real},
-    {"COS", Ins::Cos, 1, Gives::Real},
-    {"TAN", Ins::Tan, 1, Gives::Real},
-    {"ASIN", Ins::Asin, 1, Gives::Real},
-    {"ACOS", Ins::Acos, 1, Gives::Real},
-    {"ATAN", Ins::Atan, 1, Gives::Real},
-    {"ATAN2", Ins::Atan2, 2, Gives::Real},
-    {"SQRT", Ins::Sqrt, 1, Gives::Real},
-    {"ABS", Ins::Abs, 1, Gives::Real},
-    {"LN", Ins::Ln, 1, Gives::Real},
-    {"EXP", Ins::Exp, 1, Gives::Real},
-    {"POW", Ins::Raise, 2, Gives::Real},
-    {"ROUND", Ins::Round, 1, Gives::Whole},
-    {"CEIL", Ins::Ceil, 1, Gives::Whole},
-    {"FLOOR", Ins::Floor, 1, Gives::Whole},
-    {"SIGN", Ins::Sign, 1, Gives::Whole},
-    {"MAX", Ins::Larger, 2, Gives::AsArguments},
-    {"MIN", Ins::Smaller, 2, Gives::AsArguments},
+    {"SIN", Ins::Sin, 1, Gives::Real},           {"COS", Ins::Cos, 1, Gives::Real},
+    {"TAN", Ins::Tan, 1, Gives::Real},           {"ASIN", Ins::Asin, 1, Gives::Real},
+    {"ACOS", Ins::Acos, 1, Gives::Real},         {"ATAN", Ins::Atan, 1, Gives::Real},
+    {"ATAN2", Ins::Atan2, 2, Gives::Real},       {"SQRT", Ins::Sqrt, 1, Gives::Real},
+    {"ABS", Ins::Abs, 1, Gives::Real},           {"LN", Ins::Ln, 1, Gives::Real},
+    {"EXP", Ins::Exp, 1, Gives::Real},           {"POW", Ins::Raise, 2, Gives::Real},
+    {"ROUND", Ins::Round, 1, Gives::Whole},      {"CEIL", Ins::Ceil, 1, Gives::Whole},
+    {"FLOOR", Ins::Floor, 1, Gives::Whole},      {"SIGN", Ins::Sign, 1, Gives::Whole},
+    {"MAX", Ins::Larger, 2, Gives::AsArguments}, {"MIN", Ins::Smaller, 2, Gives::AsArguments},
     {"RANDOM", Ins::Random, 0, Gives::Whole}};
 
 constexpr double kLargestRandom = 32767;
@@ -77,7 +68,8 @@ Value ValueReader::with_type(Value value, std::uint32_t at) {
   std::int64_t number = 0;
   const char* c = s_.file + at + 1;
   for (; c < s_.at && is_digit(*c); ++c) number = number * 10 + (*c - '0');
-  const auto found = c == s_.at ? rules_.types->find(number + rules_.base_of(at)) : rules_.types->end();
+  const auto found =
+      c == s_.at ? rules_.types->find(number + rules_.base_of(at)) : rules_.types->end();
   if (found == rules_.types->end() || !out_.arithmetic(value, offset())) return value;
   return found->second ? Value::whole() : Value::real();
 }
@@ -162,7 +154,8 @@ const IsoOperator* ValueReader::structured_operator() {
 Value ValueReader::apply_typed(const IsoOperator& of, std::uint32_t at, Value left, Value right) {
   const bool whole = left.is_whole() && right.is_whole();
   const bool real = left.is_real() || right.is_real();
-  if (of.compares()) return compare(out_, of.op, at, left, right, offset()) ? Value::whole() : Value{};
+  if (of.compares())
+    return compare(out_, of.op, at, left, right, offset()) ? Value::whole() : Value{};
   if (!out_.arithmetic(left, offset()) || !out_.arithmetic(right, offset())) return {};
   if (of.op == Ins::Modulo) {
     if (real) return out_.refuse(Cause::TypeMismatch, at, "MOD takes whole numbers only");

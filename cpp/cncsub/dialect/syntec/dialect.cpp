@@ -1,10 +1,11 @@
-// The two languages of a Syntec: ISO programs, and programs that begin with %@MACRO. Their blocks of
-// words are those of the ISO family; statements and expressions are the maker's.
+// The two languages of a Syntec: ISO programs, and programs that begin with %@MACRO. Their blocks
+// of words are those of the ISO family; statements and expressions are the maker's.
+#include "cncsub/dialect/dialect.hpp"
+
 #include <algorithm>
 #include <memory>
 
 #include "cncsub/control/at_variables.hpp"
-#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/iso/operators.hpp"
 #include "cncsub/dialect/iso/program_file.hpp"
 #include "cncsub/dialect/iso/structured_words.hpp"
@@ -25,7 +26,8 @@ constexpr TreatedRow kRows[] = {
 #include "cncsub/dialect/syntec/keywords.def"
 #undef KEYWORD
 #undef PASSED
-#define NOT_COMPUTED(name, gives) {{name, gives, "", "+code-not-computed", kSource}, "not-computed"},
+#define NOT_COMPUTED(name, gives) \
+  {{name, gives, "", "+code-not-computed", kSource}, "not-computed"},
 #include "cncsub/dialect/iso/not_computed.def"
 #undef NOT_COMPUTED
 };
@@ -73,13 +75,12 @@ const Spelling syntec_spelling{.comment = {"(", ")"},
 
 FileReader syntec_reader(Builder& to, const ProgramNames& /*other_mode*/) {
   const auto own = std::make_shared<syntec::StructuredReader>(to, variant(true));
-  return iso_reader(
-      to, variant(false),
-      {[own](std::string_view text) { own->begin_text(text); }, heads_structured,
-       [own](std::size_t from, std::size_t to_at, std::uint32_t line) {
-         own->read(from, to_at, line);
-       },
-       [own](const Program& program) { own->end_program(program); }});
+  return iso_reader(to, variant(false),
+                    {[own](std::string_view text) { own->begin_text(text); }, heads_structured,
+                     [own](std::size_t from, std::size_t to_at, std::uint32_t line) {
+                       own->read(from, to_at, line);
+                     },
+                     [own](const Program& program) { own->end_program(program); }});
 }
 
 // Null: the first line of a program says what the lines after it mean.

@@ -141,8 +141,8 @@ void StructuredReader::learn_type(const Block& block) {
   if (is_words(block.op))
     return static_cast<void>(std::erase_if(types_, [](const auto& of) { return of.first > 400; }));
   if (block.op != Op::Set && block.op != Op::Assign) return types_.clear();
-  const Statement of = block.op == Op::Set ? assignment_of(to_.code(), block)
-                                           : to_.record<Statement>(block.aux);
+  const Statement of =
+      block.op == Op::Set ? assignment_of(to_.code(), block) : to_.record<Statement>(block.aux);
   if (of.target != Statement::Target::Local && of.target != Statement::Target::Common)
     return types_.clear();
   const std::int64_t number = assigned_number(block);
@@ -214,8 +214,8 @@ bool StructuredReader::refuse(Block& block, Cause cause, std::uint32_t at, std::
   return false;
 }
 
-void StructuredReader::refuse_at(Address address, Cause cause, const Open& open,
-                                 const char* detail, Kind kind) {
+void StructuredReader::refuse_at(Address address, Cause cause, const Open& open, const char* detail,
+                                 Kind kind) {
   refuse(to_.block(address), cause, open.at, open.width, detail, kind);
 }
 
@@ -264,8 +264,7 @@ void StructuredReader::if_head(Scanner& s, Block& block) {
   Statement statement = at_keyword();
   push(Structure::If);
   const std::size_t deep = open_.size();
-  const bool read =
-      condition(s, "THEN", statement, block, Cause::IfFormat, {'N', 'I'});
+  const bool read = condition(s, "THEN", statement, block, Cause::IfFormat, {'N', 'I'});
   if (read && deep > static_cast<std::size_t>(to_.control().macros.max_ifs.value)) {
     refuse(block, Cause::IfTooDeep, keyword_at_, keyword_width_,
            "more structures inside each other than the control allows");
@@ -302,8 +301,8 @@ void StructuredReader::else_if(Scanner& s, Block& block) {
 
 void StructuredReader::else_head(Scanner& s, Block& block) {
   const bool of_case = !open_.empty() && open_.back().kind == Structure::Case;
-  Open* const open = of_case ? &open_.back()
-                             : innermost(Structure::If, block, Cause::IfWithoutEnd, {'N', 'I'});
+  Open* const open =
+      of_case ? &open_.back() : innermost(Structure::If, block, Cause::IfWithoutEnd, {'N', 'I'});
   if (open == nullptr) return append(s, block);
   if (open->otherwise) {
     refuse(block, Cause::IfWithoutEnd, keyword_at_, keyword_width_, "a second ELSE");
@@ -499,8 +498,7 @@ void StructuredReader::for_head(Scanner& s, Block& block) {
     s.at = rest.at;
     return append(s, block);
   }
-  if (first.op != Op::Set && first.op != Op::Assign)
-    return wrong("an assignment must follow FOR");
+  if (first.op != Op::Set && first.op != Op::Assign) return wrong("an assignment must follow FOR");
   s = ahead;
   take_whole(s, "TO");
   s.blanks();

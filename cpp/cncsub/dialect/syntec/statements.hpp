@@ -16,7 +16,8 @@ namespace cncsub::syntec {
 
 class StructuredReader {
  public:
-  explicit StructuredReader(Builder& to, const IsoVariant& variant) : to_(to), blocks_(to, variant) {}
+  explicit StructuredReader(Builder& to, const IsoVariant& variant)
+      : to_(to), blocks_(to, variant) {}
 
   /// Let parts of a file with this text come next.
   void begin_text(std::string_view written);
@@ -44,16 +45,16 @@ class StructuredReader {
     Structure kind;
     Address head;
     std::uint32_t at, width;
-    Address branch = kNowhere;         // the IF, WHILE or FOR whose other way is still to come
-    bool otherwise = false;            // its ELSE was read
-    std::uint32_t expression = 0;      // of a CASE
-    Address rest = kNowhere;           // of a CASE: the block after ELSE
-    Address wrong = kNowhere;          // of a CASE: the block of values that are no values
-    std::vector<Address> ways = {};    // the blocks that go on at its end
-    std::vector<Address> exits = {};   // the EXIT that go on after its end
+    Address branch = kNowhere;        // the IF, WHILE or FOR whose other way is still to come
+    bool otherwise = false;           // its ELSE was read
+    std::uint32_t expression = 0;     // of a CASE
+    Address rest = kNowhere;          // of a CASE: the block after ELSE
+    Address wrong = kNowhere;         // of a CASE: the block of values that are no values
+    std::vector<Address> ways = {};   // the blocks that go on at its end
+    std::vector<Address> exits = {};  // the EXIT that go on after its end
     std::vector<Alternative> alternatives = {};
-    Statement count = {};              // of a FOR: the assignment that counts
-    bool counts_apart = false;         // a FOR that is an assignment and a WHILE
+    Statement count = {};       // of a FOR: the assignment that counts
+    bool counts_apart = false;  // a FOR that is an assignment and a WHILE
   };
 
   /// A word that begins a statement.
@@ -94,8 +95,8 @@ class StructuredReader {
   void way_to_end(Open& open, Block& block);
   void print(Scanner& s, Block& block, bool alarms);
   std::string text(Scanner& s);
-  bool refuse(Block& block, Cause cause, std::uint32_t at, std::uint32_t width,
-              std::string detail, Kind kind = {});
+  bool refuse(Block& block, Cause cause, std::uint32_t at, std::uint32_t width, std::string detail,
+              Kind kind = {});
   void refuse_at(Address address, Cause cause, const Open& open, const char* detail, Kind kind);
   void append(const Scanner& s, Block& block);
   void learn_type(const Block& block);

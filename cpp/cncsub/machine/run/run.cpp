@@ -139,7 +139,8 @@ bool statement_before_macro(Run& run, const Block& block) {
   const Block* instead = nullptr;
   const bool loops = block.op == Op::IfGoto || block.op >= Op::While;
   bool runs = loops ? run_statements(run, true, instead) : run_statement(run, block, instead);
-  if (runs && instead != nullptr) runs = run_statement(run, *std::exchange(instead, nullptr), instead);
+  if (runs && instead != nullptr)
+    runs = run_statement(run, *std::exchange(instead, nullptr), instead);
   if (!runs || run.state.executed == before || run.state.stop != Stop::Running) return runs;
   run.state.moved_at = at;
   return call_after_move(run);
