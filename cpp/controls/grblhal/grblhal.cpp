@@ -198,6 +198,8 @@ void alarms(Control& c) {
   c.alarms[AddressWithoutValue].directed = {
       {"NF", "error:2",
        "Missing the expected G-code word value or numeric value format is not valid."}};
+  c.alarms[GCodeNotAvailable].directed = {
+      {"FR", "error:23", "G-code command in block requires an integer value."}};
   c.alarms[MotionWordMissing].directed = {{"AX", "error:26",
                                            "No axis words found in block for g-code command or "
                                            "current modal state which requires them."}};

@@ -50,7 +50,7 @@ case("M3 and M8 do", **RUN, program="N10 M3 M8 S100\nN20 M2", runs="N10 N20", m=
 case("a G code that it has not is unsupported", **RUN,
      program="N10 G6\nN20 M2", runs="", alarm="g-code-not-available", number="error:20", at="MAIN N10", word="G6")
 case("a fraction of one that has none is not whole", **RUN,
-     program="N10 G1.5 X1 F1\nN20 M2", runs="", alarm="whole-number-expected", number="error:23", at="MAIN N10")
+     program="N10 G1.5 X1 F1\nN20 M2", runs="", alarm="g-code-not-available", number="error:23", at="MAIN N10")
 case("a fraction that it has not is unsupported", **RUN,
      program="N10 G59.4\nN20 M2", runs="", alarm="g-code-not-available", number="error:20", at="MAIN N10")
 case("an M code that it has not is unsupported", **RUN,
