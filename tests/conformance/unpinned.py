@@ -285,7 +285,7 @@ _TABLE = _joined(
         LINUXCNC,
         "refuses roles power_on reset_clears data_forms",
         "power_on:G91 power_on:G18 power_on:G19 power_on:G20 power_on:G99 reset_clears:locals"
-        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code refuses:no-feed refuses:modes-not-saved"
+        " refuses:rotary-axis-in-cycle refuses:spindle-stopped refuses:no-motion-code refuses:no-feed"
         " refuses:arc-axis-not-in-plane refuses:offset-in-wrong-plane refuses:radius-and-centre refuses:peck-negative"
         " data_forms:in-force data_forms:here data_forms:tools"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes roles:M73=keep-modes",
@@ -296,13 +296,11 @@ _TABLE = _joined(
         "refuses roles power_on reset_clears data_forms",
         "power_on:G91 power_on:G18 power_on:G19 power_on:G20 power_on:G99 reset_clears:locals"
         " refuses:no-motion-code refuses:no-feed refuses:no-arc-travel refuses:radius-and-centre"
-        " refuses:machine-move-without-line refuses:cycle-in-inverse-time data_forms:in-force data_forms:here"
-        " roles:M98=call roles:M99=return roles:G65=macro-call roles:M2=end roles:M30=end"
+        " data_forms:in-force data_forms:here"
+        " roles:G65=macro-call roles:M30=end"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes",
         NO_SUCH_ENTRY,
     ),
-    _all("max_repeats", (GRBLHAL,), "a count has eight bits, whatever is written"),
-    _all("spindle_at_change", (GRBLHAL,), "nothing that the control computes asks the spindle"),
     _sets(
         ONE,
         "refuses power_on",

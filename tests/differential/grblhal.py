@@ -91,7 +91,9 @@ class Writer:
                 return f"#<{r.choice(self.names)}>"
             return f"#{r.choice((1, 2, 3, 4, 30, 31, 100, 101, 102))}"
         if kind < 0.85:
-            operator = r.choice(["+", "-", "*", "EQ", "NE", "LT", "LE", "GT", "GE", "AND", "OR", "XOR"])
+            operator = r.choice(
+                ["+", "-", "*", "EQ", "NE", "LT", "LE", "GT", "GE", "AND", "OR", "XOR"]
+            )
             return f"[{self.value(deep + 1)} {operator} {self.value(deep + 1)}]"
         name = r.choice(["ABS", "FIX", "FUP", "ROUND", "SIN", "COS", "SQRT"])
         inner = self.value(deep + 1)

@@ -33,7 +33,6 @@ void calls(Control& c) {
   c.calls.max_program_digits = {5, kBlock, SourceDocument};
   c.macros.max_macro_digits = {5, kBlock, SourceDocument};
   c.calls.call_values = {CallValues::Cut, kBlock, SourceDocument};
-  c.calls.max_repeats = {255, kBlock, SourceDocument};
   c.calls.zero_repeats = {ZeroRepeats::Once, kBlock, SourceDocument};
   c.calls.max_nesting = {10, kLevels, SourceDocument};
   c.calls.max_macro_nesting = {5, kMacro, SourceDocument};
@@ -49,7 +48,6 @@ void calls(Control& c) {
 
 void cycles(Control& c) {
   c.motion.cycle_repeats = {"L", kBlock, SourceDocument};
-  c.motion.max_cycle_repeats = {255, kBlock, SourceDocument};
   c.motion.zero_cycle_repeats = {ZeroCycleRepeats::Alarm, kBlock, SourceDocument};
   c.motion.cycle_approach = {CycleApproach::RFirst, kCycle, SourceDocument};
 }
@@ -200,6 +198,8 @@ void alarms(Control& c) {
   c.alarms[AddressWithoutValue].directed = {
       {"NF", "error:2",
        "Missing the expected G-code word value or numeric value format is not valid."}};
+  c.alarms[GCodeNotAvailable].directed = {
+      {"FR", "error:23", "G-code command in block requires an integer value."}};
   c.alarms[MotionWordMissing].directed = {{"AX", "error:26",
                                            "No axis words found in block for g-code command or "
                                            "current modal state which requires them."}};

@@ -21,7 +21,7 @@ case("its end may miss the circle by 0.005", pins="arc_tolerance", **RUN,
 case("and by a thousandth of its radius", pins="arc_tolerance_share", **RUN,
      program="N10 G2 X200.09 I100 F100\nN20 M2", final_work="X200.09")
 case("but no more", pins="arc_tolerance", **RUN,
-     program="N10 G2 X10.02 I5 F100\nN20 M2", runs="", alarm="radius-tolerance", number="error:33", at="MAIN N10")
+     program="N10 G2 X10.0055 I5 F100\nN20 M2", runs="", alarm="radius-tolerance", number="error:33", word="X10.0055", at="MAIN N10")
 case("a radius reaches its end", **RUN,
      program="N10 G2 X9 R1 F100\nN20 M2", runs="", alarm="radius-too-small", number="error:34", word="R1")
 case("however little is missing", pins="small_radius", **RUN,
@@ -29,12 +29,12 @@ case("however little is missing", pins="small_radius", **RUN,
 case("which is not where it starts", pins="refuses:no-arc-travel", **RUN,
      program="N10 G0 X1\nN20 G2 X1 R1 F100\nN30 M2", runs="N10", alarm="no-arc-travel", number="error:33", word="R1")
 case("and is written", **RUN,
-     program="N10 G2 R1 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:26", at="MAIN N10")
+     program="N10 G2 R1 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:26", word="G2", at="MAIN N10")
 case("without radius and centre there is no arc", pins="no_radius", **RUN,
      program="N10 G2 X1 F100\nN20 M2", runs="", alarm="no-radius", number="error:35", at="MAIN N10", word="G2")
 case("not even without an end", **RUN,
      program="N10 G2 F100\nN20 M2", runs="", alarm="no-radius", number="error:35", at="MAIN N10", word="G2")
 case("a centre where it starts is off its circle", **RUN,
-     program="N10 G2 X10 I0 F100\nN20 M2", runs="", alarm="radius-tolerance", number="error:33", at="MAIN N10")
+     program="N10 G2 X10 I0 F100\nN20 M2", runs="", alarm="radius-tolerance", number="error:33", word="X10", at="MAIN N10")
 case("a centre beside a radius is used by nothing", pins="refuses:radius-and-centre", **RUN,
-     program="N10 G2 X1 R1 I1 F100\nN20 M2", runs="", alarm="radius-and-centre", number="error:36", at="MAIN N10")
+     program="N10 G2 X1 R1 I1 F100\nN20 M2", runs="", alarm="radius-and-centre", number="error:36", word="R1", at="MAIN N10")

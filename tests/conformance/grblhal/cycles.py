@@ -17,15 +17,15 @@ case("L repeats the hole", pins="cycle_repeats", **RUN,
 case("not zero times", pins="zero_cycle_repeats", **RUN,
      program="N10 G81 X1 Z-1 R2 L0 F100\nN20 M2", runs="", alarm="cycle-repeats", number="error:19", word="L0")
 case("the first line of a cycle has R", **RUN,
-     program="N10 G81 X1 Z-1 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", at="MAIN N10")
+     program="N10 G81 X1 Z-1 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", word="G81", at="MAIN N10")
 case("and its depth", **RUN,
-     program="N10 G81 X1 R2 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", at="MAIN N10")
+     program="N10 G81 X1 R2 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", word="G81", at="MAIN N10")
 case("G82 has P", **RUN,
-     program="N10 G82 X1 Z-1 R2 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", at="MAIN N10")
+     program="N10 G82 X1 Z-1 R2 F100\nN20 M2", runs="", alarm="motion-word-missing", number="error:28", word="G82", at="MAIN N10")
 case("R is not below the bottom", **RUN,
-     program="N10 G81 X1 Z-1 R-2 F100\nN20 M2", runs="", alarm="r-below-bottom", number="error:54", at="MAIN N10")
-case("no cycle under G93", pins="refuses:cycle-in-inverse-time", **RUN,
-     program="N10 G93\nN20 G81 X1 Z-1 R2 F100\nN30 M2", runs="N10", alarm="cycle-in-inverse-time", number="error:3", at="MAIN N20")
+     program="N10 G81 X1 Z-1 R-2 F100\nN20 M2", runs="", alarm="r-below-bottom", number="error:54", word="R-2", at="MAIN N10")
+case("no cycle under G93", **RUN,
+     program="N10 G93\nN20 G81 X1 Z-1 R2 F100\nN30 M2", runs="N10", alarm="cycle-in-inverse-time", number="error:3", word="G81", at="MAIN N20")
 case("P beside G81 is used by nothing", **RUN,
      program="N10 G81 X1 Z-1 R2 P1 F100\nN20 M2", runs="", alarm="address-not-usable", number="error:36", word="P1")
 # The control reads G85, G86 and G89, and makes no moves for them.

@@ -13,7 +13,7 @@ for value, result in {
     "ATAN[1]/[1]": 45, "ATAN[-1]/[-1]": -135, "ACOS[0]": 90, "ASIN[1]": 90, "LN[1]": 0, "EXP[0]": 1,
     "COS[60]*2": 1, "SIN[30]*2": 1, "TAN[45]": 1,
 }.items():
-    case(f"[{value}] is {result}", **RUN, program=f"N10 #100=[{value}]\nN20 M2", vars={100: result})
+    case(f"[{value}] is {result} on grblHAL", **RUN, program=f"N10 #100=[{value}]\nN20 M2", vars={100: result})
 case("a power of a negative value has a whole exponent", **RUN,
      program="N10 #100=[-2**0.5]\nN20 M2", runs="", alarm="power-of-negative", number="error:74")
 case("nothing is divided by zero", **RUN,

@@ -19,7 +19,7 @@ case("there is no #0", **RUN, program="N10 #1=#0\nN20 M2", runs="", alarm="illeg
 case("nor a #5071", **RUN, program="N10 #1=#5071\nN20 M2", runs="", alarm="illegal-variable", number="error:39", at="MAIN N10")
 case("programs write up to #5060", **BLOCK,
      program="N10 #5060=1\nN20 #5061=1\nN30 M2", runs="N10", alarm="variable-write-protected", number="error:39", at="MAIN N20")
-case("an assignment has an equals sign", **BLOCK, program="N10 #1 5\nN20 M2", runs="", alarm="missing-equals", number="error:2")
+case("an assignment has an equals sign, as grblHAL has it", **BLOCK, program="N10 #1 5\nN20 M2", runs="", alarm="missing-equals", number="error:2")
 case("a line has at most ten of numbers", control="grblhal", source="gHc, NGC_N_ASSIGN_PARAMETERS_PER_BLOCK", evidence="source document",
      program="N10 " + " ".join(f"#{i}=1" for i in range(1, 12)) + "\nN20 M2", runs="", alarm="too-many-words", number="error:2")
 case("#5420 is the position in the work system", **RUN,
@@ -33,7 +33,7 @@ case("a reset leaves them as they are", pins="reset_clears:locals", control="grb
      evidence="source document", program="N10 #1=7\nN20 #31=5\nN30 M2", vars_after_reset={1: 7, 31: 5})
 
 case("a name takes its value at once", **BLOCK, program="N10 #<a>=4 G0 X#<a>\nN20 M2", moves_x=[4])
-case("letters and blanks of a name do not count", **NAMED, program="N10 #<My Var>=3\nN20 G0 X#<myvar>\nN30 M2", moves_x=[3])
+case("letters and blanks of a name do not count, as grblHAL has it", **NAMED, program="N10 #<My Var>=3\nN20 G0 X#<myvar>\nN30 M2", moves_x=[3])
 case("a name that was never set is none", **NAMED,
      program="N10 G0 X#<a>\nN20 M2", runs="", alarm="variable-name-unknown", number="error:2", at="MAIN N10")
 case("EXISTS asks for it", **NAMED,

@@ -14,7 +14,7 @@ case("M72 takes the modes back in that M70 saved", pins="roles:M70=save-modes ro
      program="N10 G1 X1 F100\nN20 M70\nN30 G20 G91\nN40 M72\nN50 X3\nN60 M2", moves="F X1\nF X3")
 case("the feed comes back in its own unit", **RUN,
      program="N10 F100\nN20 M70\nN30 G20 F7\nN40 M72\nN50 (print,#<_feed> #<_metric>)\nN60 M2", messages=["100.000000 1.000000"])
-case("what nobody saved does not come back", pins="refuses:modes-not-saved", **RUN,
+case("what nobody saved does not come back", **RUN,
      program="N10 G0 X1\nN20 M72\nN30 M2", runs="N10", alarm="modes-not-saved", word="M72")
 case("M71 forgets what was saved", pins="roles:M71=forget-modes", **BOOK,
      program="N10 M70\nN20 M71\nN30 M72\nN40 M2", runs="N10 N20", alarm="modes-not-saved", word="M72")

@@ -168,8 +168,8 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   const bool has = to_.control().reading.g_codes.value.has(code) && group_of_g(code) >= 0;
   if (rest % 10 != 0 || !has) {
     const bool fraction = rest != 0 && group_of_g(number * 10) >= 0 && !has_fractions(number);
-    return refuse(block, fraction ? Cause::WholeNumberExpected : Cause::GCodeNotAvailable,
-                  "the control has no such G code", value.at);
+    return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at,
+                  fraction ? kNotWhole : Kind{});
   }
   if (claims_axes(code)) {
     if (std::exchange(words.claimed, true))

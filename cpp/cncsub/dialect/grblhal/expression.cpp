@@ -124,7 +124,8 @@ bool ExpressionReader::read_value(int depth) {
   const std::size_t place = line_.place();
   if (depth > kDeepest) return wrong(Cause::BracketsTooDeep, "too many brackets", place);
   const char c = line_.peek(), next = line_.peek(1);
-  if (c == '\0') return wrong(Cause::AddressWithoutValue, "no value stands here", place);
+  if (c == '\0' || c == '(' || c == ';')
+    return wrong(Cause::AddressWithoutValue, "no value stands here", place);
   if (c == '[') return read_bracket(depth + 1);
   if (c == '#') {
     line_.take();

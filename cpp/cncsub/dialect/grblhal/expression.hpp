@@ -23,6 +23,7 @@ using Value = ValueRead;
 /// Marks of faults of one cause that have different numbers on the control: Fault::kind.
 using Kind = std::array<char, 2>;
 inline constexpr Kind kBadNumber{'N', 'F'};  // what stands there is no number
+inline constexpr Kind kNotWhole{'F', 'R'};   // a code that has no fraction
 inline constexpr Kind kNoAxis{'A', 'X'};     // a code without the axes that it needs
 
 /// A variable that is assigned to. A name of the control's own takes no value.

@@ -43,15 +43,15 @@ void pass_value(Scanner& s) {
 // and statements, and no codes of corners, rotation, scaling, stored stroke or radius compensation.
 const std::string_view grblhal_rules =
     "refuses power_on reset_clears missing_end g_codes "
-    "max_program_digits max_macro_digits program_word call_values max_repeats zero_repeats "
+    "max_program_digits max_macro_digits program_word call_values zero_repeats "
     "self_call caller_call max_nesting max_macro_nesting nesting_counts_macros "
     "max_total_nesting roles main_return end_in_subprogram "
     "machine g_meanings power_on_feed rapid_rate max_feed "
     "arc_tolerance arc_tolerance_share no_radius small_radius negative_radius helix "
     "drops_centre_across dwell_words dwell_unit machine_move max_extra_systems data_forms "
-    "length_type skip_signals cycle_repeats max_cycle_repeats cycle_approach "
-    "zero_cycle_repeats peck_retract "
-    "computed_lengths codes_that_move spindle_at_change feed_mode_change feed_unit";
+    "length_type cycle_repeats cycle_approach "
+    "zero_cycle_repeats "
+    "computed_lengths codes_that_move feed_mode_change feed_unit";
 
 const Spelling grblhal_spelling{.comment = {";", ""},
                                 .value = {"[", "]"},
