@@ -185,9 +185,11 @@ void BlockReader::hand_on_locals(std::vector<Argument>& arguments, const Flow& f
                                  std::int16_t first) {
   const auto add = [&](std::int16_t number, std::int32_t to) {
     Value of{.computed = true, .at = flow.at, .width = flow.width};
-    const auto from = static_cast<std::uint32_t>(to_.code().place(number).index);
-    of.expression = to_.expressions().one({Ins::LocalRaw, 0, from, static_cast<double>(number)},
-                                          flow.at, flow.width);
+    // Read by its number: a parameter that has no value is no mistake here.
+    to_.expressions().begin();
+    to_.expressions().emit({Ins::Constant, 0, flow.at, static_cast<double>(number)});
+    to_.expressions().emit({Ins::IndirectRaw, 0, flow.at, 0});
+    of.expression = to_.expressions().end(flow.at, flow.width);
     arguments.push_back({to, 0, operand_of(of)});
   };
   for (std::int16_t i = first; i <= kLastLocal; ++i) add(i, i);
