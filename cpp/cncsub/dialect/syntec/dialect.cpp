@@ -40,6 +40,10 @@ constexpr IsoVariant variant(bool structured) {
           .is_other_statement = structured ? nullptr : syntec::is_statement};
 }
 
+/// How far a block is looked at for one of its words, first: a block of many words costs what it
+/// is long.
+constexpr std::size_t kNear = 1000;
+
 std::string at_variable(const Control& /*control*/, std::int64_t number) {
   return number < kAtVariables ? "" : "@" + std::to_string(number - kAtVariables);
 }
@@ -100,12 +104,20 @@ std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from
     values.width = static_cast<std::uint32_t>(from);
     return values;
   }
-  if (!is_structured(block)) return iso_word(block, from);
-  std::string text(block);
-  translate_structured(text, 0, text.size());
-  auto word = iso_word(text, from);
-  if (word) word->text = trimmed(block.substr(word->at, word->width));
-  return word;
+  if (!is_structured(block.substr(0, kNear))) return iso_word(block, from);
+  for (std::size_t width = kNear;; width = block.size() - from) {
+    std::string text(block.substr(from, width));
+    translate_structured(text, 0, text.size());
+    std::size_t behind = 0;
+    auto word = iso_word(text, behind);
+    const bool cut = text.size() < block.size() - from;
+    if (cut && (!word || behind == text.size())) continue;  // the word may go on
+    if (!word) return word;
+    word->at += static_cast<std::uint32_t>(from);
+    word->text = trimmed(block.substr(word->at, word->width));
+    from += behind;
+    return word;
+  }
 }
 
 std::vector<Keyword> syntec_keywords(const Control& control) {
