@@ -9,6 +9,7 @@ import random
 from pathlib import Path
 
 import pytest
+from makers import ISO_FAMILY
 from typer.testing import CliRunner
 
 import cncsub
@@ -16,7 +17,7 @@ from cncsub.cli import app
 
 CONTROLS = list(cncsub.controls)
 MILL = {"machine": "mill"}
-ISO = [name for name in CONTROLS if cncsub.controls[name].dialect == "iso"]
+ISO = [name for name in CONTROLS if cncsub.controls[name].dialect in ISO_FAMILY]
 
 # Blocks that all controls read alike; X of a mill and of a lathe is not the same.
 _ALONG_Z = "N10 G0 Z50.\nN20 Z10.\nN30 M8\nN40 M3 S500\nN50 G0 Z100.\nN60 M5\nN70 M30\n"

@@ -9,6 +9,7 @@ import re
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from makers import ISO_FAMILY
 from typer.testing import CliRunner
 
 import cncsub
@@ -27,7 +28,7 @@ WITH_COMMONS = [
 WITH_OPTIONS = [
     name
     for name, control in cncsub.controls.items()
-    if control.variable_options and control.dialect == "iso"
+    if control.variable_options and control.dialect in ISO_FAMILY
 ]
 
 

@@ -10,6 +10,7 @@
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/dialect.hpp"
 #include "cncsub/dialect/library.hpp"
+#include "cncsub/system/freed_memory.hpp"
 #include "cncsub/system/kept_memory.hpp"
 #include "cncsub/system/memory.hpp"
 #include "cncsub/text/words.hpp"
@@ -334,8 +335,13 @@ void add_code(py::module_& m) {
         return py::bytes(unified);
       },
       py::arg("text"));
-  m.def("give_back_memory", &system::give_back_large_memory,
-        py::call_guard<py::gil_scoped_release>());
+  m.def(
+      "give_back_memory",
+      [] {
+        system::give_back_large_memory();
+        system::give_back_freed_memory();
+      },
+      py::call_guard<py::gil_scoped_release>());
   m.def("compile", &compile_files, py::arg("control"), py::arg("files"),
         py::arg("external_device") = false, py::kw_only(), py::arg("threads") = 0,
         py::arg("piece") = py::none(), py::arg("general_only") = false);

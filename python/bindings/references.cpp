@@ -37,7 +37,7 @@ class Rows {
                           found ? py::object(py::int_(of.found)) : py::none(), of.external,
                           sequence_number(of.start), of.repeats, text(of.computed_program),
                           text(of.computed_start), text(of.computed_repeats), text(of.place),
-                          column(of.place));
+                          column(of.place), of.own_locals);
   }
   py::tuple jump(const JumpReference& of) const {
     const Program& own = code_.programs[static_cast<std::size_t>(program_)];

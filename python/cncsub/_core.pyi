@@ -256,9 +256,20 @@ class ProgramData:
     def tokens(self, index: int) -> list[_Token]: ...
 
 # kind, program, found, external, start, repeats, then the texts of a computed program, start and
-# count, the word and its column
+# count, the word and its column, whether the program called has locals of its own
 _CallRow = tuple[
-    str, str | None, int | None, bool, int | None, int, str | None, str | None, str | None, str, int
+    str,
+    str | None,
+    int | None,
+    bool,
+    int | None,
+    int,
+    str | None,
+    str | None,
+    str | None,
+    str,
+    int,
+    bool,
 ]
 # kind, conditional, in the caller, n, place of the block, text of a computed n, word, column
 _JumpRow = tuple[str, bool, bool, int | None, int | None, str | None, str, int]
@@ -470,7 +481,9 @@ def unify_line_ends(text: bytes) -> bytes:
     """
 
 def give_back_memory() -> None:
-    """Give the memory back to the system that the engine keeps for the next reading."""
+    """Give the memory back to the system that the engine keeps for the next reading, and what was
+    freed, where the C library keeps it.
+    """
 
 def compile(
     control: Control,

@@ -89,7 +89,7 @@ def references_of(program: _core.ProgramData, block: int) -> References:
 
 
 def _call(row: _core._CallRow) -> CallTo:
-    kind, program, found, external, start, repeats, by_p, by_start, by_l, text, column = row
+    kind, program, found, external, start, repeats, by_p, by_start, by_l, text, column, _ = row
     return CallTo(
         kind,
         Computed(by_p) if by_p is not None else program or "",

@@ -133,17 +133,6 @@ def write_what_can_be() -> None:
             file.reconfigure(errors="backslashreplace")
 
 
-def give_back_memory() -> None:
-    """Give memory that is free back to the system, where its C library keeps what was freed."""
-    if sys.platform != "linux":
-        return
-    import ctypes
-
-    trim = getattr(ctypes.CDLL(None), "malloc_trim", None)  # of glibc
-    if trim is not None:
-        trim(0)
-
-
 @contextlib.contextmanager
 def started_without_main() -> Iterator[None]:
     """Keep processes that are spawned meanwhile from running the main module again. It is a

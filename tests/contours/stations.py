@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from random import Random
 
 import numpy as np
+from makers import ISO_FAMILY
 
 import cncsub
 from curves import Curve, Vector, sweep
@@ -20,7 +21,8 @@ NO_INCH = {"gsk-980tdi"}
 # No source describes radius compensation for these controls, or the engine does not compute it.
 # LinuxCNC begins beside its own line and goes around outside corners in arcs, so it is compared
 # with its interpreter.
-NONE = {"gsk-928te", *(name for name, of in cncsub.controls.items() if of.dialect != "iso")}
+OTHERS = (name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY)
+NONE = {"gsk-928te", *OTHERS}
 
 
 @dataclass(frozen=True)

@@ -17,6 +17,7 @@ from random import Random
 from typing import Any
 
 import numpy as np
+from makers import ISO_FAMILY
 
 import cncsub
 from programs import CCW, CW, FEED, RAPID, Move, Program
@@ -71,7 +72,7 @@ class Station:
         return _with_length(as_lengths(rows) if self.style.diameter else rows)
 
 
-OTHER_LANGUAGES = {name for name, control in cncsub.controls.items() if control.dialect != "iso"}
+OTHER_LANGUAGES = {name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY}
 
 
 def stations() -> list[Station]:

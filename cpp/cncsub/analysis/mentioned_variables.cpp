@@ -27,6 +27,13 @@ std::span<const DefinedVariable> defined_by(const Code& code, const Program& pro
   return {code.defined_variables.data() + program.first_defined, program.defined};
 }
 
+/// Return the call of a block that may set locals of the program it calls; null if there is none.
+const CallRecord* handing_over(const Code& code, const Block& block) {
+  if (block.op == Op::MacroCall || block.op == Op::ModalCall) return &code.calls[block.aux];
+  const std::uint32_t call = block.op == Op::OWord ? code.o_words[block.aux].call : OWord::kNone;
+  return call == OWord::kNone ? nullptr : &code.calls[call];
+}
+
 }  // namespace
 
 bool MentionReader::is_defined(std::string_view name) const {
@@ -63,13 +70,13 @@ void MentionReader::variable(const NamePiece& piece, std::string_view text, std:
     added(true).name = name;
 }
 
-/// Add the locals that the arguments of a macro call set: their letters stand for their numbers.
+/// Add the locals that the arguments of a macro call set: their letters, or their places,
+/// stand for their numbers.
 void MentionReader::arguments(const Block& block, const References& references) {
   each_variant(code_, block, [&](const Block& of) {
-    if (of.op != Op::MacroCall && of.op != Op::ModalCall) return;
-    const CallRecord& call = code_.calls[of.aux];
-    for (std::uint32_t i = 0; i < call.arguments; ++i) {
-      const Argument& argument = code_.arguments[call.first_argument + i];
+    const CallRecord* call = handing_over(code_, of);
+    for (std::uint32_t i = 0; call != nullptr && i < call->arguments; ++i) {
+      const Argument& argument = code_.arguments[call->first_argument + i];
       Mention& mention =
           add(Mention::Kind::Variable, {argument.operand.at, argument.operand.width});
       mention.fixed = true;
@@ -88,7 +95,7 @@ bool MentionReader::may_name_variable(const Block& block, std::string_view text)
   if (text.find_first_of("#@") != std::string_view::npos) return true;
   bool hands_over = false;
   each_variant(code_, block, [&](const Block& of) {
-    hands_over = hands_over || of.op == Op::MacroCall || of.op == Op::ModalCall;
+    hands_over = hands_over || handing_over(code_, of) != nullptr;
   });
   return hands_over;
 }

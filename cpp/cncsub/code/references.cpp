@@ -5,6 +5,7 @@
 #include <set>
 #include <tuple>
 
+#include "cncsub/code/own_locals.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/code/variables_used.hpp"
 
@@ -101,6 +102,7 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
 void ReferenceReader::call(const CallRecord& call) {
   CallReference reference;
   reference.kind = call.kind;
+  reference.own_locals = has_own_numbers(call, *code_.control);
   reference.place = {call.at, call.width};
   target_of(call, reference);
   to_.calls.push_back(std::move(reference));
@@ -159,6 +161,7 @@ void ReferenceReader::o_word(const OWord& own) {
   const CallRecord& call = code_.calls[own.call];
   CallReference reference;
   reference.kind = call.kind;
+  reference.own_locals = has_own_numbers(call, *code_.control);
   reference.place = {own.at, own.width};
   reference.by_name = own.label != OWord::kNone;
   reference.program_place = reference.by_name ? reference.place : place_of(call.p);

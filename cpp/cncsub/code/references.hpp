@@ -30,6 +30,7 @@ struct CallReference {
   std::optional<TextPlace> program_place, start_place;
   bool block_in_p = false;  // P is the number of a block of the own program
   bool by_name = false;     // the program is called by its name
+  bool own_locals = false;  // its numbered locals are not those of its caller
   TextPlace place;
 };
 

@@ -167,7 +167,7 @@ class _Renaming:
         code = self._library.code
         pairs: dict[object, set[object]] = {}
         for caller, _, row in _core.all_calls(code):
-            if row[2] is not None and row[0] in _WITH_LOCALS:
+            if row[2] is not None and not row[11]:
                 pairs.setdefault(caller, set()).add(row[2])
                 pairs.setdefault(row[2], set()).add(caller)
         group, waiting = {program}, [program]
@@ -348,5 +348,4 @@ class _Renaming:
         return os.fspath(path.with_name(name))
 
 
-_WITH_LOCALS = ("M98", "M198", "M97")
 _OF_USERS = ("local", "common", "kept")

@@ -24,7 +24,6 @@ from cncsub.editor.completing import codes_of
 from cncsub.editor.diagnostics import diagnostics
 from cncsub.editor.documents import Document
 from cncsub.editor.memory import Memories, Settings
-from cncsub.system import give_back_memory
 
 T = TypeVar("T")
 
@@ -194,7 +193,6 @@ class Server(LanguageServer):
 def _give_back() -> None:
     """Give back what the versions of a text before this one have left behind."""
     _core.give_back_memory()
-    give_back_memory()
 
 
 def path_of(uri: str) -> str:

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cncsub/code/own_locals.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/machine/calls/modal.hpp"
 #include "cncsub/machine/calls/returns.hpp"
@@ -301,8 +302,7 @@ CNCSUB_ALWAYS_INLINE inline OpenFrame frame_of(const Run& run, const CallRecord&
   open.restart = target.start;
   open.kind = record.kind;
   open.macro = record.macro;
-  open.own_locals = record.macro || record.locals != CallRecord::Locals::ByKind ||
-                    run.control().macros.call_passes_words.value;
+  open.own_locals = has_own_locals(record, run.control());
   open.shares_locals = record.locals == CallRecord::Locals::OwnByName;
   open.external = run.frame().external || target.external;
   open.code_letter = code_letter(record.kind, run.frame().code_letter);
