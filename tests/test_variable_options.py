@@ -16,9 +16,10 @@ import cncsub
 from cncsub.cli import app
 
 MITSUBISHI = "mitsubishi-m700"
-# The controls whose variables are #1, #100 ...
+# The controls whose variables are #1, #100 ..., and whose programs may have a head O1.
+OTHERS = ("gsk-928te", "grblhal")
 WITH_MACROS = [
-    name for name in cncsub.controls if name != "gsk-928te" and not name.startswith("siemens")
+    name for name in cncsub.controls if name not in OTHERS and not name.startswith("siemens")
 ]
 WITH_COMMONS = [
     name
