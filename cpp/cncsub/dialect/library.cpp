@@ -213,17 +213,24 @@ class Reading {
   void resolve_block(Block& block, std::int32_t own) {
     if (block.op == Op::Select) {
       const Select variant = code_.selects[block.aux];
-      for (const std::uint32_t i : {variant.first, variant.second}) {
-        if (seen_[i]) continue;
-        seen_[i] = true;
-        resolve_block(code_.variants[i], own);
-      }
+      resolve_variant(variant.first, own);
+      resolve_variant(variant.second, own);
+    } else if (block.op == Op::ParallelAssign) {
+      const std::uint32_t words = code_.parallel_assigns[block.aux].words;
+      if (words != OWord::kNone) resolve_variant(words, own);
     } else if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall) {
       resolve_call(block, code_.calls[block.aux], own);
     }
   }
 
+  void resolve_variant(std::uint32_t i, std::int32_t own) {
+    if (seen_[i]) return;
+    seen_[i] = true;
+    resolve_block(code_.variants[i], own);
+  }
+
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
+    if (call.kind == CallKind::OWord) return;  // the reader has found the label
     const CallExtras& named = call.extras.get();
     if (call.kind == CallKind::Named && !means_one(code_, named.name, named.path))
       return choose_as_it_runs(block.aux);
