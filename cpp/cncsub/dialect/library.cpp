@@ -28,7 +28,8 @@ const Dialect* find_dialect(std::string_view name) {
    &folder##_spelling,  \
    folder##_rules,      \
    folder##_word_uses,  \
-   folder##_keywords},
+   folder##_keywords,   \
+   folder##_precision},
 #include "dialect/list.def"
 #undef DIALECT
   };
