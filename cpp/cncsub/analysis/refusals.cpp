@@ -64,6 +64,9 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   if (choice != nullptr && choice->fault != CallChoice::kNone)
     c.refused(Check::Refused, at, c.code.faults[choice->fault]);
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
+  for (const CallChoice& of :
+       record.extras.get().choices)  // the folder of the main program decides
+    c.named[static_cast<std::size_t>(of.program)] = true;
 }
 
 /// Check the call of a part whose program and blocks are written, and found as it runs.
