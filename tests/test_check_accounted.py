@@ -47,7 +47,7 @@ class Seen(NamedTuple):
 
 def never_ran(seen: Seen) -> bool:
     """Return whether the block did not run, or may run without what is wrong in it."""
-    partly = re.search(r"/|IF|THEN", seen.finding.source, re.IGNORECASE)
+    partly = re.search(r"/|IF|THEN|CONTINUE", seen.finding.source, re.IGNORECASE)
     return not seen.reached or partly is not None
 
 

@@ -151,7 +151,8 @@ void each_variant(const Code& code, const Block& block, const Look& look) {
   if (block.op == Op::Select) {
     const Select& variant = code.selects[block.aux];
     each_variant(code, code.variants[variant.first], look);
-    if (variant.address == 0) each_variant(code, code.variants[variant.second], look);
+    if (variant.address == 0 && !variant.of_called)
+      each_variant(code, code.variants[variant.second], look);
   }
   if (block.op == Op::ParallelAssign && code.parallel_assigns[block.aux].words != OWord::kNone)
     each_variant(code, code.variants[code.parallel_assigns[block.aux].words], look);

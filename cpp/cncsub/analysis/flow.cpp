@@ -136,8 +136,10 @@ void FlowReader::call(const Block& block) {
   if (target.skipped) return next();
   if (target.jump) return exit(target.start, ExitKind::Jump);
   next();
+  const std::int32_t whole = code_.programs[static_cast<std::size_t>(target.program)].inside;
+  if (target.program == to_.program_ || whole == to_.program_) to_.entries_.push_back(target.start);
+  if (code_.program_at(at_) != to_.program_) return;  // the call of a part, which has its own flow
   to_.calls_.push_back({at_, to_.program_, target.program, block.aux, target.start, record.macro});
-  if (target.program == to_.program_) to_.entries_.push_back(target.start);
 }
 
 /// Read the call of a part: of the own program, or of another one, which is found as it runs.

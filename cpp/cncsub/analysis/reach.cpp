@@ -70,6 +70,7 @@ std::vector<bool> leading_back(const ProgramFlow& flow) {
 
 /// Return whether a block does something that somebody would miss.
 bool does_something(const Block& block) {
+  if (block.length == 0) return false;  // no text: the end that a reader adds
   switch (block.op) {
     case Op::Words:
       return block.mask != 0 || block.has_codes();

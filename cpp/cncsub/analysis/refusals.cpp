@@ -64,6 +64,9 @@ void check_call(Checker& c, Address at, std::int32_t program, const CallRecord& 
   if (choice != nullptr && choice->fault != CallChoice::kNone)
     c.refused(Check::Refused, at, c.code.faults[choice->fault]);
   if (target.program != kNoProgram) c.named[static_cast<std::size_t>(target.program)] = true;
+  for (const CallChoice& of :
+       record.extras.get().choices)  // the folder of the main program decides
+    c.named[static_cast<std::size_t>(of.program)] = true;
 }
 
 /// Check the call of a part whose program and blocks are written, and found as it runs.
@@ -239,7 +242,7 @@ void mark_dropped(Checker& c, Address at, std::int32_t program, const CallRecord
 
 void check_block(Checker& c, Address at, std::int32_t program, bool structure_refused) {
   const Block& block = c.code.blocks[at];
-  each_variant(c.code, block, [&](const Block& of) {
+  const auto look = [&](const Block& of) {
     each_g(c.code, of, [&](int g) { check_code(c, at, g); });
     if (of.op == Op::Fault)
       check_fault(c, at, c.program(program), c.code.faults[of.aux], structure_refused);
@@ -249,7 +252,10 @@ void check_block(Checker& c, Address at, std::int32_t program, bool structure_re
       mark_dropped(c, at, program, c.code.calls[of.aux]);
     if (of.op == Op::Words && of.g_count != 0) check_arc(c, at, of);
     if (plain_code(c, of) >= 0) c.unsure.push_back({program, at});
-  });
+  };
+  each_variant(c.code, block, look);
+  if (block.op == Op::Select && c.code.selects[block.aux].of_called && c.is_called(program))
+    each_variant(c.code, c.code.variants[c.code.selects[block.aux].second], look);
   if (block.op == Op::OWord) check_labelled(c, at, program, block);
   if (has_expressions(c.code, block) && block.op != Op::Fault) check_uses(c, at, program, block);
 }

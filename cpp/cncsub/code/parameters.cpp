@@ -132,6 +132,7 @@ bool has_faulty_head(const Code& code, const Program& program) {
 std::optional<Fault> pass_parameters(Code& code, CallRecord& call, std::int32_t called) {
   CallExtras* const extras = call.extras.find();
   if (call.kind != CallKind::Named || extras == nullptr) return std::nullopt;
+  if (call.arguments > 0) return std::nullopt;  // the reader has given each value its local
   if (!code.named_variables.empty()) call.locals = CallRecord::Locals::Own;
   std::vector<ActualParameter> given = std::exchange(extras->given, {});
   call.first_argument = static_cast<std::uint32_t>(code.arguments.size());

@@ -77,12 +77,17 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
     reference.program_place = TextPlace{call.extras.get().name_at, call.extras.get().name_width};
   else if (call.p.present() && call.program_number < 0)
     reference.program_place = place_of(call.p);
+  else if (call.kind == CallKind::OWord)
+    reference.program_place = reference.place;
   if (call.start().present()) reference.start_place = place_of(call.start());
   if (reference.computed_program) known.program_number = 0;
   Target target;
   const CallOperands values{known.p.value, known.l.value, known.start().value,
                             known.device().value};
-  if (decode_call(code_, known, values, program_, target)) return;
+  if (call.kind == CallKind::OWord)
+    target = call.target;  // the reader has found the label
+  else if (decode_call(code_, known, values, program_, target))
+    return;
   const bool found = !reference.computed_program &&
                      !find_target(code_, known, target, known_search(code_, program_));
   reference.external = target.external;

@@ -13,8 +13,8 @@
 namespace cncsub {
 
 /// Return whether two values are the same: they differ by less than a billionth (of mm, degrees,
-/// mm/min, s).
-bool alike(double a, double b);
+/// mm/min, s), or than the numbers of a language tell apart.
+bool alike(double a, double b, double precision);
 
 /// Return two values as texts, with as many digits as tell them apart.
 std::array<std::string, 2> texts_of(double a, double b);
@@ -68,6 +68,7 @@ class Pair {
   const Renamed& renamed_;
   Question question_;
   Asked asked_;
+  double precision_;  // of the language that tells fewer numbers apart; 0: both tell the same
   std::vector<Parting> found_;
 };
 

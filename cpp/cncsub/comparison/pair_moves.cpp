@@ -54,10 +54,10 @@ std::vector<std::string> column_names(const std::array<std::string, 2>& axes) {
 /// Return the first row in which two columns differ, or the end of the shorter one; nothing where
 /// they are the same.
 std::optional<std::size_t> first_difference(const std::vector<double>& a,
-                                            const std::vector<double>& b) {
+                                            const std::vector<double>& b, double precision) {
   const std::size_t count = std::min(a.size(), b.size());
   for (std::size_t i = 0; i < count; ++i)
-    if (!alike(a[i], b[i])) return i;
+    if (!alike(a[i], b[i], precision)) return i;
   return a.size() == b.size() ? std::nullopt : std::optional(count);
 }
 
@@ -142,7 +142,7 @@ bool Pair::of_moves() {
   std::optional<std::size_t> at;
   std::string which;
   for (const std::string& name : column_names({trace(0).moves.axes(), trace(1).moves.axes()})) {
-    const auto differs = first_difference(moved(0, name), moved(1, name));
+    const auto differs = first_difference(moved(0, name), moved(1, name), precision_);
     if (!differs || (at && *differs >= *at)) continue;
     at = differs;
     which = name;
@@ -159,7 +159,8 @@ bool Pair::of_moves() {
 void Pair::of_lengths() {
   const Columns lengths = both("length");
   for (std::size_t i = 0; i < std::min(moves(0), moves(1)); ++i) {
-    if (!(std::fabs(lengths[0][i] - lengths[1][i]) > kNearLength)) continue;
+    const double near = std::max(kNearLength, precision_ * std::max(lengths[0][i], 1.0));
+    if (!(std::fabs(lengths[0][i] - lengths[1][i]) > near)) continue;
     const std::string move = "move " + std::to_string(i) + " is ";
     const auto texts = texts_of(lengths[0][i], lengths[1][i]);
     say({trace(0).moves.row(i).step, trace(1).moves.row(i).step},
@@ -178,7 +179,7 @@ void Pair::of_times() {
   trace(0).moves.column("kind", kinds.data(), &interrupt_);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (!all && kinds[i] != static_cast<std::int32_t>(MoveKind::Dwell)) continue;
-    if (!(std::fabs(times[0][i] - times[1][i]) > kNearTime)) continue;
+    if (!(std::fabs(times[0][i] - times[1][i]) > kNearTime + precision_ * times[0][i])) continue;
     const std::string move = "move " + std::to_string(i);
     say({trace(0).moves.row(i).step, trace(1).moves.row(i).step},
         {move, move + (all ? " with another time" : ", a dwell with another time")});

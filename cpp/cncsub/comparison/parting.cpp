@@ -14,6 +14,7 @@
 #include "cncsub/code/references.hpp"
 #include "cncsub/comparison/pair.hpp"
 #include "cncsub/control/roles.hpp"
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/system/decimal.hpp"
 #include "cncsub/text/scan.hpp"
 
@@ -56,6 +57,13 @@ void add_written(const Code& code, std::set<std::int32_t>& numbers) {
   }
 }
 
+/// Return how exactly the coarser of two languages reads numbers; 0 where they read the same.
+double coarser(const Control& one, const Control& other) {
+  const double first = find_dialect(one.dialect)->precision;
+  const double second = find_dialect(other.dialect)->precision;
+  return first == second ? 0 : std::max(first, second);
+}
+
 using Changes = std::vector<Trace::Change>;
 
 /// Return a variable as the programs write it.
@@ -85,8 +93,9 @@ std::map<std::int32_t, double> values_of(const Machine& machine,
 
 }  // namespace
 
-bool alike(double a, double b) {
-  return a == b || std::fabs(a - b) < kNear || (std::isnan(a) && std::isnan(b));
+bool alike(double a, double b, double precision) {
+  const double near = kNear + precision * std::max({std::fabs(a), std::fabs(b), 1.0});
+  return a == b || std::fabs(a - b) < near || (std::isnan(a) && std::isnan(b));
 }
 
 std::array<std::string, 2> texts_of(double a, double b) {
@@ -101,7 +110,8 @@ Pair::Pair(Question question, const Sides& sides, InterruptCheck& interrupt, con
       interrupt_(interrupt),
       renamed_(renamed),
       question_(question),
-      asked_(asked(question, code(0).control->dialect == code(1).control->dialect)) {}
+      asked_(asked(question, code(0).control->dialect == code(1).control->dialect)),
+      precision_(coarser(*code(0).control, *code(1).control)) {}
 
 std::optional<Parting> Pair::earliest() {
   // Of two differences in one block the one that is looked for first is told.
@@ -241,7 +251,8 @@ std::vector<std::int32_t> Pair::variables_apart() const {
   const Machine &one = *sides_[0].run, &other = *sides_[1].run;
   std::vector<std::int32_t> apart;
   for (const std::int32_t number : shared_variables(one, other))
-    if (!alike(value_of_main(one, number), value_of_main(other, number))) apart.push_back(number);
+    if (!alike(value_of_main(one, number), value_of_main(other, number), precision_))
+      apart.push_back(number);
   apart.resize(std::min(apart.size(), kWatched));
   return apart;
 }
@@ -259,7 +270,7 @@ void Pair::of_variables() {
   std::size_t at = 0;
   const std::size_t count = std::min(rows[0].size(), rows[1].size());
   while (at < count && rows[0][at].variable == rows[1][at].variable &&
-         alike(rows[0][at].value, rows[1][at].value))
+         alike(rows[0][at].value, rows[1][at].value, precision_))
     ++at;
   if (at == rows[0].size() && at == rows[1].size()) at = 0;  // the values at the beginning differ
   Steps where{};
@@ -285,7 +296,7 @@ void Pair::of_renumbered_variables() {
   for (const auto* values : {&before, &after})
     for (const auto& [number, held] : *values) numbers.insert(number);
   for (const std::int32_t number : numbers) {
-    if (alike(value(before, number), value(after, number))) continue;
+    if (alike(value(before, number), value(after, number), precision_)) continue;
     say({steps(0), steps(1)}, {"", variable_name(code(1), number) + " is another value"});
     return;
   }

@@ -92,6 +92,8 @@ struct Dialect {
   std::span<const WordUse> word_uses;
   /// Return its words as a control has them, each once.
   std::vector<Keyword> (*keywords)(const Control& control);
+  /// How exactly it reads a number, relative to the number: 4.4 may become 4.400000095.
+  double precision;
 };
 
 /// Return the dialect of this name; null if there is none.
@@ -101,6 +103,7 @@ const Dialect* find_dialect(std::string_view name);
 #define DIALECT(folder)                                                                 \
   extern const Spelling folder##_spelling;                                              \
   extern const std::string_view folder##_rules;                                         \
+  extern const double folder##_precision;                                               \
   extern const std::span<const WordUse> folder##_word_uses;                             \
   std::vector<Keyword> folder##_keywords(const Control&);                               \
   FileReader folder##_reader(Builder& to, const ProgramNames& other_mode);              \

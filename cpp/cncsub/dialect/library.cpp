@@ -28,7 +28,8 @@ const Dialect* find_dialect(std::string_view name) {
    &folder##_spelling,  \
    folder##_rules,      \
    folder##_word_uses,  \
-   folder##_keywords},
+   folder##_keywords,   \
+   folder##_precision},
 #include "dialect/list.def"
 #undef DIALECT
   };
@@ -213,17 +214,24 @@ class Reading {
   void resolve_block(Block& block, std::int32_t own) {
     if (block.op == Op::Select) {
       const Select variant = code_.selects[block.aux];
-      for (const std::uint32_t i : {variant.first, variant.second}) {
-        if (seen_[i]) continue;
-        seen_[i] = true;
-        resolve_block(code_.variants[i], own);
-      }
+      resolve_variant(variant.first, own);
+      resolve_variant(variant.second, own);
+    } else if (block.op == Op::ParallelAssign) {
+      const std::uint32_t words = code_.parallel_assigns[block.aux].words;
+      if (words != OWord::kNone) resolve_variant(words, own);
     } else if (block.op == Op::Call || block.op == Op::MacroCall || block.op == Op::ModalCall) {
       resolve_call(block, code_.calls[block.aux], own);
     }
   }
 
+  void resolve_variant(std::uint32_t i, std::int32_t own) {
+    if (seen_[i]) return;
+    seen_[i] = true;
+    resolve_block(code_.variants[i], own);
+  }
+
   void resolve_call(Block& block, CallRecord& call, std::int32_t own) {
+    if (call.kind == CallKind::OWord) return;  // the reader has found the label
     const CallExtras& named = call.extras.get();
     if (call.kind == CallKind::Named && !means_one(code_, named.name, named.path))
       return choose_as_it_runs(block.aux);

@@ -144,7 +144,7 @@ void FlatRun::write_head(std::string& text, FlatOrigins& origins) {
     if (taped_) text += "%\n";
     return;
   }
-  if (main.name_length == 0) return;
+  if (main.name_length == 0 || code.spelling->head.before.empty()) return;
   const std::string_view before = file.substr(main.text, main.name_at - main.text);
   const std::size_t end = main.name_at + main.name_length;
   text += before;

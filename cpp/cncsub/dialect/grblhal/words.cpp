@@ -53,6 +53,10 @@ const std::string_view grblhal_rules =
     "zero_cycle_repeats "
     "computed_lengths codes_that_move feed_mode_change feed_unit";
 
+// A number has 32 bits, and comes to its decimals in a few steps, each with a rounding of its own.
+// [gHn, read_float]
+const double grblhal_precision = 0x1p-20;
+
 const Spelling grblhal_spelling{.comment = {";", ""},
                                 .value = {"[", "]"},
                                 .message = {"(MSG,", ")"},

@@ -118,6 +118,8 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 // The rules that the ISO family asks.
 const std::string_view iso_rules;  // empty: all rules, for they were made for it
 
+const double iso_precision = 0;  // a number has 64 bits
+
 const std::span<const WordUse> iso_word_uses;
 const Spelling iso_spelling{.comment = {"(", ")"},
                             .value = {"[", "]"},

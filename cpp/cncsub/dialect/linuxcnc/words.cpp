@@ -56,6 +56,8 @@ const std::string_view linuxcnc_rules =
     "codes_not_compensated m_codes_not_compensated feed_mode_change feed_unit written_offset";
 
 // A comment in brackets after a message would be shown instead: the last comment counts.
+const double linuxcnc_precision = 0;  // a number has 64 bits
+
 const Spelling linuxcnc_spelling{.comment = {";", ""},
                                  .value = {"[", "]"},
                                  .message = {"(MSG,", ")"},

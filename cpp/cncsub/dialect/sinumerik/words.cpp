@@ -169,6 +169,8 @@ constexpr std::string_view kFolders[] = {"MPF.DIR", "SPF.DIR", "WKS.DIR", "CUS.D
                                          "CMA.DIR", "CST.DIR", "DEF.DIR"};
 }  // namespace sinumerik
 
+const double sinumerik_precision = 0;  // a number has 64 bits
+
 const std::span<const WordUse> sinumerik_word_uses;
 // The feed of POS[X] stands where the centre of an arc along X does.
 static constexpr Spelling::IndexedAddress kIndexed[] = {{"AX"}, {"POS"}, {"FA", 'I' - 'X'}};

@@ -64,6 +64,8 @@ bool is_structured(std::string_view block) {
 }  // namespace
 
 const std::string_view syntec_rules;  // all that the ISO family asks
+const double syntec_precision = 0;    // a number has 64 bits
+
 const std::span<const WordUse> syntec_word_uses;
 const Spelling syntec_spelling{.comment = {"(", ")"},
                                .value = {"[", "]"},
