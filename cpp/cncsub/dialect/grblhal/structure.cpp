@@ -213,6 +213,7 @@ void Structure::end_do(const Met& word) {
 }
 
 void Structure::leave_loop(std::size_t met) {
+  if (open_.size() > kMostOpen) return;  // a run is refused before it comes here
   const Met& word = lines_[met];
   for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
     const Flow& of = lines_[open->met].flow;
