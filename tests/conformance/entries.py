@@ -31,7 +31,7 @@ LETTERS = (  # noqa: SIM905
 ).split()  # lists of one character an entry; the others have blanks between
 
 # Each is a rule, a control or None for all, the entries, and why no row can notice them.
-TE, HNC, SYNTEC = "gsk-928te", "hnc-21m", "syntec-22ma"
+TE, HNC, SYNTEC, GRBLHAL = "gsk-928te", "hnc-21m", "syntec-22ma", "grblhal"
 REASONS = [
     (
         "g_codes",
@@ -59,6 +59,24 @@ REASONS = [
     ),
     ("g_meanings", TE, "33=not-computed", "a code that no source tells of alarms alike"),
     ("g_meanings", HNC, "7=not-computed 12=not-computed 34=not-computed", "the same"),
+    (
+        "refuses",
+        GRBLHAL,
+        "g10-axis-missing",
+        "the language refuses it itself, whatever the list says",
+    ),
+    (
+        "g_meanings",
+        GRBLHAL,
+        "66=not-computed 66.1=not-computed",
+        "the language stops at the code itself, whatever the list says",
+    ),
+    (
+        "g_meanings",
+        GRBLHAL,
+        "91.1=centre-from-start",
+        "it is so from power-on, and no code of the control changes it",
+    ),
     ("codes_not_with_macro_call", None, "65 66", "two macro calls in a block are another fault"),
     ("codes_not_with_modal_call", None, "65 66", "two macro calls in a block are another fault"),
     ("modal_groups", None, "rotation=16", "the group has this number on every control"),

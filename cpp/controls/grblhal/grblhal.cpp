@@ -39,7 +39,7 @@ void calls(Control& c) {
   c.calls.nesting_counts_macros = {true, kLevels, SourceDocument};
   c.calls.main_return = {MainReturn::Restarts, "gHs, onProgramCompleted", SourceDocument};
   c.calls.end_in_subprogram = {EndInSubprogram::EndsRun, kBlock, SourceDocument};
-  no_role(c.calls.roles, {"M198"}, kBlock, SourceDocument);
+  no_role(c.calls.roles, {"M198", "G66"}, kBlock, SourceDocument);
   give_role(c.calls.roles, "M70", Role::SaveModes, kBlock, SourceDocument);
   give_role(c.calls.roles, "M71", Role::ForgetModes, kBlock, SourceDocument);
   give_role(c.calls.roles, "M72", Role::RestoreModes, kBlock, SourceDocument);
@@ -68,7 +68,7 @@ void motion(Control& c) {
   has(c.motion.data_forms, {DataForm::Active, DataForm::Here}, kBlock, SourceDocument);
   has(c.common.refuses,
       {NoMotionCode, MachineMoveCode, NoFeed, NoArcTravel, RadiusAndCentre, CycleInverseTime,
-       PeckNegative},
+       PeckNegative, G10Axis},
       kBlock, SourceDocument);
   c.motion.length_type = {LengthType::Shift, kBlock, SourceDocument};
   c.motion.feed_mode_change = {FeedModeChange::DeletesFeed, kBlock, SourceDocument};
@@ -124,6 +124,9 @@ struct Error {
 };
 
 // The texts are those of the control's list of errors. [gHe]
+constexpr const char* kNoAxisWords =
+    "No axis words found in block for g-code command or current modal state which requires them.";
+
 const Error kErrors[] = {
     {"error:1",
      "G-code words consist of a letter and a value. Letter was not found.",
@@ -151,6 +154,7 @@ const Error kErrors[] = {
      "More than one g-code command that requires axis words found in block.",
      {OneShotWithMotion}},
     {"error:25", "Repeated g-code word found in block.", {AddressGivenTwice}},
+    {"error:26", kNoAxisWords, {G10Axis}},
     {"error:28",
      "G-code command is missing a required value word.",
      {MotionWordMissing, ProgramNumberMissing}},
@@ -200,9 +204,8 @@ void alarms(Control& c) {
        "Missing the expected G-code word value or numeric value format is not valid."}};
   c.alarms[GCodeNotAvailable].directed = {
       {"FR", "error:23", "G-code command in block requires an integer value."}};
-  c.alarms[MotionWordMissing].directed = {{"AX", "error:26",
-                                           "No axis words found in block for g-code command or "
-                                           "current modal state which requires them."}};
+  for (const Cause cause : {MotionWordMissing, NoArcTravel})
+    c.alarms[cause].directed = {{"AX", "error:26", kNoAxisWords}};
 }
 
 }  // namespace

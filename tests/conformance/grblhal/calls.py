@@ -49,7 +49,7 @@ case("P of G65 too", pins="max_macro_digits", **RUN,
      files={"main.nc": "N10 G65 P20100\nN20 M30\n", "P20100.macro": "N40 G0 X1\n"}, moves_x=[1])
 case("a computed count keeps eight bits too", **RUN,
      files={"main.nc": "N10 #1=258\nN20 M98 P200 L#1\nN30 M30\n", "P200.macro": "N40 G0 X1\nN50 M99\n"}, runs="N10 N20 (N40 N50)*2 N30")
-case("a macro may call its caller", pins="caller_call self_call", **RUN,
+case("a macro may call its caller", pins="caller_call", **RUN,
      files={"main.nc": "N10 G65 P200\nN20 M30\n", "P200.macro": "N30 #100=[#100+1]\no1 if [#100 LT 3]\nN40 G65 P201\no1 endif\n",
             "P201.macro": "N50 G65 P200\n"}, vars={100: 3})
 case("calls of subprograms and macros count together", pins="nesting_counts_macros", control="grblhal", source="gHp, ngc_call_push",
@@ -68,8 +68,11 @@ case("which stay from pass to pass", **RUN,
      files={"main.nc": "N10 G65 P200 L3 A1\nN20 M30\n", "P200.macro": "N40 G0 X#1\nN50 #1=[#1+1]\n"}, moves_x=[1, 2, 3])
 case("other G codes of its line do not count", **RUN,
      files={"main.nc": "N10 G0 X1\nN20 G91 G65 P200\nN30 X5\nN40 M30\n", "P200.macro": "N50 G0 Y1\n"}, moves="R X1\nR Y1\nR X5")
-case("five macros may be open", pins="max_macro_nesting", **RUN,
+case("five macros may be open", pins="max_macro_nesting self_call", **RUN,
      files={"main.nc": "N10 G65 P200\nN20 M30\n", "P200.macro": "N40 #100=[#100+1]\nN50 G65 P200\n"}, vars={100: 5},
      alarm="macro-nesting-too-deep", number="error:82")
-case("G66 is not computed", pins="g_meanings", **RUN,
-     files={"main.nc": "N10 G66 P200\nN20 G0 X1\nN30 M30\n", "P200.macro": "N40 G0 Y1\n"}, runs="", alarm="code-not-computed", at="main N10")
+for code in ("G66", "G66.1"):
+    case(f"the calls of {code} are not computed", **RUN,
+         files={"main.nc": f"N10 {code} P200 A1\nN20 G0 X1\nN30 M30\n", "P200.macro": "N40 G0 Y1\n"}, runs="", alarm="code-not-computed", at="main N10")
+case("G67 ends none of them", **RUN,
+     program="N10 G67\nN20 G0 X1\nN30 M2", moves_x=[1])

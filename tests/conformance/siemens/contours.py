@@ -37,7 +37,7 @@ case(
     moves="F X-1 Z45.72\nCCW X4.08 Z50.8 C X4.08 Z45.72\nF X50.8 Z50.8", final_machine="X151.925 Y20.25 Z10.3",
 )
 case(
-    "a radius is compensated on it", **KNOWN, setup=TOOL,
+    "a radius is compensated on its corners", **KNOWN, setup=TOOL,
     program="N10 T1 M6\nN20 G41 G1 X0 Y0 F100\nN30 X30 RNDM=8\nN40 Y30 RNDM=0\nN50 X20\nN60 G40 G1 X0 Y40\nN70 M30", final_machine="X100.125 Y60.25 Z-40.5",
 )
 case(
@@ -58,7 +58,7 @@ case(
     program="N10 G1 X20 RNDM=2 F100\nN20 S500\nN30 M8\nN40 Y20 RNDM=0\nN50 M30", moves="F X18 Y0\nCCW X20 Y2 C X18 Y2\nF X20 Y20",
 )
 case(
-    "straight on there is no corner", **KNOWN, setup=ZERO, program="N10 G1 X5 RNDM=1 F100\nN20 X9\nN30 Y5 RNDM=0\nN40 M30", moves="F X5 Y0\nF X8 Y0\nCCW X9 Y1 C X8 Y1\nF X9 Y5",
+    "sides in one line have none", **KNOWN, setup=ZERO, program="N10 G1 X5 RNDM=1 F100\nN20 X9\nN30 Y5 RNDM=0\nN40 M30", moves="F X5 Y0\nF X8 Y0\nCCW X9 Y1 C X8 Y1\nF X9 Y5",
 )
 for blocks, at in (
     ("N20 G0 Y20", "N20"), ("N20 Z5", "N20"), ("N20 RNDM=0\nN30 Y20", "N30"), ("N20 T2\nN30 Y20", "N20"), ("N20 M0\nN30 Y20", "N20"), ("N20 G64\nN30 Y20", "N20"),

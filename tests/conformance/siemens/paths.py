@@ -39,7 +39,7 @@ case(
     program="N10 MIRROR X0\nN20 G111 X10 Y0\nN30 G0 RP=4 AP=0\nN40 G3 AP=90 F100\nN50 M30", moves="R X-14 Y0\nCW X-10 Y4 C X-10 Y0",
 )
 case(
-    "a radius is compensated on it", **KNOWN, setup=TOOL,
+    "a radius is compensated on an arc about a pole", **KNOWN, setup=TOOL,
     program="N10 T1 M6\nN20 G111 X0 Y0\nN30 G0 X30 Y-20\nN40 G41 G1 X30 Y0 F100\nN50 G3 AP=90\nN60 G40 G1 X0 Y50\nN70 M30", time=51.111,
 )
 case(

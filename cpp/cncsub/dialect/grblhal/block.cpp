@@ -178,10 +178,10 @@ bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   }
   if (code == 500 || code == 510) words.claimed = true;
   words.machine = words.machine || code == 530;
+  if (code == 660 || code == 661)
+    return refuse(block, Cause::CodeNotComputed,
+                  "cncsub does not compute the calls of G66 and G66.1", value.at);
   const Role role = to_.control().calls.roles.value.of_g(code);
-  if (role == Role::ModalCall || role == Role::ModalCallEveryBlock)
-    return refuse(block, Cause::CodeNotComputed, "cncsub does not compute the calls of G66",
-                  value.at);
   const bool calls = role == Role::MacroCall;
   if (calls) words.macro = code;
   if (!group(block, words, group_of_g(code), value)) return false;

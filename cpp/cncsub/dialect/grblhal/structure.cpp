@@ -20,6 +20,7 @@ void Structure::begin(std::uint32_t file) {
   open_.clear();
   walls_.clear();
   subs_.clear();
+  end_sub_ = 0;
 }
 
 void Structure::add(const Flow& flow) {
@@ -213,6 +214,7 @@ void Structure::end_do(const Met& word) {
 }
 
 void Structure::leave_loop(std::size_t met) {
+  if (open_.size() > kMostOpen) return;  // a run is refused before it comes here
   const Met& word = lines_[met];
   for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
     const Flow& of = lines_[open->met].flow;
@@ -224,6 +226,15 @@ void Structure::leave_loop(std::size_t met) {
   refuse(word, Cause::LabelNotFound, "no loop of its label is open");
 }
 
+/// Return the first definition after a line, or the end of the one that it begins.
+std::size_t Structure::next_sub(std::size_t met) const {
+  const auto stops = [](const Met& of) {
+    return (of.flow.kind == FlowKind::Sub && !of.flow.named) || of.flow.kind == FlowKind::EndSub;
+  };
+  const auto from = lines_.begin() + static_cast<std::ptrdiff_t>(met) + 1;
+  return static_cast<std::size_t>(std::find_if(from, lines_.end(), stops) - lines_.begin());
+}
+
 /// Let a definition go to the block after the next endsub, of whatever label.
 void Structure::sub(std::size_t met) {
   const Met& word = lines_[met];
@@ -232,12 +243,14 @@ void Structure::sub(std::size_t met) {
       refuse(word, Cause::LabelNotFound, "a subprogram with a name has a file of its own");
     return;
   }
-  const auto end = std::find_if(lines_.begin() + static_cast<std::ptrdiff_t>(met), lines_.end(),
-                                [](const Met& of) { return of.flow.kind == FlowKind::EndSub; });
-  const Address after = end == lines_.end() ? to_.next_address() - 1 : end->address + 1;
+  for (end_sub_ = std::max(end_sub_, met); end_sub_ < lines_.size(); ++end_sub_)
+    if (lines_[end_sub_].flow.kind == FlowKind::EndSub) break;
+  const bool ends = end_sub_ < lines_.size();
+  const Address after = ends ? lines_[end_sub_].address + 1 : to_.next_address() - 1;
   go_to(word.address, passing(word.address, after));
   if (subs_.contains(word.flow.label)) return;  // the first of a label counts
-  part(met, after);
+  const std::size_t next = next_sub(met);       // which goes to the same block
+  part(met, next < end_sub_ ? lines_[next].address + 1 : after);
 }
 
 /// Add a subprogram as a part of the file.
@@ -247,9 +260,9 @@ void Structure::part(std::size_t met, Address end) {
   Program part;
   part.file = file_;
   part.line = block.line;
-  part.inside = static_cast<std::int32_t>(to_.code().programs.size()) - 1;
-  for (; to_.code().programs[static_cast<std::size_t>(part.inside)].inside != kNoProgram;)
-    --part.inside;
+  const auto& programs = to_.code().programs;
+  const std::int32_t whole = programs.back().inside;  // of the part before it
+  part.inside = whole != kNoProgram ? whole : static_cast<std::int32_t>(programs.size()) - 1;
   part.first = word.address + 1;
   part.last = end;
   part.text = word.flow.at;

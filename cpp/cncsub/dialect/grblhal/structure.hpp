@@ -42,6 +42,7 @@ class Structure {
   void leave_loop(std::size_t met);
   void next_pass(const Met& word, Address head, Address end);
   void jumps_of(const Open& open, Address end, Address next);
+  std::size_t next_sub(std::size_t met) const;
   void sub(std::size_t met);
   void call(std::size_t met);
   void part(std::size_t met, Address end);
@@ -58,6 +59,7 @@ class Structure {
   std::vector<Address> walls_;  // lines that are refused where they are passed over, too
   std::unordered_map<std::string, std::pair<Address, std::int32_t>> subs_;  // the block after the
                                                                             // head, and the part
+  std::size_t end_sub_ = 0;  // the first endsub after the last definition that was met
 };
 
 }  // namespace cncsub::grblhal

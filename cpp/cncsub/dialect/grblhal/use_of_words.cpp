@@ -57,7 +57,7 @@ std::optional<WrongWord> against_data(const LineWords& line) {
   const double l = line.number('l', 0);
   if (line.has('l') && !line.values['l' - 'a']) return std::nullopt;
   if (l > 0 && !line.has_axes() && (l == 20 || !line.has('r')))
-    return missing('g', "G10 sets nothing without an axis", kNoAxis);
+    return WrongWord{'g', Cause::G10Axis, "G10 sets nothing without an axis"};
   if (l > 0 && line.number('p', 0) < 0) return below_zero('p');
   if (l != 2 && l != 20)
     return WrongWord{line.has('l') ? 'l' : 'g', Cause::G10L, "the control has G10 L2 and L20"};
@@ -74,7 +74,7 @@ std::optional<WrongWord> against_arc(const LineWords& line) {
   if (!line.has('r') && !line.has_axes() && !centre)
     return WrongWord{'g', Cause::NoRadius, "an arc has a radius or a centre"};
   if (line.has('r') && !line.has_axes())
-    return missing('g', "an arc by its radius has an end point", kNoAxis);
+    return WrongWord{'g', Cause::NoArcTravel, "an arc by its radius has an end point", kNoAxis};
   if (const double turns = line.number('p', 1); !is_whole(turns))
     return WrongWord{'p', Cause::WholeNumberExpected, "P counts turns"};
   else if (std::trunc(turns) == 0)
