@@ -44,8 +44,10 @@ constexpr IsoVariant variant(bool structured) {
 /// is long.
 constexpr std::size_t kNear = 1000;
 
+/// Return the name of a variable whose number has the sign @. Those far above them are signals.
 std::string at_variable(const Control& /*control*/, std::int64_t number) {
-  return number < kAtVariables ? "" : "@" + std::to_string(number - kAtVariables);
+  const std::int64_t behind = number - kAtVariables;
+  return behind < 0 || behind >= kAtVariables ? "" : "@" + std::to_string(behind);
 }
 
 /// Return whether a block was written in the maker's language: a value stands in round brackets,

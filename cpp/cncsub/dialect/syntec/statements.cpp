@@ -23,6 +23,14 @@ bool take_whole(Scanner& s, std::string_view word) {
 /// Return the place of the semicolon that ends the statement here, or the end of the text.
 const char* end_of_statement(const Scanner& s) { return std::find(s.at, s.end, ';'); }
 
+/// Return the value of an expression that is a number and nothing else.
+std::optional<double> constant_of(const Expression& of) {
+  auto at = of.begin();
+  const Instruction only = *at;
+  if (only.op != Ins::Constant || !(++at == Expression::end())) return std::nullopt;
+  return only.value;
+}
+
 std::uint32_t width_to(const Scanner& s, std::uint32_t from) {
   return std::max(1u, s.offset() - from);
 }
@@ -513,8 +521,7 @@ void StructuredReader::for_head(Scanner& s, Block& block) {
     const auto by = blocks_.expressions().number(s);
     read = by.has_value();
     if (read) {
-      const Expression of = to_.code().expression(*by);
-      rising = of.form() == Expression::Form::Constant && of.cells()->value() > 0;
+      rising = constant_of(to_.code().expression(*by)).value_or(0) > 0;
     }
   }
   if (!read) {
@@ -644,16 +651,14 @@ void StructuredReader::jump(Scanner& s, Block& block) {
     s.at = end_of_statement(s);
     return append(s, block);
   }
-  const Expression of = to_.code().expression(*value);
-  if (of.form() == Expression::Form::Constant) {
-    const double number = of.cells()->value();
+  if (const auto number = constant_of(to_.code().expression(*value))) {
     const int most = to_.control().calls.max_jump_number.value;
-    if (!(number >= 1 && number <= most)) {
+    if (!(*number >= 1 && *number <= most)) {
       refuse(block, Cause::IllegalJumpNumber, at, statement.variable_width,
              "the number of GOTO must be 1 to " + std::to_string(most));
       return append(s, block);
     }
-    statement.number = to_whole<std::int32_t>(number);
+    statement.number = to_whole<std::int32_t>(*number);
     jumps_.push_back(to_.next_address());
   }
   statement.variable = *value;
