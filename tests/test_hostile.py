@@ -36,6 +36,8 @@ NESTED = {
     "comments": "O1\nN1 " + "(" * MANY + ")" * MANY + "\nM30\n",
     "comments in a number": "O1\nN1 X" + "(a)" * MANY + "1\nM30\n",
     "NOT": "%1\nN1 IF " + "NOT " * MANY + "TRUE\nENDIF\nM30\n",
+    "NOT of structured programs": "%@MACRO\n#1 := " + "NOT " * MANY + "1;\nM30;\n",
+    "signs": "%@MACRO\n#1 := " + "-+" * MANY + "1;\nM30;\n",
     "THEN": "O1\nN1 " + "IF[1EQ1]THEN " * MANY + "#1=1\nM30\n",
     "slashes": "O1\nN1 X1" + "/X1" * MANY + "\nM30\n",
     "equals signs": "O1\nN1 G65 P2 X1" + "=1" * MANY + "\nM30\n",

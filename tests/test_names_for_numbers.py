@@ -47,6 +47,8 @@ def test_the_number_of_a_name_is_the_one_that_has_the_name(control: str) -> None
         ("fanuc-0i-f", "#500", 500),
         ("fanuc-0i-f", "#[500]", 500),
         ("linuxcnc", "#5221", 5221),
+        ("syntec-22ma", "@5", 1_000_005),
+        ("syntec-22ma", "@1999", 1_001_999),
     ],
 )
 def test_names_lead_to_numbers(control: str, name: str, number: int) -> None:

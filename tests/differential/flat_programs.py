@@ -37,6 +37,7 @@ REASONS = {
     "a code starts the program over, and the flat program goes on after it",
     "the run ends by an alarm: user-alarm",
     "the program raises an alarm with a number of its own",
+    "the program raises an alarm with a text of its own",
     "a return brings back the frame of the caller, and a flat program has no calls",
     "M70 to M73 save and restore the modes of each call, and a flat program has no calls",
     "its program restores the codes of the caller, and a flat program has no calls",

@@ -113,6 +113,10 @@ std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
       if (number >= range.first && number <= range.last &&
           capitals(name_of_variable(control, number)) == written)
         return number;
+  if (variable_name == nullptr || written.empty()) return std::nullopt;
+  for (const Span& commons : control.macros.commons.value)
+    for (std::int64_t number = commons.first; number <= commons.last; ++number)
+      if (capitals(variable_name(control, number)) == written) return number;
   return std::nullopt;
 }
 

@@ -116,6 +116,8 @@ bool FlatRun::next(const std::function<bool()>& interrupted, std::string& text,
   if (!begun_) write_head(text, origins);
   begun_ = true;
   machine_.run(interrupted, [&](const Machine&) { return before_block(text, origins); });
+  if (machine_.stop() == Stop::Alarm && observer_.print != nullptr && observer_.print->alarms)
+    refuse("the program raises an alarm with a text of its own");
   over_ = machine_.stop() != Stop::Running || refusal_;
   if (over_ && !refusal_) {
     write_done(text, origins);

@@ -8,8 +8,6 @@ namespace cncsub {
 
 namespace {
 
-constexpr int kMostNots = 64;  // whose condition is still to come
-
 struct ConstantName {
   Function word;
   double value;

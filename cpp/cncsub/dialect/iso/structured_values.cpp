@@ -57,8 +57,17 @@ Value ValueReader::structured_operand(char first) {
   if (is_letter(first)) return typed_function();
   if (first != '-' && first != '+') return no_operand();
   ++s_.at;
-  const Value value = one_operand();
+  const Value value = behind_sign(at);
   return !value || first == '+' ? value : typed_negation_of(value, at);
+}
+
+/// Read the value after a sign or NOT at `at`.
+Value ValueReader::behind_sign(std::uint32_t at) {
+  if (++nots_ > kMostNots)
+    return out_.refuse(Cause::ExpressionFormat, at, "too many signs or NOT in a row");
+  const Value value = one_operand();
+  if (value) --nots_;
+  return value;
 }
 
 /// Give a variable the type of the value that it has been assigned, where that is known. It is not
@@ -111,7 +120,7 @@ Value ValueReader::typed_function() {
   const std::uint32_t at = offset();
   const std::string word = name_of_word(s_);
   if (word == "NOT") {
-    Value value = one_operand();
+    Value value = behind_sign(at);
     if (!value || !out_.arithmetic(value, offset())) return {};
     out_.emit(Ins::BitNot, at);
     return Value::whole();

@@ -29,6 +29,7 @@ class ValueReader : protected ExpressionScanner {
 
  protected:
   static constexpr std::int64_t kComputed = -1;
+  static constexpr int kMostNots = 64;  // whose value is still to come
 
   ValueReader(Builder& to, const ExpressionRules& rules)
       : ExpressionScanner(to, rules), names_(to.names()) {}
@@ -52,6 +53,7 @@ class ValueReader : protected ExpressionScanner {
  private:
   // Of structured programs (structured_values.cpp).
   Value structured_operand(char first);
+  Value behind_sign(std::uint32_t at);
   Value with_type(Value value, std::uint32_t at);
   Value typed_constant();
   Value typed_negation_of(Value value, std::uint32_t at);

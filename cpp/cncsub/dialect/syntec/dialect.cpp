@@ -42,17 +42,19 @@ constexpr IsoVariant variant(bool structured) {
 
 /// How far a block is looked at for one of its words, first: a block of many words costs what it
 /// is long.
-constexpr std::size_t kNear = 1000;
+constexpr std::size_t kNear = 200;
 
+/// Return the name of a variable whose number has the sign @. Those far above them are signals.
 std::string at_variable(const Control& /*control*/, std::int64_t number) {
-  return number < kAtVariables ? "" : "@" + std::to_string(number - kAtVariables);
+  const std::int64_t behind = number - kAtVariables;
+  return behind < 0 || behind >= kAtVariables ? "" : "@" + std::to_string(behind);
 }
 
 /// Return whether a block was written in the maker's language: a value stands in round brackets,
 /// where no comment can stand, or a sign that no other program has.
 bool is_structured(std::string_view block) {
-  for (std::size_t at = block.find_first_of("(@:"); at < block.size();
-       at = block.find_first_of("(@:", at + 1)) {
+  for (std::size_t at = 0; at < block.size(); ++at) {
+    if (block[at] != '(' && block[at] != '@' && block[at] != ':') continue;
     const char behind = at + 1 < block.size() ? block[at + 1] : '\0';
     if (block[at] == '@' || (block[at] == ':' && behind == '=')) return true;
     const bool value = is_digit(behind) || std::string_view("#@.+-(").find(behind) < 6;
@@ -106,7 +108,7 @@ std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from
     values.width = static_cast<std::uint32_t>(from);
     return values;
   }
-  if (!is_structured(block.substr(0, kNear))) return iso_word(block, from);
+  if (!is_structured(block.substr(from, kNear))) return iso_word(block, from);
   for (std::size_t width = kNear;; width = block.size() - from) {
     std::string text(block.substr(from, width));
     translate_structured(text, 0, text.size());

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -57,6 +58,17 @@ class StructuredReader {
     bool counts_apart = false;  // a FOR that is an assignment and a WHILE
   };
 
+  /// What the head of a FOR says.
+  struct Counting {
+    Scanner counter;  // where the assignment stands
+    Block first;      // which it is as a block
+    Statement begin;  // and as a statement
+    Scanner last_at;  // where the last value stands
+    std::uint32_t last;
+    std::optional<Scanner> step;  // where the step stands
+    bool rising;                  // the step is a number above 0
+  };
+
   /// A word that begins a statement.
   struct Word {
     std::string_view name;
@@ -78,6 +90,11 @@ class StructuredReader {
   void while_head(Scanner& s, Block& block);
   void end_while(Scanner& s, Block& block);
   void for_head(Scanner& s, Block& block);
+  bool first_value(Scanner& s, Block& block, Counting& of);
+  bool last_value(Scanner& s, Block& block, Counting& of);
+  void count_up(Scanner& s, Block& block, const Counting& of);
+  void count_either_way(Scanner& s, Block& block, const Counting& of);
+  bool wrong_for(Block& block, const char* detail);
   void end_for(Scanner& s, Block& block);
   void repeat_head(Scanner& s, Block& block);
   void until(Scanner& s, Block& block);
