@@ -117,8 +117,8 @@ def _print_keys(console: Console, control: Control, different: list[Rule]) -> No
     for source in sources_of(control):
         if source.key in keys:
             key, evidence = _short(source.key), source.on(control.base)
-            told = "" if evidence == "secondary" else f"; {evidence}"
-            _print_paragraph(console, f"{key} = {source.title}{told}", key)
+            worth = "" if evidence == "secondary" else f"; {evidence}"
+            _print_paragraph(console, f"{key} = {source.title}{worth}", key)
     console.print("  Secondary where nothing is said.")
     _print_paragraph(console, "? = inferred: general knowledge, or no source says", "?")
 
@@ -279,9 +279,9 @@ def _alarms(alarms: list[Any]) -> Iterator[Fact]:
         by_text: dict[str, list[str]] = {}
         for number, alike in by_number.items():
             text = alike[0].text or causes[alike[0].cause].meaning
-            told = f" {text}: {', '.join(alarm.cause for alarm in alike)}"
-            by_text.setdefault(told, []).append(number)
-        yield from ((_runs(numbers), told) for told, numbers in by_text.items())
+            whole = f" {text}: {', '.join(alarm.cause for alarm in alike)}"
+            by_text.setdefault(whole, []).append(number)
+        yield from ((_runs(numbers), whole) for whole, numbers in by_text.items())
     nameless = [alarm.cause for alarm in alarms if not alarm.number and not alarm.directed]
     if nameless:
         yield "no number", f": {' '.join(nameless)}"
