@@ -259,6 +259,17 @@ def test_the_tool_the_switches_and_signals_are_set_by_the_names_that_are_shown()
             session.set(name, value)
 
 
+def test_a_signal_is_set_by_the_name_that_the_control_gives_it() -> None:
+    text = "N5 R7=0\nN10 IF $A_IN[3]==TRUE GOTOF ENDE\nN20 R7=1\nN30 ENDE: M30\n"
+    session = Session(cncsub.loads(text, control="siemens-one"))
+    session.into()
+    assert session.set("$A_IN[3]", "1") == "1"
+    assert session.set("$a_in[4]", "1") == "1"
+    assert session.machine.signals["$A_IN[3]"] == 1
+    session.run()
+    assert session.machine.variables["R7"] == 0
+
+
 def test_names_that_a_program_does_not_define_are_set_as_it_would() -> None:
     text = "#<depth>=5\n#<_all>=3\nG0 X#<depth> Z#<_all>\nM2\n"
     session = Session(cncsub.loads(text, control="linuxcnc"))

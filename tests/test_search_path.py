@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import pickle
+import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
@@ -121,3 +124,89 @@ def test_the_command_and_the_project_name_folders(
     tree = CliRunner().invoke(app, ["tree", "--main", "MAIN"])
     assert "PART" in tree.output
     assert "CMA.DIR" not in tree.output.split("note")[0]
+
+
+@pytest.mark.parametrize("inside", [".", "SHAFT.WPD", "cycles"])
+def test_the_spelling_of_a_path_changes_no_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, inside: str
+) -> None:
+    main = {"SHAFT.WPD/MAIN.MPF": MAIN, "SPF.DIR/OTHER.SPF": "N50 M17\n"}
+    written(tmp_path, {**main, "cycles/PART.SPF": "N30 R1=1\nN31 M17\n"})
+    written(tmp_path, {"CST.DIR/PART.SPF": "N40 R1=2\nN41 M17\n"})
+    places = ["SHAFT.WPD", "CST.DIR", "SPF.DIR"]
+    whole = cncsub.load(
+        *(tmp_path / place for place in places),
+        control=ONE,
+        search={"CUS.DIR": tmp_path / "cycles"},
+    )
+    monkeypatch.chdir(tmp_path / inside)
+    near = [os.path.relpath(tmp_path / place) for place in places]
+    cycles = os.path.relpath(tmp_path / "cycles")
+    library = cncsub.load(*near, control=ONE, search={"CUS.DIR": cycles})
+    assert blocks(library.run("MAIN")) == blocks(whole.run("MAIN"))
+    assert library.run("MAIN").variables["R1"] == 1
+    assert all(Path(file).is_file() for file in library.files)
+
+
+def test_a_file_without_its_folder_lies_in_the_present_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files = {"A.WPD/MAIN.MPF": MAIN, "A.WPD/PART.SPF": "N30 R1=1\nN31 M17\n"}
+    written(tmp_path, {**files, "B.WPD/PART.SPF": "N40 R1=2\nN41 M17\n"})
+    monkeypatch.chdir(tmp_path / "A.WPD")
+    for paths in (["../B.WPD", "MAIN.MPF", "PART.SPF"], ["../B.WPD", "."]):
+        library = cncsub.load(*paths, control=ONE)
+        assert library.run("MAIN").variables["R1"] == 1, paths
+    assert [str(Path(f)) for f in cncsub.load("MAIN.MPF", control="fanuc-0i-f").files] == [
+        "MAIN.MPF"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("search", "words"),
+    [
+        ({"CUS.DIR": "my cycles"}, "search: CUS.DIR cannot be my cycles: the folder has blanks"),
+        ({"CUS.DIR": "c" * 48}, "the folder has a name of more than 47 bytes; rename it"),
+        ({"CUS.DIR": "/"}, "search: CUS.DIR cannot be /: the folder has no name"),
+        ({"CUS.DIR": "a", "cus.dir": "b"}, "search: cus.dir is given twice"),
+        ({"CUS.DIR": "A.MPF"}, "search: CUS.DIR must be a folder, and A.MPF is a file"),
+    ],
+)
+def test_a_folder_that_cannot_stand_for_one_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, search: dict[str, str], words: str
+) -> None:
+    monkeypatch.chdir(written(tmp_path, {"A.MPF": MAIN}))
+    with pytest.raises(ValueError, match=re.escape(words)):
+        cncsub.load("A.MPF", control=ONE, search=search)
+
+
+@pytest.mark.parametrize(
+    ("search", "words"),
+    [
+        ({5: "."}, "search: the folder 5 must be a text; give the folders as"),
+        ({"CUS.DIR": 5}, "search: CUS.DIR must be a path, not int; give the folders as"),
+        ("CUS.DIR", "search must be a mapping, not str; give the folders as"),
+    ],
+)
+def test_what_is_no_mapping_of_folders_is_no_search(
+    tmp_path: Path, search: Any, words: str
+) -> None:
+    with pytest.raises(TypeError, match=re.escape(words)):
+        cncsub.load(written(tmp_path, FILES), control=ONE, search=search)
+
+
+def test_the_command_takes_a_folder_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(written(tmp_path, {"A.MPF": MAIN}))
+    command = ["run", "A.MPF", "-c", ONE, "--search", "CUS.DIR=a"]
+    for second in ("CUS.DIR=b", "cus.dir=b"):
+        refused = CliRunner().invoke(app, [*command, "--search", second])
+        assert refused.exit_code == 2
+        assert "is given twice" in refused.output
+
+
+def test_a_folder_near_a_file_is_found_among_many(tmp_path: Path) -> None:
+    written(tmp_path, {"A.WPD/MAIN.MPF": MAIN, "CUS.DIR/PART.SPF": "N30 M17\n"})
+    for number in range(30):
+        (tmp_path / f"B{number}.WPD").mkdir()
+    result = CliRunner().invoke(app, ["run", str(tmp_path / "A.WPD/MAIN.MPF"), "-c", ONE])
+    assert result.exit_code == 0, result.output

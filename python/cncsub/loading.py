@@ -21,7 +21,7 @@ from cncsub.files import (
 )
 from cncsub.library import Library, read_again
 from cncsub.option_errors import carrying
-from cncsub.search_path import Search, with_search
+from cncsub.search_path import Search, with_folder, with_search
 
 
 def load(
@@ -74,7 +74,8 @@ def load_with(
     known = with_search(control_of(control), search)
     if not paths:
         raise ValueError("load needs a file or a folder; loads takes the text of a program")
-    paths = [*paths, *(search or {}).values()]
+    paths = [with_folder(path, known) for path in (*paths, *(search or {}).values())]
+    siblings = [with_folder(path, known) for path in siblings]
     reading = read_paths(paths, siblings=siblings, encoding=encoding, without=external)
     names = reading.names
     outside, skipped = _external_files(external, encoding)

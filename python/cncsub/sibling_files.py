@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -65,34 +65,36 @@ def searched_folders(path: str, control: Control) -> list[Path]:
     beside one that it lies in, in the order in which the control searches them.
     """
     around = list(Path(os.path.abspath(path)).parents)[:MOST_LEVELS]  # noqa: PTH100
-    beside = (
-        [inner for folder in around for inner in folders_in(folder)] if searched(control) else []
-    )
-    found: list[Path] = []
-    for folder, on_disk in searched(control):
-        names = {folder, "_N_" + folder.replace(".", "_"), on_disk.upper()}
-        found += [inner for inner in beside if inner.name.upper() in names]
+    wanted = [
+        {folder, "_N_" + folder.replace(".", "_"), on_disk.upper()}
+        for folder, on_disk in searched(control)
+    ]
+    every: set[str] = set().union(*wanted)
+    beside = [inner for folder in around for inner in folders_in(folder, every)] if every else []
+    found = [inner for names in wanted for inner in beside if inner.name.upper() in names]
     return found if Path(path).is_absolute() else [Path(os.path.relpath(inner)) for inner in found]
 
 
-def _entries(folder: Path) -> list[os.DirEntry[str]]:
-    """Return at most `MOST_FILES` entries of a folder, by name; nothing where nobody may
-    list it.
+def _entry_names(folder: Path, names: Collection[str] = ()) -> list[str]:
+    """Return the names of at most `MOST_FILES` entries of a folder, in order; of these names, in
+    capitals, where there are any. Return nothing where nobody may list it.
     """
     try:
         with os.scandir(folder) as entries:
-            return sorted(itertools.islice(entries, MOST_FILES), key=lambda entry: entry.name)
+            found = (entry.name for entry in entries if not names or entry.name.upper() in names)
+            return sorted(itertools.islice(found, MOST_FILES))
     except OSError:
         return []
 
 
-def folders_in(folder: Path) -> list[Path]:
-    """Return at most `MOST_FOLDERS` folders in a folder, without those that are left alone."""
+def folders_in(folder: Path, names: Collection[str] = ()) -> list[Path]:
+    """Return at most `MOST_FOLDERS` folders in a folder, without those that are left alone; of
+    these names, in capitals, where there are any.
+    """
     root = Path(os.path.realpath(folder))
-    inner = (folder / entry.name for entry in _entries(folder))
-    return [path for path in inner if refused_entry(path, root) is None and path.is_dir()][
-        :MOST_FOLDERS
-    ]
+    inner = (folder / name for name in _entry_names(folder, names))
+    folders = (path for path in inner if refused_entry(path, root) is None and path.is_dir())
+    return list(itertools.islice(folders, MOST_FOLDERS))
 
 
 def missing_programs(library: Library) -> list[str]:
@@ -117,12 +119,12 @@ def files_named(folder: Path, name: str, library: Library) -> Iterator[tuple[str
         return
     root = Path(os.path.realpath(folder))
     read = {os.path.realpath(file) for file in library.files}
-    for entry in _entries(folder):
-        stem = Path(entry.name).stem
+    for entry in _entry_names(folder):
+        stem = Path(entry).stem
         same = stem.upper() == name.upper()
         if digits.isdecimal():
             same |= re.fullmatch(rf"[Oo]?0*{digits}", stem) is not None
-        path = os.path.join(folder, entry.name)  # noqa: PTH118  (as it was named)
+        path = os.path.join(folder, entry)  # noqa: PTH118  (as it was named)
         if not same or os.path.isdir(path) or os.path.realpath(path) in read:  # noqa: PTH112
             continue
         yield path, refused_entry(Path(path), root)

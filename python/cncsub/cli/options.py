@@ -335,10 +335,14 @@ def control_for(options: Mapping[str, Any], project: Project) -> cncsub.Control:
 def search_of(options: Mapping[str, Any]) -> dict[str, str]:
     """Return the folders of the search path that the options name, with those on the disk."""
     pairs = [text.partition("=") for text in options.get("search") or ()]
+    named: dict[str, str] = {}
     for folder, _, path in pairs:
         if not folder or not path:
             raise ValueError(f"--search must be FOLDER=PATH such as CUS.DIR=cycles, not {folder!r}")
-    return {folder.strip(): path.strip() for folder, _, path in pairs}
+        if folder.strip() in named:
+            raise ValueError(f"--search {folder} is given twice; give it one folder")
+        named[folder.strip()] = path.strip()
+    return named
 
 
 def setup_for(options: Mapping[str, Any], project: Project) -> cncsub.Setup | None:

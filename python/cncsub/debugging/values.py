@@ -91,10 +91,11 @@ def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
         _switch(machine, asked, text)
         return switch_text(machine, asked)
     variables = machine.variables.level(frame.level)
+    signal = _core.variable_number(machine.core.code.control, asked)
+    if signal is not None and _is_signal(machine, signal):
+        machine.signals[signal] = _number(machine, text) or 0.0
+        return value_text(machine.signals[signal])
     if (number := number_of(machine, asked)) is not None:
-        if _is_signal(machine, number):
-            machine.signals[number] = _number(machine, text) or 0.0
-            return value_text(machine.signals[number])
         variables[number] = _number(machine, text)
         return value_text(variables[number])
     named = variables.named

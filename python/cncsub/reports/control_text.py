@@ -17,6 +17,7 @@ from cncsub.reports.printing import Console, Text, wrapped
 WIDTH = 100  # columns of the page where no terminal says how many
 MOST_EXPLAINED = 24  # alarm numbers that are printed with their texts
 SHORT = 60  # letters of a list that stands before its meaning
+LEAST = 30  # letters of a meaning that are always told
 
 Fact = tuple[str, str]
 """The name of a fact, and what is said of it."""
@@ -34,8 +35,8 @@ def print_summary(console: Console, control: Control) -> None:
         console,
         f"{len(different)} of {len(control.rules)} rules differ from the family, whose value is"
         f" in ( ), the source in [ ]. Inferred (?) are {evidence_words(control)}: see `cncsub ask"
-        f" {shlex.quote(control.base)}`. `{lead} WORD` prints facts with a word, --all instead"
-        f" everything.{_other_names(control)}",
+        f" {shlex.quote(control.base)}`. `{lead} WORD` prints facts with a word, and in full what"
+        f" ends in ... here, --all everything.{_other_names(control)}",
     )
     for title, facts in _sections(control, different):
         console.print(Text(f"\n{title}", style="bold"))
@@ -115,8 +116,10 @@ def _print_keys(console: Console, control: Control, different: list[Rule]) -> No
     console.print(Text("\nSources, and their evidence for this control", style="bold"))
     for source in sources_of(control):
         if source.key in keys:
-            key = _short(source.key)
-            _print_paragraph(console, f"{key} = {source.title}; {source.on(control.base)}", key)
+            key, evidence = _short(source.key), source.on(control.base)
+            worth = "" if evidence == "secondary" else f"; {evidence}"
+            _print_paragraph(console, f"{key} = {source.title}{worth}", key)
+    console.print("  Secondary where nothing is said.")
     _print_paragraph(console, "? = inferred: general knowledge, or no source says", "?")
 
 
@@ -152,14 +155,21 @@ def _rule(rule: Rule, printed: dict[str, str]) -> Fact:
         if rule.entries or any(len(text.split()) > 1 for text in texts):
             told = _list_words(rule, rule.value.split(), rule.family.split())
             if len(told) <= SHORT:
-                return rule.name, f" {told}: {rule.meaning}"
+                return rule.name, f" {told}: {_in_one_line(rule, f' {told}: ')}"
             before = printed.setdefault(told, rule.name)
             if before != rule.name:
                 return rule.name, f" as {before}: {rule.meaning}"
             return rule.name, f", {rule.meaning}: {told.removeprefix('= ')}"
     family = "" if isinstance(rule.value, bool) else f" ({_value(rule.family)})"
     mark = _mark(rule.source, rule.evidence)
-    return rule.name, f" = {_value(rule.value)}{family}: {rule.meaning} {mark}"
+    head = f" = {_value(rule.value)}{family}: "
+    return rule.name, f"{head}{_in_one_line(rule, f'{head} {mark}')} {mark}"
+
+
+def _in_one_line(rule: Rule, beside: str) -> str:
+    """Return as much of the meaning of a rule as has room in its line, in whole words."""
+    room = WIDTH - len(f"  {rule.name}{beside}")
+    return textwrap.shorten(rule.meaning, max(room, LEAST), placeholder=" ...")
 
 
 def _list_words(rule: Rule, mine: list[str], family: list[str]) -> str:
@@ -266,9 +276,12 @@ def _alarms(alarms: list[Any]) -> Iterator[Fact]:
         told = _runs(sorted(by_number, key=_in_order))
         yield "numbers, whose texts `cncsub explain NUMBER` prints", f": {told}"
     else:
+        by_text: dict[str, list[str]] = {}
         for number, alike in by_number.items():
             text = alike[0].text or causes[alike[0].cause].meaning
-            yield number, f" {text}: {', '.join(alarm.cause for alarm in alike)}"
+            whole = f" {text}: {', '.join(alarm.cause for alarm in alike)}"
+            by_text.setdefault(whole, []).append(number)
+        yield from ((_runs(numbers), whole) for whole, numbers in by_text.items())
     nameless = [alarm.cause for alarm in alarms if not alarm.number and not alarm.directed]
     if nameless:
         yield "no number", f": {' '.join(nameless)}"

@@ -88,7 +88,7 @@ case(
     "so are the axes E and Q", **POLICY, setup=ZERO,
     program="N10 G1 X1 E=IC(2) Q=5 F100\nN20 M30", moves="F X1", dropped=["E=IC(2)", "Q=5"],
 )
-for text in ("FA[X]=500", "LIMS[2]=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FZ=0.1", "FINEA[X]", "COARSEA[X]", "IPOENDA=X"):
+for text in ("LIMS[2]=3000", "SPOS=90", "SPOS[2]=DC(90)", "SPOSA=180", "ADIS=0.1", "ADISPOS=0.2", "OVR=80", "ACC[X]=50", "FZ=0.1", "FINEA[X]", "COARSEA[X]", "IPOENDA=X"):
     case(
         f"{text} is reported and changes no path", **POLICY, setup=ZERO,
         program=f"N10 G0 X5 {text}\nN20 M30", moves="R X5", dropped=[text],

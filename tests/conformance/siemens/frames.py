@@ -6,6 +6,7 @@ ONE = "siemens-one"
 KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
 GROUPS = {"control": ONE, "source": "NCI, ggroups.json: the G groups of the manual", "evidence": "secondary"}
 TABLE = {"control": ONE, "source": "NCI, trans.mpf, trans2.mpf, trans_ic.mpf and trans_reset.mpf with their tables", "evidence": "secondary"}
+POLICY = {"control": ONE, "source": "policy, not computed is said", "evidence": "inferred"}
 ZERO = {"work_offsets": {"G54": {"X": 100.125, "Y": 20.25, "Z": -40.5}}, "start": {"X": 0, "Y": 0, "Z": 0}}
 PLAIN = {"start": {"X": 0, "Y": 0, "Z": 0}}
 
@@ -149,6 +150,20 @@ for word, pin in (("G153", "153=machine-all"), ("SUPA", "SUPA=machine-all")):
     case(
         f"{word} leaves out the basic frame too, and the length of the tool stays on", pins=f"g_meanings:{pin}", **KNOWN, setup=SYSTEMS,
         program=f"N10 TRANS X10\nN20 T1 M6\nN30 G0 {word} X1 Z2\nN40 X1\nN50 M30", final_machine="X1111.125 Y7 Z52.25",
+    )
+for word in ("G53", "G153", "SUPA"):
+    for motion in ("G2 X5 CR=5", "G3 I3", "CIP X5 Y5 I1=3 J1=4", "CT X5 Y6", "G33 Z-5 K1", "G1 RP=5 AP=30"):
+        case(
+            f"{word} {motion} is not computed: the move is no line between points of axes", **POLICY, setup=ZERO,
+            program=f"N10 G1 X0 Y0 F100 S100 M3\nN20 {word} {motion}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word=word,
+        )
+    case(
+        f"{word} while an arc is in force is not computed", **POLICY, setup=ZERO,
+        program=f"N10 G1 X0 Y0 F100\nN20 G2 X10 CR=5\nN30 {word} X5\nN40 M30", runs="N10 N20", alarm="code-not-computed", at="MAIN N30", word=word,
+    )
+    case(
+        f"{word} without an axis moves nothing, whatever code is in force", **KNOWN, setup=ZERO,
+        program=f"N10 G1 X0 Y0 F100\nN20 G2 X10 CR=5\nN30 {word}\nN40 M30", runs="N10 N20 N30 N40", final_work="X10 Y0 Z0",
     )
 case(
     "D0 takes the length away in a block of SUPA", **KNOWN, setup=SYSTEMS,

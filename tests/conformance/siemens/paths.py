@@ -226,6 +226,27 @@ case(
     program="N10 G1 POS[X]=5 FA[X]=600 F100\nN20 X8\nN30 M30", moves="F X5\nF X8", time=2.3,
 )
 case(
+    "FA in a block of its own is kept for the blocks of POS, and moves nothing", **KNOWN, setup=ZERO,
+    program="N10 FA[X]=600 FA[Y]=1200\nN20 POS[X]=10 POS[Y]=10\nN30 M30", moves="F X5 Y10\nF X10 Y10", dropped=[], time=1,
+)
+case(
+    "so it is while a frame turns and the radius is compensated", **KNOWN, setup=TOOL,
+    program="N10 T1 M6\nN20 ROT Z90\nN30 G41 G1 X10 Y10 F100\nN40 FA[X]=600\nN50 X20\nN60 G40 X30 Y20\nN70 ROT\nN80 POS[X]=0\nN90 M30",
+    runs="N10 N20 N30 N40 N50 N60 N70 N80 N90",
+)
+case(
+    "FA in a block that moves along the path is not computed", **POLICY, setup=ZERO,
+    program="N10 G0 X5 FA[X]=500\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word="FA[X]=500",
+)
+for words, word in (
+    ("SUPA POS[X]=5", "POS[X]=5"), ("POS[X]=5 G53", "POS[X]=5 G53"), ("G4 F1 SUPA X5", "SUPA"), ("POS[X]=5 G4 F1", "POS[X]=5 G4 F1"), ("G153 G74 X1=0", "G74"),
+    ("SUPA TRANS X5", "TRANS"), ("G4 F1 FA[X]=500", "FA[X]=500"), ("SUPA G1 X5 MEAS=1", "MEAS=1"),
+):
+    case(
+        f"{words}: two codes that hold for one block are not computed together", **POLICY, setup=ZERO,
+        program=f"N10 G0 X1 F100\nN20 {words}\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word=word,
+    )
+case(
     "FA of an axis that a function names is reported", **KNOWN, program='N10 FA[AXNAME("X")]=500\nN20 G0 X1\nN30 M30', runs="N10 N20 N30", dropped=['FA[AXNAME("X")]=500'],
 )
 for text, cause, number in (

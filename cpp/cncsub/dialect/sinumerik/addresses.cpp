@@ -11,6 +11,7 @@ namespace cncsub::sinumerik {
 
 namespace {
 
+constexpr int kPositionAxes = 9016, kMeasure = 9017;  // of word_codes.def
 constexpr std::string_view kRotary = "ABC";
 
 /// The form of a value that does not follow G90 and G91. [NCI grammar; 840Dsl]
@@ -73,9 +74,23 @@ bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& va
   return true;
 }
 
+namespace {
+
+/// Return whether a code holds for one block and says alone what is done with its words: a dwell, a
+/// reference point, a frame, a pole, machine coordinates, POS, FA and MEAS. [NCI ggroups]
+bool acts_alone(int group, int code) {
+  constexpr int kMovements = 2, kFrames = 3, kSuppression = 9;
+  return group == kMovements || group == kFrames || group == kSuppression ||
+         code == kPositionAxes || code == kMeasure;
+}
+
+}  // namespace
+
 bool add_code(OpenBlock& open, Block& block, Words& words, int group, int code, std::uint32_t at) {
   if (!words.take_group(group))
     return open.refuse(block, Cause::GroupGivenTwice, "a second code of its G group", at);
+  if (acts_alone(group, code) && std::exchange(words.acts, true))
+    return open.not_computed(block, "a second code that holds for this block alone", at);
   if (words.list.g_count == static_cast<int>(words.list.g.size()))
     return open.refuse(block, Cause::TooManyWords, "more G codes than cncsub reads in one block",
                        at);
@@ -282,22 +297,29 @@ bool position(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
 
 bool move_beside_path(OpenBlock& open, Block& block, Words& words) {
   const bool moves = !words.positions.empty();
+  bool sets = false;
   for (const AxisFeed& feed : words.axis_feeds) {
-    if (!moves || feed.letter < 'X' || feed.letter > 'Z') words.drops.push_back(feed.written);
+    if (feed.letter < 'X' || feed.letter > 'Z')
+      words.drops.push_back(feed.written);
+    else
+      sets = true;
   }
-  if (!moves) return true;
-  const std::uint32_t at = words.positions.front().at;
+  if (!moves && !sets) return true;
+  const std::uint32_t at = moves ? words.positions.front().at : words.axis_feeds.front().written.at;
   for (const Position& of : words.positions)
     if ((words.list.mask & bit(of.letter)) != 0)
       return open.refuse(block, Cause::AxisGivenTwice, "the axis is in the block twice", of.at);
   constexpr std::uint32_t kPath = kAxisWords | kCentreWords | kPolarWords;
   if ((words.list.mask & kPath) != 0 || words.call || words.modal)
-    return open.not_computed(block, "axes beside the path in a block that moves along it", at);
+    return open.not_computed(block,
+                             moves ? "axes beside the path in a block that moves along it"
+                                   : "FA in a block that moves along the path: write it in its own",
+                             at);
   for (const Position& of : words.positions) words.list.set(of.letter - 'A', of.value, false);
   for (const AxisFeed& feed : words.axis_feeds)
     if (feed.letter >= 'X' && feed.letter <= 'Z')
       words.list.set('I' + (feed.letter - 'X') - 'A', feed.value, false);
-  return add_code(open, block, words, 0, 9016, at);
+  return add_code(open, block, words, 0, kPositionAxes, at);
 }
 
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
@@ -346,7 +368,7 @@ bool measure(OpenBlock& open, Block& block, Words& words, std::uint32_t at) {
   if (!open.expression.value(probe)) return open.refuse(block);
   if (probe.computed || std::fabs(probe.number) != 1)
     return open.not_computed(block, "MEAS of another probe than the first", at);
-  constexpr int kNoGroup = 0, kMeasure = 9017;
+  constexpr int kNoGroup = 0;
   return add_code(open, block, words, kNoGroup, kMeasure, at);
 }
 

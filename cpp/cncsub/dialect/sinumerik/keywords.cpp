@@ -78,7 +78,7 @@ constexpr std::string_view kReportedCalls[] = {
     "CYCLE832", "NEWCONF",  "CHANDATA",    "CANCEL",    "MMC",          "CTABDEL",   "PROTA",
     "PROTS"};
 
-// Words of an axis, which stands in brackets after them. [840D sl, function manual p.1208: FINEA]
+// Words of an axis, which stands in brackets after them. [general knowledge of the SINUMERIK 840D]
 constexpr std::string_view kAxisEnds[] = {"FINEA", "COARSEA", "IPOENDA"};
 
 // [general knowledge of the SINUMERIK 840D]
@@ -135,7 +135,8 @@ constexpr std::string_view kFurther[] = {
     "TANGON",    "TCOABS",     "TCOFR",      "TCOFRX",   "TCOFRY",     "TCOFRZ",     "THETA",
     "TILT",      "TLIFT",      "TOFFOF",     "TOFFON",   "TOFRAMEX",   "TOFRAMEY",   "TOFRAMEZ",
     "TOROTX",    "TOROTY",     "TOROTZ",     "TOWBCS",   "TOWKCS",     "TOWMCS",     "TOWSTD",
-    "TOWTCS",    "TOWWCS",     "WAITC",      "WRTPR"};
+    "TOWTCS",    "TOWWCS",     "WAITC",      "WRTPR",    "RESET",      "CANCELSUB",  "EXTOPEN",
+    "EXTCLOSE",  "TCA",        "MVTOOL"};
 
 // E, N, O, P and Q, G and M are no addresses with a value in the mask: others have their places.
 // [NCI grammar]

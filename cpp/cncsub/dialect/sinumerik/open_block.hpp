@@ -46,6 +46,7 @@ struct Words {
   std::vector<Line> indexed;  // where the index of each AX[...]=... stands
   char indexed_form = '=';    // their form: '=' for none, 'A' for AC, 'I' for IC
   bool any = false;
+  bool acts = false;  // by a code that says alone what is done with the words
   bool ends = false;
   std::optional<bool> iso_mode;  // after G290 and G291: whether the ISO mode follows
   std::uint32_t iso_mode_at = 0, iso_mode_width = 1;
@@ -105,7 +106,7 @@ bool put_indexed(OpenBlock& open, Block& block, Words& words);
 bool report(OpenBlock& open, Block& block, Words& words, std::string_view name, std::uint32_t at);
 /// Read POS[X]=10, whose name stands here.
 bool position(OpenBlock& open, Block& block, Words& words, std::uint32_t at);
-/// Let the words of POS move the axes, with the feeds of FA. FA without them is reported.
+/// Let the words of POS move the axes, and those of FA give them their feeds, which stay in force.
 bool move_beside_path(OpenBlock& open, Block& block, Words& words);
 /// Read a call that no path depends on: WAITP(X), GROUP_BEGIN(0,"a",0,0).
 bool report_call(OpenBlock& open, Block& block, Words& words, std::string_view name,

@@ -76,6 +76,7 @@ std::vector<BesideMove> moves_beside_path(MotionView m, const Axes& from, const 
 Result position_axes(MotionContext& m, BlockWords& block) {
   block.consumed = true;
   if (auto wrong = read_feeds(m, block)) return wrong;
+  if ((block.words.mask & kAxisWords) == 0) return std::nullopt;  // FA alone
   if (moves_wait(m.state) || compensating(m.state) || is_turned(m.state))
     return fault(Cause::CodeNotComputed, block,
                  "cncsub computes axes beside the path neither in a frame that turns, scales or "

@@ -57,6 +57,13 @@ NamedPoint machine_target(MotionContext& m, const BlockWords& block) {
   return {end, named};
 }
 
+/// Return whether a block has words of a path that is no line between points of axes.
+bool has_other_path(const BlockWords& block, Meaning meaning) {
+  const bool line = meaning == Meaning::Rapid || meaning == Meaning::Line;
+  return (block.words.mask & kPolarWords) != 0 ||
+         (!line && (block.words.mask & (kAxisWords | kCentreWords)) != 0);
+}
+
 }  // namespace
 
 Result machine_move(MotionContext& m, BlockWords& block) {
@@ -67,6 +74,10 @@ Result machine_move(MotionContext& m, BlockWords& block) {
   if (m.state.incremental && c.motion.machine_move.value == MachineMove::ModalAbsolute)
     return fault(Cause::MachineMoveIncremental, block);
   const Meaning meaning = m.state.modal[at(Group::Motion)].meaning;
+  if (const int code = block.code(Group::OneShot).code; modal && has_other_path(block, meaning))
+    return fault_at(
+        WordName{.code = code}, Cause::CodeNotComputed, block,
+        "cncsub computes " + code_name(code) + " only on lines between points that axes name");
   const MoveKind kind = modal && meaning != Meaning::Rapid ? MoveKind::Feed : MoveKind::Rapid;
   if (modal && m.state.frame_angle != 0) return turned_machine_move(m, block, kind);
   const auto [end, named] = machine_target(m, block);

@@ -158,7 +158,8 @@ Result arc_by_points(MotionContext& m, BlockWords& block, Meaning meaning) {
                            : block.words.has(letter(plane.a)) || block.words.has(letter(plane.b));
   if (!between)
     return fault_at({.addresses = kCentreWords}, Cause::ThreePoints, block,
-                    "the arc has neither I nor K");
+                    by_mode ? "no word gives the point between the ends of the arc"
+                            : "the arc has neither I nor K");
   Piece piece = make_piece(m, block, MoveKind::Cw, end, named);
   const Axes start = m.state.work + piece.offset;
   Axes middle = start;
