@@ -61,6 +61,12 @@ bool BlockReader::read(std::string_view text, Block& block, Flow& flow) {
     refuse(block, Cause::BlockTooLong, "the line has more than 256 characters", block.text);
     return true;
   }
+  if (line_.peek() == '$') {  // [gHpr, protocol_main_loop]
+    flow.wall = true;
+    while (!line_.at_end()) line_.take();
+    refuse(block, Cause::CodeNotComputed, "a command of the system", block.text);
+    return true;
+  }
   if (line_.take('/')) block.skip = 1u << 1;
   Words words;
   return this->words(block, words, flow) || flow_word(block, flow);

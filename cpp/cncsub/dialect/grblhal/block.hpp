@@ -1,6 +1,7 @@
 // The compiler of a line: words, assignments and comments, or a flow word.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <set>
 #include <string>
@@ -66,6 +67,13 @@ class BlockReader {
     int macro = -1;          // the G65 of the line, in tenths
   };
 
+  /// What calls hand on.
+  struct Locals {
+    std::uint32_t file = ~0u;  // in which they stand
+    std::array<std::uint32_t, kLastLocal + 1> expressions{};
+    std::optional<std::uint32_t> arguments = {};  // of calls without arguments of their own
+  };
+
   bool refuse(Block& block, Cause cause, std::string detail, std::uint32_t at, Kind kind = {});
   bool refuse(Block& block);
   bool words(Block& block, Words& words, Flow& flow);
@@ -89,17 +97,19 @@ class BlockReader {
   bool flow_statement(Block& block, Flow& flow);
   bool flow_call(Block& block, Flow& flow);
   bool condition(Block& block, Flow& flow);
-  void count(Flow& flow);
   bool give_back(Block& block, const Flow& flow);
   std::uint32_t number(double value, const Flow& flow);
   Statement returned(int place, std::uint32_t expression, const Flow& flow);
   void forget_and(Block& block, const Flow& flow, const Block& call,
                   std::vector<Statement> statements);
+  const Locals& locals(const Flow& flow);
+  void pass(CallRecord& call, std::vector<Argument> arguments, const Flow& flow);
   void hand_on_locals(std::vector<Argument>& arguments, const Flow& flow, std::int16_t first);
 
   Builder& to_;
   BareLine line_;
   ExpressionReader expression_;
+  Locals locals_;
 };
 
 /// Return a value as an operand of a call.

@@ -86,7 +86,6 @@ bool BlockReader::flow_statement(Block& block, Flow& flow) {
     case FlowKind::While:
     case FlowKind::Repeat:
       if (!condition(block, flow)) return false;
-      if (flow.kind == FlowKind::Repeat) count(flow);
       break;
     case FlowKind::EndSub:
     case FlowKind::Return:
@@ -107,28 +106,6 @@ bool BlockReader::condition(Block& block, Flow& flow) {
   if (!expression_.bracketed(value)) return refuse(block);
   flow.statement.expression = to_.expressions().expression_of(value);
   return true;
-}
-
-/// Count the passes of a repeat by a variable that no program names: from 1 - n to 0.
-void BlockReader::count(Flow& flow) {
-  ExpressionWriter& write = to_.expressions();
-  const std::uint32_t at = flow.at;
-  const auto counter =
-      static_cast<std::uint32_t>(to_.names().hidden("repeat " + std::to_string(at), 1));
-  Statement first;
-  first.target = Statement::Target::Local;
-  first.index = static_cast<std::int32_t>(counter);
-  first.at = at;
-  Statement next = first;
-  first.expression = write.changed(flow.statement.expression, Ins::Round);
-  first.expression = write.changed(first.expression, Ins::Negate);
-  write.begin();
-  write.emit({Ins::Local, 0, counter, 0});
-  write.emit({Ins::AddConstant, 0, at, 1});
-  next.expression = write.end(at, flow.width);
-  flow.statement.expression = write.one({Ins::Constant, 0, at, -1}, at, flow.width);
-  flow.statement.then = to_.keep(first);
-  flow.statement.number = static_cast<std::int32_t>(to_.keep(next));
 }
 
 /// Write the end of a subprogram. What it gives back is computed with the caller's variables; in
@@ -180,20 +157,48 @@ void BlockReader::forget_and(Block& block, const Flow& flow, const Block& call,
   to_.parallel_assign(block, statements, nullptr, &call);
 }
 
+/// Return the expressions of the numbered locals; all calls of a file have the same.
+const BlockReader::Locals& BlockReader::locals(const Flow& flow) {
+  if (locals_.file == to_.program().file) return locals_;
+  locals_ = {.file = to_.program().file};
+  for (std::int16_t i = 1; i <= kLastLocal; ++i) {
+    // Read by its number: a parameter that has no value is no mistake here.
+    to_.expressions().begin();
+    to_.expressions().emit({Ins::Constant, 0, flow.at, static_cast<double>(i)});
+    to_.expressions().emit({Ins::IndirectRaw, 0, flow.at, 0});
+    locals_.expressions[static_cast<std::size_t>(i)] = to_.expressions().end(flow.at, flow.width);
+  }
+  return locals_;
+}
+
 /// Let a call hand its numbered locals on, for values that are computed after its return.
 void BlockReader::hand_on_locals(std::vector<Argument>& arguments, const Flow& flow,
                                  std::int16_t first) {
+  const Locals& own = locals(flow);
   const auto add = [&](std::int16_t number, std::int32_t to) {
-    Value of{.computed = true, .at = flow.at, .width = flow.width};
-    // Read by its number: a parameter that has no value is no mistake here.
-    to_.expressions().begin();
-    to_.expressions().emit({Ins::Constant, 0, flow.at, static_cast<double>(number)});
-    to_.expressions().emit({Ins::IndirectRaw, 0, flow.at, 0});
-    of.expression = to_.expressions().end(flow.at, flow.width);
+    const Value of{.computed = true,
+                   .expression = own.expressions[static_cast<std::size_t>(number)],
+                   .at = flow.at,
+                   .width = flow.width};
     arguments.push_back({to, 0, operand_of(of)});
   };
   for (std::int16_t i = first; i <= kLastLocal; ++i) add(i, i);
   for (std::int16_t i = 1; i <= kLastLocal; ++i) add(i, callers_locals(to_) + i);
+}
+
+/// Give a call its arguments, and the other locals of its caller. Calls without an argument share
+/// theirs.
+void BlockReader::pass(CallRecord& call, std::vector<Argument> arguments, const Flow& flow) {
+  const bool none = arguments.empty();
+  hand_on_locals(arguments, flow, static_cast<std::int16_t>(arguments.size() + 1));
+  call.arguments = static_cast<std::uint32_t>(arguments.size());
+  if (none && locals_.arguments) {
+    call.first_argument = *locals_.arguments;
+    return;
+  }
+  call.first_argument = to_.next_argument();
+  for (const Argument& argument : arguments) to_.keep(argument);
+  if (none) locals_.arguments = call.first_argument;
 }
 
 /// Write a call: values in brackets for #1, #2 and on; the others keep the caller's.
@@ -219,10 +224,7 @@ bool BlockReader::flow_call(Block& block, Flow& flow) {
     if (!expression_.bracketed(value)) return refuse(block);
     arguments.push_back({static_cast<std::int16_t>(arguments.size() + 1), 0, operand_of(value)});
   }
-  hand_on_locals(arguments, flow, static_cast<std::int16_t>(arguments.size() + 1));
-  call.first_argument = to_.next_argument();
-  call.arguments = static_cast<std::uint32_t>(arguments.size());
-  for (const Argument& argument : arguments) to_.keep(argument);
+  pass(call, std::move(arguments), flow);
   flow.call = to_.keep(std::move(call));
   Block own = block;
   to_.words(own, {});

@@ -16,11 +16,13 @@ constexpr std::size_t kMostOpen = 20;  // branches, loops and calls [gHf, NGC_ST
 
 void Structure::begin(std::uint32_t file) {
   file_ = file;
+  program_ = static_cast<std::int32_t>(to_.code().programs.size()) - 1;
+  endsub_ = 0;
+  part_end_ = kNowhere;
   lines_.clear();
   open_.clear();
   walls_.clear();
   subs_.clear();
-  end_sub_ = 0;
 }
 
 void Structure::add(const Flow& flow) {
@@ -71,23 +73,27 @@ void Structure::match(std::size_t met) {
   switch (lines_[met].flow.kind) {
     case FlowKind::If:
       become(lines_[met], Op::If);
-      return open(met);
+      open(met);
+      return;
     case FlowKind::ElseIf:
     case FlowKind::Else:
       return branch(met);
     case FlowKind::EndIf:
       return end_branch(met);
     case FlowKind::Repeat:
-      become(lines_[met], Op::For);
-      return open(met);
+      if (!open(met)) return;
+      count(lines_[met].flow);
+      return become(lines_[met], Op::For);
     case FlowKind::While:
       if (!open_.empty() && lines_[open_.back().met].flow.kind == FlowKind::Do &&
           lines_[open_.back().met].flow.label == lines_[met].flow.label)
         return end_do(lines_[met]);
       become(lines_[met], Op::While);
-      return open(met);
+      open(met);
+      return;
     case FlowKind::Do:
-      return open(met);
+      open(met);
+      return;
     case FlowKind::EndWhile:
     case FlowKind::EndRepeat:
       return end_loop(met);
@@ -105,11 +111,38 @@ void Structure::match(std::size_t met) {
   }
 }
 
-void Structure::open(std::size_t met) {
-  if (open_.size() >= kMostOpen)
-    refuse(lines_[met], Cause::NestingTooDeep,
-           "the control allows 20 branches and loops inside each other");
-  open_.push_back({met, lines_[met].address});
+/// Open a structure. One too many is refused, and what stands in it belongs to the one around it.
+bool Structure::open(std::size_t met) {
+  if (open_.size() < kMostOpen) {
+    open_.push_back({met, lines_[met].address});
+    return true;
+  }
+  refuse(lines_[met], Cause::NestingTooDeep,
+         "the control allows 20 branches and loops inside each other");
+  return false;
+}
+
+/// Count the passes of a repeat by a variable that no program names: from 1 - n to 0. M98 shares
+/// the locals of its caller, so that each file has counters of its own.
+void Structure::count(Flow& flow) {
+  ExpressionWriter& write = to_.expressions();
+  const std::uint32_t at = flow.at;
+  const std::string name = "repeat " + std::to_string(file_) + " " + std::to_string(open_.size());
+  const auto counter = static_cast<std::uint32_t>(to_.names().hidden(name, 1));
+  Statement first;
+  first.target = Statement::Target::Local;
+  first.index = static_cast<std::int32_t>(counter);
+  first.at = at;
+  Statement next = first;
+  first.expression = write.changed(flow.statement.expression, Ins::Round);
+  first.expression = write.changed(first.expression, Ins::Negate);
+  write.begin();
+  write.emit({Ins::Local, 0, counter, 0});
+  write.emit({Ins::AddConstant, 0, at, 1});
+  next.expression = write.end(at, flow.width);
+  flow.statement.expression = write.one({Ins::Constant, 0, at, -1}, at, flow.width);
+  flow.statement.then = to_.keep(first);
+  flow.statement.number = static_cast<std::int32_t>(to_.keep(next));
 }
 
 /// Return the innermost structure if it is of one of these kinds and has the label of a word. A
@@ -214,7 +247,6 @@ void Structure::end_do(const Met& word) {
 }
 
 void Structure::leave_loop(std::size_t met) {
-  if (open_.size() > kMostOpen) return;  // a run is refused before it comes here
   const Met& word = lines_[met];
   for (auto open = open_.rbegin(); open != open_.rend(); ++open) {
     const Flow& of = lines_[open->met].flow;
@@ -226,16 +258,16 @@ void Structure::leave_loop(std::size_t met) {
   refuse(word, Cause::LabelNotFound, "no loop of its label is open");
 }
 
-/// Return the first definition after a line, or the end of the one that it begins.
-std::size_t Structure::next_sub(std::size_t met) const {
-  const auto stops = [](const Met& of) {
-    return (of.flow.kind == FlowKind::Sub && !of.flow.named) || of.flow.kind == FlowKind::EndSub;
-  };
-  const auto from = lines_.begin() + static_cast<std::ptrdiff_t>(met) + 1;
-  return static_cast<std::size_t>(std::find_if(from, lines_.end(), stops) - lines_.begin());
+/// Return the next endsub from a line on, of whatever label; null if there is none. Lines are asked
+/// for in their order.
+const Structure::Met* Structure::endsub(std::size_t from) {
+  endsub_ = std::max(endsub_, from);
+  while (endsub_ < lines_.size() && lines_[endsub_].flow.kind != FlowKind::EndSub) ++endsub_;
+  return endsub_ < lines_.size() ? &lines_[endsub_] : nullptr;
 }
 
-/// Let a definition go to the block after the next endsub, of whatever label.
+/// Let a definition go to the block after the next endsub. One without it goes to the end of the
+/// file: nothing calls it. Of those that share an endsub the first is a part, and holds the others.
 void Structure::sub(std::size_t met) {
   const Met& word = lines_[met];
   if (word.flow.named) {
@@ -243,26 +275,24 @@ void Structure::sub(std::size_t met) {
       refuse(word, Cause::LabelNotFound, "a subprogram with a name has a file of its own");
     return;
   }
-  for (end_sub_ = std::max(end_sub_, met); end_sub_ < lines_.size(); ++end_sub_)
-    if (lines_[end_sub_].flow.kind == FlowKind::EndSub) break;
-  const bool ends = end_sub_ < lines_.size();
-  const Address after = ends ? lines_[end_sub_].address + 1 : to_.next_address() - 1;
+  const Met* const end = endsub(met);
+  const Address after = end == nullptr ? to_.next_address() - 1 : end->address + 1;
   go_to(word.address, passing(word.address, after));
   if (subs_.contains(word.flow.label)) return;  // the first of a label counts
-  const std::size_t next = next_sub(met);       // which goes to the same block
-  part(met, next < end_sub_ ? lines_[next].address + 1 : after);
+  std::int32_t program = program_;
+  if (end != nullptr)
+    program = after == part_end_ ? static_cast<std::int32_t>(to_.code().programs.size()) - 1
+                                 : part(word, after);
+  subs_[word.flow.label] = {word.address + 1, program};
 }
 
-/// Add a subprogram as a part of the file.
-void Structure::part(std::size_t met, Address end) {
-  const Met& word = lines_[met];
+/// Add a subprogram as a part of the file; return its number.
+std::int32_t Structure::part(const Met& word, Address end) {
   const Block& block = to_.block(word.address);
   Program part;
   part.file = file_;
   part.line = block.line;
-  const auto& programs = to_.code().programs;
-  const std::int32_t whole = programs.back().inside;  // of the part before it
-  part.inside = whole != kNoProgram ? whole : static_cast<std::int32_t>(programs.size()) - 1;
+  part.inside = program_;
   part.first = word.address + 1;
   part.last = end;
   part.text = word.flow.at;
@@ -270,8 +300,8 @@ void Structure::part(std::size_t met, Address end) {
   part.name_at = word.flow.at + 1;
   part.name_length = static_cast<std::uint32_t>(word.flow.label.size());
   to_.part(part);
-  subs_[word.flow.label] = {word.address + 1,
-                            static_cast<std::int32_t>(to_.code().programs.size()) - 1};
+  part_end_ = end;
+  return static_cast<std::int32_t>(to_.code().programs.size()) - 1;
 }
 
 void Structure::call(std::size_t met) {

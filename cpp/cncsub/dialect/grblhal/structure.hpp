@@ -33,7 +33,7 @@ class Structure {
   };
 
   void match(std::size_t met);
-  void open(std::size_t met);
+  bool open(std::size_t met);
   Open* innermost(Flow::Kind a, Flow::Kind b, const Met& met);
   void branch(std::size_t met);
   void end_branch(std::size_t met);
@@ -42,10 +42,11 @@ class Structure {
   void leave_loop(std::size_t met);
   void next_pass(const Met& word, Address head, Address end);
   void jumps_of(const Open& open, Address end, Address next);
-  std::size_t next_sub(std::size_t met) const;
+  void count(Flow& flow);
   void sub(std::size_t met);
+  const Met* endsub(std::size_t from);
   void call(std::size_t met);
-  void part(std::size_t met, Address end);
+  std::int32_t part(const Met& word, Address end);
   void go_to(Address from, Address to);
   Address passing(Address from, Address to) const;
   Statement& statement(Address address) { return to_.record<Statement>(to_.block(address).aux); }
@@ -54,12 +55,14 @@ class Structure {
 
   Builder& to_;
   std::uint32_t file_ = 0;
+  std::int32_t program_ = kNoProgram;  // that of the file
   std::vector<Met> lines_;
+  std::size_t endsub_ = 0;       // the last one found
+  Address part_end_ = kNowhere;  // of the last part
   std::vector<Open> open_;
   std::vector<Address> walls_;  // lines that are refused where they are passed over, too
   std::unordered_map<std::string, std::pair<Address, std::int32_t>> subs_;  // the block after the
                                                                             // head, and the part
-  std::size_t end_sub_ = 0;  // the first endsub after the last definition that was met
 };
 
 }  // namespace cncsub::grblhal
