@@ -56,8 +56,13 @@ void StructuredReader::for_head(Scanner& s, Block& block) {
   open.count = of.begin;
   open.count.expression = next ? *next : of.begin.expression;
   open.counts_apart = !of.rising;
-  if (of.rising) return count_up(s, block, of);
-  count_either_way(s, block, of);
+  if (!of.rising) return count_either_way(s, block, of);
+  Statement statement = at_keyword();
+  open.branch = to_.next_address();
+  statement.expression = of.last;
+  statement.then = to_.keep(of.begin);
+  to_.become(block, Op::For, statement);
+  append(s, block);
 }
 
 bool StructuredReader::wrong_for(Block& block, const char* detail) {
@@ -110,16 +115,6 @@ bool StructuredReader::last_value(Scanner& s, Block& block, Counting& of) {
   }
   of.last = *last;
   return take_whole(s, "DO") || wrong_for(block, "DO must follow the last value");
-}
-
-/// Write a FOR whose step is a number above 0.
-void StructuredReader::count_up(Scanner& s, Block& block, const Counting& of) {
-  Statement statement = at_keyword();
-  open_.back().branch = to_.next_address();
-  statement.expression = of.last;
-  statement.then = to_.keep(of.begin);
-  to_.become(block, Op::For, statement);
-  append(s, block);
 }
 
 /// Write a FOR whose step may be negative: an assignment and a WHILE.

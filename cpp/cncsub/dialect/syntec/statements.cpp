@@ -9,6 +9,31 @@
 
 namespace cncsub::syntec {
 
+namespace {
+
+/// Return the number of the variable whose assignment a block is.
+std::int64_t assigned_number(const Block& block, std::string_view text, std::string_view written) {
+  std::size_t at = text.find('#', block.text);
+  const std::int32_t base = written[at] == '@' ? kAtVariables : 0;
+  std::int64_t number = 0;
+  while (is_digit(text[++at]) || is_blank(text[at]))
+    if (is_digit(text[at])) number = number * 10 + (text[at] - '0');
+  return number + base;
+}
+
+/// Read a text between quotation marks, as it is written.
+std::string quoted_text(Scanner& s, std::string_view written) {
+  if (!s.take('"')) return {};
+  const char* const from = s.at;
+  s.at = std::find(s.at, s.end, '"');
+  const auto at = static_cast<std::size_t>(from - s.file);
+  std::string said(written.substr(at, static_cast<std::size_t>(s.at - from)));
+  if (s.at != s.end) ++s.at;
+  return said;
+}
+
+}  // namespace
+
 const StructuredReader::Word StructuredReader::kWords[] = {
     {"IF", &StructuredReader::if_head},
     {"ELSEIF", &StructuredReader::else_if},
@@ -125,20 +150,10 @@ void StructuredReader::learn_type(const Block& block) {
       block.op == Op::Set ? assignment_of(to_.code(), block) : to_.record<Statement>(block.aux);
   if (of.target != Statement::Target::Local && of.target != Statement::Target::Common)
     return types_.clear();
-  const std::int64_t number = assigned_number(block);
+  const std::int64_t number = assigned_number(block, text_, written_);
   const Value& value = blocks_.expressions().last_value();
   types_.erase(number);
   if (value.is_whole() || value.is_real()) types_[number] = value.is_whole();
-}
-
-/// Return the number of the variable whose assignment a block is.
-std::int64_t StructuredReader::assigned_number(const Block& block) const {
-  std::size_t at = text_.find('#', block.text);
-  const std::int32_t base = written_[at] == '@' ? kAtVariables : 0;
-  std::int64_t number = 0;
-  while (is_digit(text_[++at]) || is_blank(text_[at]))
-    if (is_digit(text_[at])) number = number * 10 + (text_[at] - '0');
-  return number + base;
 }
 
 /// Read a statement that begins with a word of several letters, perhaps after N and a number.
@@ -192,11 +207,6 @@ bool StructuredReader::refuse(Block& block, Cause cause, std::uint32_t at, std::
   fault.kind = kind;
   to_.refuse(block, std::move(fault));
   return false;
-}
-
-void StructuredReader::refuse_at(Address address, Cause cause, const Open& open, const char* detail,
-                                 Kind kind) {
-  refuse(to_.block(address), cause, open.at, open.width, detail, kind);
 }
 
 /// Read a condition and the word after it. Where one of them is wrong the block is refused, and
@@ -267,17 +277,6 @@ void StructuredReader::jump(Scanner& s, Block& block) {
   append(s, block);
 }
 
-/// Read a text between quotation marks, as it is written.
-std::string StructuredReader::text(Scanner& s) {
-  if (!s.take('"')) return {};
-  const char* const from = s.at;
-  s.at = std::find(s.at, s.end, '"');
-  const auto at = static_cast<std::size_t>(from - s.file);
-  std::string said(written_.substr(at, static_cast<std::size_t>(s.at - from)));
-  if (s.at != s.end) ++s.at;
-  return said;
-}
-
 /// Read ALARM(300), MSG("TEXT"), MSG(100, "TEXT").
 void StructuredReader::print(Scanner& s, Block& block, bool alarms) {
   Print print;
@@ -302,11 +301,11 @@ void StructuredReader::print(Scanner& s, Block& block, bool alarms) {
     number.whole_digits = PrintField::kPlain;
     print.fields.push_back(number);
     if (s.take(',')) {
-      said.text = " " + text(s);
+      said.text = " " + quoted_text(s, written_);
       print.fields.push_back(said);
     }
   } else {
-    said.text = text(s);
+    said.text = quoted_text(s, written_);
     print.fields.push_back(said);
   }
   if (!s.take(']')) return wrong("the bracket is not closed");
@@ -335,6 +334,10 @@ void StructuredReader::dropped(Scanner& s, Block& block) {
 // ---- the end ----
 
 void StructuredReader::end_program(const Program& program) {
+  const auto refuse_at = [this](Address head, Cause cause, const Open& open, const char* detail,
+                                Kind kind) {
+    refuse(to_.block(head), cause, open.at, open.width, detail, kind);
+  };
   for (const Open& open : open_) {
     const bool other = open.otherwise;
     switch (open.kind) {

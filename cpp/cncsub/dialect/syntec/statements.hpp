@@ -92,7 +92,6 @@ class StructuredReader {
   void for_head(Scanner& s, Block& block);
   bool first_value(Scanner& s, Block& block, Counting& of);
   bool last_value(Scanner& s, Block& block, Counting& of);
-  void count_up(Scanner& s, Block& block, const Counting& of);
   void count_either_way(Scanner& s, Block& block, const Counting& of);
   bool wrong_for(Block& block, const char* detail);
   void end_for(Scanner& s, Block& block);
@@ -111,13 +110,10 @@ class StructuredReader {
   Open* innermost(Structure kind, Block& block, Cause cause, Kind missing);
   void way_to_end(Open& open, Block& block);
   void print(Scanner& s, Block& block, bool alarms);
-  std::string text(Scanner& s);
   bool refuse(Block& block, Cause cause, std::uint32_t at, std::uint32_t width, std::string detail,
               Kind kind = {});
-  void refuse_at(Address address, Cause cause, const Open& open, const char* detail, Kind kind);
   void append(const Scanner& s, Block& block);
   void learn_type(const Block& block);
-  std::int64_t assigned_number(const Block& block) const;
   Statement& statement_of(Address address) { return to_.record<Statement>(to_.block(address).aux); }
   Statement at_keyword() const;
   std::uint32_t line_of(std::size_t at);
