@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import itertools
+import os
 import random
+import subprocess
+import sys
 import time
 
 import pytest
@@ -12,6 +15,7 @@ import cncsub
 
 NAMES = sorted(cncsub.controls)
 MANY = 100_000
+SANITIZED = "libasan" in os.environ.get("LD_PRELOAD", "")
 INFINITE = "*".join(["EXP[110]"] * 7)  # above the largest double
 
 
@@ -82,6 +86,46 @@ def test_a_line_that_is_wrong_costs_what_it_is_long(name):
         library.run(max_seconds=20)
         library.check()
         assert time.process_time() - begun < 3, control
+
+
+def numbered(*lines: str, count: int) -> str:
+    """Return each of these lines for every number from 1 on, in place of its #."""
+    return "".join(f"{line}\n".replace("#", str(k)) for k in range(1, count + 1) for line in lines)
+
+
+SUB = "o1 sub\no1 endsub\n"
+STRUCTURES = {
+    "subprograms": numbered("o# sub", "o# endsub", count=50_000),
+    "subprograms without an end": numbered("o# sub", count=40_000),
+    "subprograms that share an end": numbered("o# sub", count=40_000) + "o1 endsub\n",
+    "calls": SUB + "o1 call\n" * 40_000,
+    "calls with a value": SUB + "o1 call [1]\n" * 20_000,
+    "branches, and exits without a loop": numbered("o# if [1]", count=40_000) + "o0 break\n" * 40_000,
+    "loops beside calls": SUB + numbered("o# repeat [1]", "o1 call", "o# endrepeat", count=40_000),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("control", ["grblhal"])
+@pytest.mark.parametrize("name", STRUCTURES)
+def test_structures_cost_what_they_are_long(name: str, control: str) -> None:
+    """Each costs less than a second and 200 MB. If one looked at all others, it would be many."""
+    code = f"""
+import resource, sys, time, cncsub
+text = sys.stdin.read() + "M2\\n"
+before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+library = cncsub.loads(text, control={control!r})
+library.check()
+library.run(max_blocks=100_000, max_seconds=20)
+peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+print(time.process_time(), (peak - before) // 1024)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code], input=STRUCTURES[name], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    seconds, mebibytes = map(float, done.stdout.split())
+    assert seconds < (40 if SANITIZED else 4)
+    assert SANITIZED or mebibytes < 200
 
 
 def test_blanks_in_a_program_name_are_cut_in_one_go():

@@ -71,6 +71,17 @@ case("#31 and on are everybody's", **RUN,
 case("a name is the subprogram's own, one that begins with _ everybody's", **RUN,
      program="o100 sub\nN10 #100=EXISTS[#<a>]\nN20 #<_n>=[#<_n>+1]\no100 endsub\nN30 #<a>=1\nN40 #<_n>=1\nN50 o100 call\n"
      "N60 G0 X#<a> Y#<_n>\nN70 M2", vars={100: 0}, moves="R X1 Y2")
+case("of subprograms that share an endsub each begins at its own head", **RUN,
+     program="o1 sub\nN10 G0 X1\no2 sub\nN20 G0 X2\no2 endsub\no3 if [#31 EQ 0]\nN30 #31=1\nN40 o2 call\nN50 G0 X3\no3 endif\nN60 M2",
+     runs="N30 N40 N20 N50 N60", moves_x=[2, 3])
+case("without an endsub nothing more is done", **RUN,
+     program="N10 G0 X1\no1 sub\nN20 G0 X2\nN30 o1 call\nN40 M2", runs="N10", moves_x=[1])
+case("a repeat in a file that M98 calls has passes of its own", **RUN,
+     files={"main.nc": "o1 repeat [2]\nN10 M98 P200\no1 endrepeat\nN20 M30\n", "P200.macro": "o1 repeat [3]\nN30 G91 G0 X1\no1 endrepeat\n"},
+     runs="(N10 N30 N30 N30)*2 N20")
+case("so has one in a subprogram", **RUN,
+     program="o1 sub\no2 repeat [3]\nN10 G91 G0 X1\no2 endrepeat\no1 endsub\no1 repeat [2]\nN20 o1 call\no1 endrepeat\nN30 M2",
+     runs="(N20 N10 N10 N10)*2 N30")
 case("return goes back at once", **RUN,
      program="o100 sub\nN10 G0 X1\no100 return\nN20 G0 X2\no100 endsub\nN30 o100 call\nN40 M2", moves_x=[1])
 case("endsub gives a value back", **RUN,

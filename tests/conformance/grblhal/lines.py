@@ -26,6 +26,12 @@ case("M2 does too", **RUN, program="N10 G0 X1\nN20 M2\nN30 G0 X2", runs="N10 N20
 
 case("a word begins with a letter", **RUN,
      program="N10 G0 X1\nN20 [1]\nN30 M2", runs="N10", alarm="illegal-character", number="error:1", at="MAIN N20")
+case("a line that begins with $ is a command of the system", control="grblhal", source="gHpr, protocol_main_loop", evidence="source document",
+     program="N10 G0 X1\n $H\nN30 M2", runs="N10", alarm="code-not-computed", word="$H")
+case("also where lines are passed over", control="grblhal", source="gHpr, protocol_main_loop", evidence="source document",
+     program="N10 G0 X1\no1 if [0]\n$H\no1 endif\nN30 M2", runs="N10", alarm="code-not-computed", word="$H")
+case("after a slash it is a word without a letter", **RUN,
+     program="N10 G0 X1\n/$H\nN30 M2", runs="N10", alarm="illegal-character", number="error:1")
 case("an address without a value is an expression that is none", **VALUE,
      program="N10 G0 X\nN20 M2", runs="", alarm="address-without-value", number="error:75", at="MAIN N10")
 case("a sign alone is no number", **VALUE,

@@ -267,7 +267,8 @@ const Structure::Met* Structure::endsub(std::size_t from) {
 }
 
 /// Let a definition go to the block after the next endsub. One without it goes to the end of the
-/// file: nothing calls it. Of those that share an endsub the first is a part, and holds the others.
+/// file: the control passes over every line after it. Of those that share an endsub the first is a
+/// part, and holds the others.
 void Structure::sub(std::size_t met) {
   const Met& word = lines_[met];
   if (word.flow.named) {
@@ -283,7 +284,7 @@ void Structure::sub(std::size_t met) {
   if (end != nullptr)
     program = after == part_end_ ? static_cast<std::int32_t>(to_.code().programs.size()) - 1
                                  : part(word, after);
-  subs_[word.flow.label] = {word.address + 1, program};
+  subs_[word.flow.label] = {end == nullptr ? after : word.address + 1, program};
 }
 
 /// Add a subprogram as a part of the file; return its number.
