@@ -245,15 +245,15 @@ void ReferenceReader::go_to(const Statement& statement, bool conditional) {
   to_.jumps.push_back(jump);
 }
 
-/// List what G65 H refers to. P is the variable that is set, or from H80 on the block it jumps to;
-/// Q and R are values.
+/// List what G65 H refers to. P is the variable that is set, from H80 on the block it jumps to, and
+/// the alarm of H99; Q and R are values.
 void ReferenceReader::h_code(const HCode& h) {
-  constexpr int kJumpAlways = 80;
-  const bool jumps = h.number >= kJumpAlways;
+  constexpr int kJumpAlways = 80, kAlarm = 99;
+  const bool jumps = h.number >= kJumpAlways && h.number != kAlarm;
   used_.operand(h.q);
   used_.operand(h.r);
+  if (jumps || h.number == kAlarm) used_.operand(h.p);
   if (jumps) {
-    used_.operand(h.p);
     JumpReference jump;
     jump.kind = "G65";
     jump.conditional = h.number > kJumpAlways;
@@ -263,7 +263,7 @@ void ReferenceReader::h_code(const HCode& h) {
     else
       jump.n = to_whole<std::int64_t>(h.p.value);
     if (h.p.present()) to_.jumps.push_back(jump);
-  } else if (h.p.kind == Operand::Kind::Expression) {
+  } else if (h.number != kAlarm && h.p.kind == Operand::Kind::Expression) {
     used_.named_by(h.p);
   }
 }

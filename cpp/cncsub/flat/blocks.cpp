@@ -163,7 +163,10 @@ bool BlockWriter::Maker::take_code_word(const WrittenWord& word) {
 
 void BlockWriter::Maker::take(const WrittenWord& word) {
   if (take_code_word(word)) return;
-  if (word.address.ends_with(']')) pass_code(word.address.substr(0, word.address.find('[')));
+  if (word.address.ends_with(']')) {
+    pass_code(word.address.substr(0, word.address.find('[')));
+    pass_code("POS");  // FA[X]=500 is of its blocks, too
+  }
   if (word.address == "G" || word.address == "M") {
     if (word.known) take_code(word.address.front(), word);
     return;
