@@ -3,6 +3,7 @@
 // compensation, a spindle without an encoder. The keys of the sources stand in sources.def.
 #include <utility>
 
+#include "controls/alarm_list.hpp"
 #include "controls/facts.hpp"
 
 namespace cncsub {
@@ -117,95 +118,15 @@ void variables(Control& c) {
   add(c, 15040, 15048, Kind::WorkPosition, kRead);
 }
 
-struct Error {
-  const char* number;
-  const char* text;
-  std::initializer_list<Cause> causes;
-};
-
-// The texts are those of the control's list of errors. [gHe]
-constexpr const char* kNoAxisWords =
-    "No axis words found in block for g-code command or current modal state which requires them.";
-
-const Error kErrors[] = {
-    {"error:1",
-     "G-code words consist of a letter and a value. Letter was not found.",
-     {IllegalCharacter}},
-    {"error:2",
-     "Missing the expected G-code word value or numeric value format is not valid.",
-     {MissingEquals, VariableNameUnknown, TooManyWords}},
-    {"error:3", "'$' system command was not recognized or supported.", {CycleInverseTime}},
-    {"error:4",
-     "Negative value received for an expected positive value.",
-     {IllegalMinusSign, PeckNegative, NoPeck}},
-    {"error:11",
-     "Max characters per line exceeded. Received command line was not executed.",
-     {BlockTooLong}},
-    {"error:19", "Non positive value", {CycleRepeats}},
-    {"error:20",
-     "Unsupported or invalid g-code command found in block.",
-     {GCodeNotAvailable, MCodeNotAvailable, G10L}},
-    {"error:21",
-     "More than one g-code command from same modal group found in block.",
-     {GroupGivenTwice}},
-    {"error:22", "Feed rate has not yet been set or is undefined.", {NoFeed}},
-    {"error:23", "G-code command in block requires an integer value.", {WholeNumberExpected}},
-    {"error:24",
-     "More than one g-code command that requires axis words found in block.",
-     {OneShotWithMotion}},
-    {"error:25", "Repeated g-code word found in block.", {AddressGivenTwice}},
-    {"error:26", kNoAxisWords, {G10Axis}},
-    {"error:28",
-     "G-code command is missing a required value word.",
-     {MotionWordMissing, ProgramNumberMissing}},
-    {"error:29", "G59.x work coordinate systems are not supported.", {G10P, G10System}},
-    {"error:30", "G53 only allowed with G0 and G1 motion modes.", {MachineMoveCode}},
-    {"error:31",
-     "Axis words found in block when no command or current modal state uses them.",
-     {NoMotionCode}},
-    {"error:33",
-     "Motion command target is invalid.",
-     {RadiusTolerance, NoArcTravel, SameProbePoint}},
-    {"error:34", "Arc radius value is invalid.", {RadiusTooSmall}},
-    {"error:35", "G2 and G3 arcs require at least one in-plane offset word.", {NoRadius}},
-    {"error:36", "Unused value words found in block.", {AddressNotUsable, RadiusAndCentre}},
-    {"error:37",
-     "G43.1 dynamic tool length offset is not assigned to configured tool length axis.",
-     {LengthAxis}},
-    {"error:39",
-     "Value out of range.",
-     {ValueOutOfRange, IllegalVariable, VariableWriteProtected, IllegalProgramNumber,
-      IllegalMacroNumber, IllegalRepeatCount, TooManyDigits}},
-    {"error:54", "Retract position is less than drill depth.", {CycleLevels}},
-    {"error:71", "Unknown operation found in expression.", {ExpressionFormat}},
-    {"error:72", "Divide by zero in expression attempted.", {DivisionByZero}},
-    {"error:73",
-     "Too large or too small argrument provided.",
-     {LogarithmOfNonPositive, SquareRootOfNegative, ArcSineOutOfRange}},
-    {"error:74", "Argument is not valid for the operation", {PowerOfNegative}},
-    {"error:75", "Expression is not valid.", {AddressWithoutValue, BracketNotClosed}},
-    {"error:76",
-     "Either NAN (not a number) or infinity was returned from expression.",
-     {Overflow, ArgumentOutOfRange}},
-    {"error:81", "Unknown flow statement.", {StatementFormat, LabelNotFound, IllegalVariableName}},
-    {"error:82",
-     "Stack overflow while executing flow statement.",
-     {NestingTooDeep, MacroNestingTooDeep}},
-    {"error:84", "Could not open file.", {ProgramNotFound, NamedProgramNotFound}},
-    {"error:253", "User defined error occured.", {UserAlarm}},
-};
-
 void alarms(Control& c) {
-  for (const Error& error : kErrors)
-    for (const Cause cause : error.causes)
-      c.alarms[cause] = {error.number, error.text, "gHe", SourceDocument, true};
-  c.alarms[AddressWithoutValue].directed = {
-      {"NF", "error:2",
-       "Missing the expected G-code word value or numeric value format is not valid."}};
-  c.alarms[GCodeNotAvailable].directed = {
-      {"FR", "error:23", "G-code command in block requires an integer value."}};
-  for (const Cause cause : {MotionWordMissing, NoArcTravel})
-    c.alarms[cause].directed = {{"AX", "error:26", kNoAxisWords}};
+  static const AlarmList list = {"gHe",
+                                 SourceDocument,
+                                 true,
+                                 "general knowledge of grblHAL",
+                                 {
+#include "controls/grblhal/errors.def"
+                                 }};
+  take_list(c, list);
 }
 
 }  // namespace
