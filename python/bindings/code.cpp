@@ -171,8 +171,8 @@ std::vector<std::tuple<std::int32_t, std::int32_t, std::string>> system_variable
   return found;
 }
 
-/// Return "local", "common" or "kept" for a variable of programs, "control" for one of the control;
-/// empty where there is none.
+/// Return "local", "common" or "kept" for a variable of programs, "image" for a local by the number
+/// of its level, "control" for one of the control; empty where there is none.
 std::string variable_kind(const Code& code, std::int64_t number) {
   const VariablePlace place = code.place(number);
   if (place.range == nullptr) return "";
@@ -183,6 +183,8 @@ std::string variable_kind(const Code& code, std::int64_t number) {
       return "common";
     case VariableKind::Kept:
       return "kept";
+    case VariableKind::LevelImage:
+      return "image";
     default:
       return "control";
   }

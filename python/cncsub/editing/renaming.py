@@ -260,7 +260,7 @@ class _Renaming:
 
     def _refuse_computed(self) -> None:
         found = self._found
-        causes = []
+        causes = [(m.program, m.block, f"{m.text} is a local of a level") for m in self._images()]
         for m in self._every:
             if not m.computed or m.kind != ("number" if found.kind == "label" else found.kind):
                 continue
@@ -278,6 +278,15 @@ class _Renaming:
             causes.append((m.program, m.block, why))
         if causes:
             raise refusal(self._library, causes)
+
+    def _images(self) -> list[Mention]:
+        """Return what reads or writes locals by the number of their level, if one is renamed."""
+        kind = self._library.code.variable_kind
+        return [
+            m
+            for m in self._every
+            if self._is_local() and m.kind == "variable" and m.number and kind(m.number) == "image"
+        ]
 
     def _refuse_unwritable(self, own: Sequence[Mention]) -> None:
         causes = []
