@@ -1,5 +1,8 @@
 // Syntec 22MA, the control of Syil mills: its ISO programs, and those in its own language, which
 // begin with %@MACRO.
+#include <tuple>
+#include <utility>
+
 #include "cncsub/control/at_variables.hpp"
 #include "controls/mitsubishi/family.hpp"
 
@@ -86,13 +89,6 @@ void calling_codes(Control& c) {
   subprogram.kind = CodeCallKind::Subprogram;
   subprogram.parameter = 1;
   c.code_calls = {extension, m, t, subprogram};
-  c.parameters.clear();
-  add_parameter(c, {"3215", 0, "T code calls T0000: 1 as a subprogram, 2 as a macro",
-                    "SYM: Pr3215; its default", Secondary});
-  for (int i = 3601; i <= 3610; ++i)
-    add_parameter(c, {std::to_string(i), 0, "M code that calls the macro of its name, 0 = none",
-                      "SYM: Pr3601 to Pr3610", Secondary});
-  c.calls.registered_codes = {"", "SYM: Pr3601 to Pr3610 are 0 as delivered", Secondary};
   c.macros.code_cascade = {
       CodeCascade::OtherKind,
       "SYM: in a macro of an M code no other M or T code calls; the G codes of "
@@ -100,6 +96,17 @@ void calling_codes(Control& c) {
       Secondary};
   c.reading.unlisted_codes = {UnlistedCode::NotKnown, "which G codes it has beyond those of SYM",
                               Inferred};
+}
+
+/// Set the parameters by which codes are registered.
+void registering(Control& c) {
+  c.parameters.clear();
+  add_parameter(c, {"3215", 0, "T code calls T0000: 1 as a subprogram, 2 as a macro",
+                    "SYM: Pr3215; its default", Secondary});
+  for (int i = 3601; i <= 3610; ++i)
+    add_parameter(c, {std::to_string(i), 0, "M code that calls the macro of its name, 0 = none",
+                      "SYM: Pr3601 to Pr3610", Secondary});
+  c.calls.registered_codes = {"", "SYM: Pr3601 to Pr3610 are 0 as delivered", Secondary};
 }
 
 /// Set the language of programs that begin with %@MACRO.
@@ -119,51 +126,50 @@ void language(Control& c) {
                                 Secondary};
 }
 
+// The numbers of causes. [SYM, alarms]
+constexpr std::pair<Cause, const char*> kNumbers[] = {
+    {Cause::StatementNotAvailable, "COM-003"},
+    {Cause::StatementFormat, "COM-003"},
+    {Cause::ExpressionFormat, "COM-003"},
+    {Cause::LoopsTooDeep, "COM-007"},
+    {Cause::IfTooDeep, "COM-007"},
+    {Cause::IllegalVariable, "COR-016"},
+    {Cause::UserAlarm, "COR-027"},
+    {Cause::TypeMismatch, "COR-054"},
+    {Cause::MissingEquals, "COM-003"},
+    {Cause::IllegalCharacter, "COM-003"},
+    {Cause::WholeNumberExpected, "COR-054"},
+    {Cause::PowerOfNegative, "COR-122"},
+    {Cause::CodeMayNotCall, "OP-020"},
+};
+
+// The number of a cause in one kind of structure, or of function.
+constexpr std::tuple<Cause, const char*, const char*> kOfKinds[] = {
+    {Cause::IllegalCharacter, "NA", "COM-027"}, {Cause::ProgramNumberMissing, "EX", "COR-052"},
+    {Cause::StatementFormat, "FO", "COM-013"},  {Cause::StatementFormat, "CA", "COM-022"},
+    {Cause::StatementFormat, "UN", "COM-016"},  {Cause::StatementFormat, "CO", "COM-025"},
+    {Cause::IfFormat, "NI", "COM-019"},         {Cause::WhileFormat, "WH", "COM-017"},
+    {Cause::MissingEnd, "FO", "COM-014"},       {Cause::MissingEnd, "RE", "COM-015"},
+    {Cause::MissingEnd, "WH", "COM-018"},       {Cause::MissingDo, "FO", "COM-013"},
+    {Cause::MissingDo, "WH", "COM-017"},        {Cause::MissingDo, "RE", "COM-034"},
+    {Cause::IfWithoutEnd, "NI", "COM-019"},     {Cause::IfWithoutEnd, "IF", "COM-020"},
+    {Cause::IfWithoutEnd, "EL", "COM-021"},     {Cause::IfWithoutEnd, "NC", "COM-022"},
+    {Cause::IfWithoutEnd, "CA", "COM-023"},     {Cause::IfWithoutEnd, "CE", "COM-024"},
+};
+
 /// Set the numbers of alarms. What no source gives has a cause and no number.
 void alarms(Control& c) {
-  const auto number = [&c](Cause cause, const char* number, const char* source = "SYM, alarms") {
+  c.alarms.clear();
+  const auto take = [&c](Cause cause, const char* number) {
     c.alarms[cause].number = number;
-    c.alarms[cause].source = source;
+    c.alarms[cause].source = "SYM, alarms";
     c.alarms[cause].evidence = Secondary;
   };
-  const auto of_kind = [&c, &number](Cause cause, const char* kind, const char* of) {
-    if (c.alarms[cause].source.empty()) number(cause, "");
-    c.alarms[cause].directed.push_back({kind, of, ""});
-  };
-  c.alarms.clear();
-  number(Cause::StatementNotAvailable, "COM-003");
-  number(Cause::StatementFormat, "COM-003");
-  number(Cause::ExpressionFormat, "COM-003");
-  number(Cause::LoopsTooDeep, "COM-007");
-  number(Cause::IfTooDeep, "COM-007");
-  number(Cause::IllegalVariable, "COR-016");
-  number(Cause::UserAlarm, "COR-027");
-  number(Cause::TypeMismatch, "COR-054");
-  number(Cause::MissingEquals, "COM-003");
-  number(Cause::IllegalCharacter, "COM-003");
-  of_kind(Cause::IllegalCharacter, "NA", "COM-027");
-  number(Cause::WholeNumberExpected, "COR-054");
-  number(Cause::PowerOfNegative, "COR-122");
-  number(Cause::CodeMayNotCall, "OP-020");
-  of_kind(Cause::ProgramNumberMissing, "EX", "COR-052");
-  of_kind(Cause::StatementFormat, "FO", "COM-013");
-  of_kind(Cause::StatementFormat, "CA", "COM-022");
-  of_kind(Cause::StatementFormat, "UN", "COM-016");
-  of_kind(Cause::StatementFormat, "CO", "COM-025");
-  of_kind(Cause::IfFormat, "NI", "COM-019");
-  of_kind(Cause::WhileFormat, "WH", "COM-017");
-  of_kind(Cause::MissingEnd, "FO", "COM-014");
-  of_kind(Cause::MissingEnd, "RE", "COM-015");
-  of_kind(Cause::MissingEnd, "WH", "COM-018");
-  of_kind(Cause::MissingDo, "FO", "COM-013");
-  of_kind(Cause::MissingDo, "WH", "COM-017");
-  of_kind(Cause::MissingDo, "RE", "COM-034");
-  of_kind(Cause::IfWithoutEnd, "NI", "COM-019");
-  of_kind(Cause::IfWithoutEnd, "IF", "COM-020");
-  of_kind(Cause::IfWithoutEnd, "EL", "COM-021");
-  of_kind(Cause::IfWithoutEnd, "NC", "COM-022");
-  of_kind(Cause::IfWithoutEnd, "CA", "COM-023");
-  of_kind(Cause::IfWithoutEnd, "CE", "COM-024");
+  for (const auto& [cause, number] : kNumbers) take(cause, number);
+  for (const auto& [cause, kind, number] : kOfKinds) {
+    if (c.alarms[cause].source.empty()) take(cause, "");
+    c.alarms[cause].directed.push_back({kind, number, ""});
+  }
   c.user_alarm_number = "COR-027";
 }
 
@@ -183,6 +189,7 @@ Control syntec_22ma() {
         Inferred);
   variables(c);
   calling_codes(c);
+  registering(c);
   language(c);
   alarms(c);
   return c;

@@ -160,28 +160,35 @@ bool BlockReader::group(Block& block, Words& words, int group, const Value& valu
                 value.at);
 }
 
+/// Return the code of a G word, ten times its number; nothing where the control refuses it.
+std::optional<int> BlockReader::known_g(Block& block, const Value& value) {
+  constexpr const char* kNone = "the control has no such G code";
+  if (value.number < 0 || value.number > 999) {
+    refuse(block, Cause::GCodeNotAvailable, kNone, value.at);
+    return std::nullopt;
+  }
+  const int number = to_whole<int>(value.number);
+  const int rest = hundredths(value.number);
+  const int code = number * 10 + rest / 10;
+  const bool has = to_.control().reading.g_codes.value.has(code) && group_of_g(code) >= 0;
+  if (rest % 10 == 0 && has) return code;
+  const bool fraction = rest != 0 && group_of_g(number * 10) >= 0 && !has_fractions(number);
+  refuse(block, Cause::GCodeNotAvailable, kNone, value.at, fraction ? kNotWhole : Kind{});
+  return std::nullopt;
+}
+
 bool BlockReader::g_code(Block& block, Words& words, const Value& value) {
   words.line.computed = words.line.computed || value.computed;
   if (value.computed) {
     if (words.list.g_count < static_cast<int>(kGCodesOfBlock)) words.list.add_g(word_of(value));
     return true;
   }
-  if (value.number < 0 || value.number > 999)
-    return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at);
-  const int number = to_whole<int>(value.number);
-  const int rest = hundredths(value.number);
-  const int code = number * 10 + rest / 10;
-  const bool has = to_.control().reading.g_codes.value.has(code) && group_of_g(code) >= 0;
-  if (rest % 10 != 0 || !has) {
-    const bool fraction = rest != 0 && group_of_g(number * 10) >= 0 && !has_fractions(number);
-    return refuse(block, Cause::GCodeNotAvailable, "the control has no such G code", value.at,
-                  fraction ? kNotWhole : Kind{});
-  }
-  if (claims_axes(code)) {
-    if (std::exchange(words.claimed, true))
-      return refuse(block, Cause::OneShotWithMotion,
-                    "another code of the line takes its axis words", value.at);
-  }
+  const std::optional<int> known = known_g(block, value);
+  if (!known) return false;
+  const int code = *known;
+  if (claims_axes(code) && std::exchange(words.claimed, true))
+    return refuse(block, Cause::OneShotWithMotion, "another code of the line takes its axis words",
+                  value.at);
   if (code == 500 || code == 510) words.claimed = true;
   words.machine = words.machine || code == 530;
   if (code == 660 || code == 661)

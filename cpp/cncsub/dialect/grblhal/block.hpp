@@ -79,6 +79,7 @@ class BlockReader {
   bool words(Block& block, Words& words, Flow& flow);
   bool item(Block& block, Words& words);
   bool word(Block& block, Words& words, char letter);
+  std::optional<int> known_g(Block& block, const Value& value);
   bool g_code(Block& block, Words& words, const Value& value);
   bool m_code(Block& block, Words& words, const Value& value);
   bool group(Block& block, Words& words, int group, const Value& value);

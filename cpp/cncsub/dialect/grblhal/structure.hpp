@@ -38,7 +38,7 @@ class Structure {
   void branch(std::size_t met);
   void end_branch(std::size_t met);
   void end_loop(std::size_t met);
-  void end_do(const Met& met);
+  void end_do(const Met& word);
   void leave_loop(std::size_t met);
   void next_pass(const Met& word, Address head, Address end);
   void jumps_of(const Open& open, Address end, Address next);

@@ -29,8 +29,8 @@ class BlockReader {
 
   /// Let blocks of a structured program with this text come next.
   /// `types`: those of its variables, as they are known at each block.
-  void begin_text(const char* written, const std::unordered_map<std::int64_t, bool>& types) {
-    rules_.expressions.written = written;
+  void begin_text(std::string_view written, const std::unordered_map<std::int64_t, bool>& types) {
+    rules_.expressions.written = written.data();
     rules_.expressions.types = &types;
   }
   ExpressionReader& expressions() { return expressions_; }

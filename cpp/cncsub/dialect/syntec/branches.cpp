@@ -144,7 +144,12 @@ void StructuredReader::end_case(Scanner& s, Block& block) {
     head.op = Op::Fault;
     head.aux = to_.block(open.wrong).aux;
   }
-  if (head.op == Op::Fault) return;
+  if (head.op != Op::Fault) choose(open, end);
+}
+
+/// Write the choice at the head of a CASE: a jump for each of its values, and one for the rest.
+void StructuredReader::choose(const Open& open, Address end) {
+  const Block head = to_.block(open.head);
   const auto jump_to = [&](Address to) {
     Statement jump;
     jump.at = open.at;

@@ -125,7 +125,9 @@ void StructuredReader::count_either_way(Scanner& s, Block& block, const Counting
   Statement statement = at_keyword();
   loop.n = -1;
   open_.back().branch = to_.next_address();
-  statement.expression = *blocks_.expressions().not_passed(of.counter, of.last_at, *of.step);
+  const auto asks =
+      of.step ? blocks_.expressions().not_passed(of.counter, of.last_at, *of.step) : std::nullopt;
+  if (asks) statement.expression = *asks;
   to_.become(loop, Op::While, statement);
   append(s, loop);
 }

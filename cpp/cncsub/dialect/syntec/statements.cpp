@@ -16,7 +16,7 @@ std::int64_t assigned_number(const Block& block, std::string_view text, std::str
   std::size_t at = text.find('#', block.text);
   const std::int32_t base = written[at] == '@' ? kAtVariables : 0;
   std::int64_t number = 0;
-  while (is_digit(text[++at]) || is_blank(text[at]))
+  for (++at; at < text.size() && (is_digit(text[at]) || is_blank(text[at])); ++at)
     if (is_digit(text[at])) number = number * 10 + (text[at] - '0');
   return number + base;
 }
@@ -85,7 +85,7 @@ void StructuredReader::begin_text(std::string_view written) {
   text_ = written;
   counted_ = 0;
   line_ = 1;
-  blocks_.begin_text(written.data(), types_);
+  blocks_.begin_text(written, types_);
 }
 
 std::uint32_t StructuredReader::line_of(std::size_t at) {
@@ -264,7 +264,7 @@ void StructuredReader::jump(Scanner& s, Block& block) {
   }
   if (const auto number = constant_of(to_.code().expression(*value))) {
     const int most = to_.control().calls.max_jump_number.value;
-    if (!(*number >= 1 && *number <= most)) {
+    if (*number < 1 || *number > most) {
       refuse(block, Cause::IllegalJumpNumber, at, statement.variable_width,
              "the number of GOTO must be 1 to " + std::to_string(most));
       return append(s, block);

@@ -87,6 +87,7 @@ class StructuredReader {
   void end_if(Scanner& s, Block& block);
   void case_head(Scanner& s, Block& block);
   void end_case(Scanner& s, Block& block);
+  void choose(const Open& open, Address end);
   void while_head(Scanner& s, Block& block);
   void end_while(Scanner& s, Block& block);
   void for_head(Scanner& s, Block& block);
