@@ -128,6 +128,13 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
     end_line(text, origins);
     return true;
   }
+  write_message(text, origins, same);
+  return true;
+}
+
+/// Write the message that was shown; `same`: in the language of the program.
+void FlatRun::write_message(std::string& text, FlatOrigins& origins, bool same) {
+  const Spelling::Around& message = for_->spelling->message;
   // Where a message is a comment, the last comment of a line counts.
   const bool last = message.before.starts_with(for_->spelling->comment.before);
   if (const std::string comment = last ? origin() : ""; !comment.empty())
@@ -137,11 +144,10 @@ bool FlatRun::write_print(std::string& text, FlatOrigins& origins) {
   if (!same)
     text += message.before;
   else
-    text += "(" + std::string(observer_.print->logs() ? "" : command);
+    text += "(" + std::string(observer_.print->logs() ? "" : observer_.print->command);
   text += messages[messages.size() - 1];
   text += message.behind;
   end_line(text, origins, last);
-  return true;
 }
 
 }  // namespace cncsub

@@ -61,7 +61,9 @@ class BlockWriter::Maker {
   bool take_code_word(const WrittenWord& word);
   void pass_code(const std::string& name);
   bool take_end(const WrittenWord& word);
+  void take_formed(int place, const WrittenWord& word);
   void take_value(int place, const WrittenWord& word);
+  void take_left(int place);
   void text(char letter, const WrittenWord& word);
 
   BlockWriter& to_;
@@ -111,16 +113,21 @@ bool BlockWriter::Maker::take_code(char letter, const WrittenWord& word) {
   return !g && take_end(word);
 }
 
+/// Take a word as it is written, with a number for what is computed.
+void BlockWriter::Maker::take_formed(int place, const WrittenWord& word) {
+  if ((expressions_ >> place & 1) == 0)
+    to_.add_text(word.text);
+  else if (const std::size_t open = word.text.find('('); open < word.text.size())
+    to_.add_formed(word.text.substr(0, open + 1), static_cast<std::uint8_t>(place));
+  else
+    failed_ = word.text;
+}
+
 void BlockWriter::Maker::take_value(int place, const WrittenWord& word) {
   const std::uint32_t mark = 1u << place;
   if ((left_ & mark) == 0) return;
-  if ((formed_ & mark) != 0) {  // as it is written, with a number for what is computed
-    if ((expressions_ & mark) == 0)
-      to_.add_text(word.text);
-    else if (const std::size_t open = word.text.find('('); open < word.text.size())
-      to_.add_formed(word.text.substr(0, open + 1), static_cast<std::uint8_t>(place));
-    else
-      failed_ = word.text;
+  if ((formed_ & mark) != 0) {
+    take_formed(place, word);
   } else if (profile_ != nullptr && (place == 'P' - 'A' || place == 'Q' - 'A')) {
     const std::int64_t n = (*profile_)[place == 'P' - 'A' ? 0 : 1];
     to_.add_text(static_cast<char>('A' + place) + std::to_string(n));
@@ -175,6 +182,26 @@ void BlockWriter::Maker::take(const WrittenWord& word) {
     take_value(place, word);
 }
 
+/// Add a value that the text does not spell.
+void BlockWriter::Maker::take_left(int place) {
+  const bool formed = (formed_ >> place & 1) != 0, computed = (expressions_ >> place & 1) != 0;
+  const Spelling& spelling = *to_.code_.spelling;
+  if (formed && computed) {  // AX[AXIS]=IC(2)
+    const bool adds = (increments_ >> place & 1) != 0;
+    const Spelling::Around& form = adds ? spelling.incremental : spelling.absolute;
+    to_.add_formed(spelling.address_of(place) + "=" + std::string(form.before),
+                   static_cast<std::uint8_t>(place));
+  } else if (formed) {
+    failed_ = spelling.address_of(place);
+  } else if (computed) {
+    add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
+  } else {
+    std::string text;
+    to_.words_.constant(text, place, constant(place), (whole_ >> place & 1) != 0);
+    to_.add_text(text);
+  }
+}
+
 /// Add what the text does not spell.
 void BlockWriter::Maker::take_rest() {
   for (std::size_t i = 0; i < codes_.g_count; ++i)
@@ -182,28 +209,7 @@ void BlockWriter::Maker::take_rest() {
       to_.words_.code(text, 'G', codes_.g_codes[i]);
       to_.add_text(text);
     }
-  for (; left_ != 0; left_ &= left_ - 1) {
-    const int place = std::countr_zero(left_);
-    if ((formed_ >> place & 1) != 0 && (expressions_ >> place & 1) != 0) {  // AX[AXIS]=IC(2)
-      const Spelling& spelling = *to_.code_.spelling;
-      const bool adds = (increments_ >> place & 1) != 0;
-      const Spelling::Around& form = adds ? spelling.incremental : spelling.absolute;
-      to_.add_formed(spelling.address_of(place) + "=" + std::string(form.before),
-                     static_cast<std::uint8_t>(place));
-      continue;
-    }
-    if ((formed_ >> place & 1) != 0) {
-      failed_ = to_.code_.spelling->address_of(place);
-      continue;
-    }
-    if ((expressions_ >> place & 1) != 0) {
-      add({Part::Kind::Word, 0, static_cast<std::uint32_t>(place), 0});
-      continue;
-    }
-    std::string text;
-    to_.words_.constant(text, place, constant(place), (whole_ >> place & 1) != 0);
-    to_.add_text(text);
-  }
+  for (; left_ != 0; left_ &= left_ - 1) take_left(std::countr_zero(left_));
   if ((block_.flags & Block::kCodeExpression) != 0) add({Part::Kind::Codes, 'M', 0, 0});
   for (std::size_t i = 0; i < codes_.m_count; ++i)
     if (std::string text; (m_taken_ >> i & 1) == 0) {
@@ -278,26 +284,31 @@ bool BlockWriter::put(std::string& to, const Line& line, const NcWords* values) 
       failed_ = part->letter;
       return false;
     }
-    if (part->kind == Part::Kind::Text) {
+    if (part->kind == Part::Kind::Text)
       to.append(texts_, part->at, part->size);
-    } else if (values == nullptr) {
-      continue;
-    } else if (part->kind == Part::Kind::Formed) {
-      if ((values->mask >> part->place & 1) == 0) continue;
-      to.append(texts_, part->at, part->size);
-      words_.value(to, part->place, values->value[part->place]);
-      to += ") ";
-    } else if (part->kind == Part::Kind::Codes) {
-      if (!put_codes(to, part->letter, *values->codes)) return false;
-    } else if ((values->mask >> part->at & 1) != 0) {
-      if (!words_.computed(to, static_cast<int>(part->at), values->value[part->at])) {
-        failed_ = static_cast<char>(part->at < 26 ? 'A' + part->at : ',');
-        return false;
-      }
-      to += ' ';
-    }
+    else if (values != nullptr && !put_value(to, *part, *values))
+      return false;
   }
   end_line(to);
+  return true;
+}
+
+/// Write codes or a word whose value was computed, where the block has it.
+bool BlockWriter::put_value(std::string& to, const Part& part, const NcWords& values) {
+  if (part.kind == Part::Kind::Codes) return put_codes(to, part.letter, *values.codes);
+  if (part.kind == Part::Kind::Formed) {
+    if ((values.mask >> part.place & 1) == 0) return true;
+    to.append(texts_, part.at, part.size);
+    words_.value(to, part.place, values.value[part.place]);
+    to += ") ";
+    return true;
+  }
+  if ((values.mask >> part.at & 1) == 0) return true;
+  if (!words_.computed(to, static_cast<int>(part.at), values.value[part.at])) {
+    failed_ = static_cast<char>(part.at < 26 ? 'A' + part.at : ',');
+    return false;
+  }
+  to += ' ';
   return true;
 }
 

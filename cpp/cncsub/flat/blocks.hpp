@@ -43,6 +43,7 @@ class BlockWriter {
   void add_text(std::string_view text);
   void add_formed(std::string_view before, std::uint8_t place);
   bool put(std::string& to, const Line& line, const NcWords* values);
+  bool put_value(std::string& to, const Part& part, const NcWords& values);
   bool put_codes(std::string& to, char letter, const BlockCodes& codes);
 
   class Maker;

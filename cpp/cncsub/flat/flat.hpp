@@ -94,6 +94,7 @@ class FlatRun {
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);
+  void write_message(std::string& text, FlatOrigins& origins, bool same);
   bool print_fields(std::string& text, FlatOrigins& origins, std::string& statement);
   bool write_with_profile(std::string& text, FlatOrigins& origins, const Block& block,
                           const Profile& profile);

@@ -345,6 +345,11 @@ bool OtherWriter::put_values(std::string& to, const NcWords& words) {
     if (from_.code().spelling->lends(place)) continue;
     if (!put_letter(to, words, letter)) return false;
   }
+  return put_others(to, words, left);
+}
+
+/// Write the words that have no letter of their own.
+bool OtherWriter::put_others(std::string& to, const NcWords& words, std::uint32_t left) {
   for (int place = 0; place < kAddresses; ++place) {
     if ((left >> place & 1) == 0) continue;
     const bool lent = from_.code().spelling->lends(place);
@@ -388,7 +393,14 @@ bool OtherWriter::put_as_path(std::string& to) {
     if (!put_word(to, 'F' - 'A', move.feed / state.unit)) return false;
     to.back() = '\n';
   }
-  if (moves.empty()) return true;
+  return moves.empty() || put_modes_again(to);
+}
+
+/// Put the modes in force again that a move along the path has changed.
+bool OtherWriter::put_modes_again(std::string& to) {
+  const MotionState& state = from_.motion().state();
+  const GCode motion = state.modal[at(Group::Motion)], feed = state.modal[at(Group::Feed)];
+  const bool per_minute = feed.meaning == Meaning::PerMinute;
   if (state.incremental) to += code_text(state.modal[at(Group::Distance)]);
   if (!per_minute) to += code_text(feed);
   if (motion.meaning != Meaning::Line) to += code_text(motion);
@@ -426,10 +438,19 @@ bool OtherWriter::put_beside_path(std::string& to, const NcWords& words) {
   return put_m(to, words, false);
 }
 
+namespace {
+
+/// Take away the blank, or the end of a line, behind what was written from `before` on.
+void cut_end(std::string& to, std::size_t before) {
+  if (to.size() > before && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
+}
+
+}  // namespace
+
 bool OtherWriter::write(std::string& to, const Block& block, const NcWords& words) {
   if (words.codes->all.test(at(Meaning::PositionAxes))) {
     if (!put_beside_path(to, words)) return false;
-    if (!to.empty() && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
+    cut_end(to, 0);
     return true;
   }
   if (words.forms.any())
@@ -446,7 +467,7 @@ bool OtherWriter::write(std::string& to, const Block& block, const NcWords& word
   if (leaves || moves || plain || words.codes->has(Group::Motion)) line_is_owed_ = leaves;
   if (!put_codes(to, codes, leaves)) return false;
   if (!put_values(to, words) || !put_m(to, words, block.op == Op::EndProgram)) return false;
-  if (to.size() > before && (to.back() == ' ' || to.back() == '\n')) to.pop_back();
+  cut_end(to, before);
   return true;
 }
 

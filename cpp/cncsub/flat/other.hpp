@@ -41,6 +41,7 @@ class OtherWriter {
   bool leaves_line(const NcWords& words) const;
   bool moves_by_line(const NcWords& words) const;
   bool put_values(std::string& to, const NcWords& words);
+  bool put_others(std::string& to, const NcWords& words, std::uint32_t left);
   bool put_m(std::string& to, const NcWords& words, bool ends);
   /// Return the address of a word here, for people.
   bool put_word(std::string& to, int place, double value);
@@ -49,6 +50,7 @@ class OtherWriter {
   bool put_hole_dwell(std::string& to, double seconds);
   bool put_beside_path(std::string& to, const NcWords& words);
   bool put_as_path(std::string& to);
+  bool put_modes_again(std::string& to);
   std::string code_text(const GCode& own) const;
   bool put_lent(std::string& to, int place, const NcWords& words);
   bool put_letter(std::string& to, const NcWords& words, char letter);

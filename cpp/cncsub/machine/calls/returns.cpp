@@ -64,7 +64,7 @@ const Operand& line_of(const CallRecord& back) { return back.extras.get().after;
 /// kNowhere where the program has none.
 Address block_of_line(const Code& code, const Program& program, double line) {
   const double whole = std::round(line);
-  if (!(whole >= program.line && whole < 4e9)) return kNowhere;
+  if (whole < program.line || whole >= 4e9) return kNowhere;
   const auto first = code.blocks.begin() + program.first, last = code.blocks.begin() + program.last;
   const auto found =
       std::lower_bound(first, last, to_whole<std::uint32_t>(whole),
@@ -175,6 +175,22 @@ bool return_from_call(Run& run, const Block& block) {
   return return_now(run, back, p, l) && (!run.block.waiting_is_due || resume_waiting(run));
 }
 
+namespace {
+
+/// Find the block of the caller to which a return goes: by its number, or by its line.
+bool find_in_caller(Run& run, const CallRecord& back, double p, double line, Address& to) {
+  const std::vector<OpenFrame>& frames = run.state.frames;
+  const OpenFrame& below = frames[frames.size() - 2];
+  const Program& caller = run.code->programs[static_cast<std::size_t>(below.program)];
+  to = is_vacant(p) ? block_of_line(*run.code, caller, line)
+                    : run.code->return_target(caller, number_of(p), run.frame().called_at);
+  if (to != kNowhere) return true;
+  return is_vacant(p) ? no_line(run, line_of(back), line, caller)
+                      : no_block(run, Cause::ReturnTargetNotFound, back.p, p, caller);
+}
+
+}  // namespace
+
 bool return_now(Run& run, const CallRecord& back, double p, double l) {
   const State& s = run.state;
   const CallRules& rules = run.control().calls;
@@ -200,16 +216,7 @@ bool return_now(Run& run, const CallRecord& back, double p, double l) {
     return true;
   }
   Address to = open.return_to;
-  if (jumps) {
-    // The block is looked up in the caller.
-    const OpenFrame& below = s.frames[s.frames.size() - 2];
-    const Program& caller = run.code->programs[static_cast<std::size_t>(below.program)];
-    to = is_vacant(p) ? block_of_line(*run.code, caller, line)
-                      : run.code->return_target(caller, number_of(p), open.called_at);
-    if (to == kNowhere)
-      return is_vacant(p) ? no_line(run, line_word, line, caller)
-                          : no_block(run, Cause::ReturnTargetNotFound, back.p, p, caller);
-  }
+  if (jumps && !find_in_caller(run, back, p, line, to)) return false;
   record_block(run);
   return leave(run, to, !jumps);
 }
