@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from random import Random
 
 import numpy as np
-from makers import ISO_FAMILY
 
 import cncsub
 from curves import Curve, Vector, sweep
@@ -21,6 +20,7 @@ NO_INCH = {"gsk-980tdi"}
 # No source describes radius compensation for these controls, or the engine does not compute it.
 # LinuxCNC begins beside its own line and goes around outside corners in arcs, so it is compared
 # with its interpreter.
+ISO_FAMILY = ("iso", "syntec")
 OTHERS = (name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY)
 NONE = {"gsk-928te", *OTHERS}
 

@@ -17,7 +17,6 @@ from random import Random
 from typing import Any
 
 import numpy as np
-from makers import ISO_FAMILY
 
 import cncsub
 from programs import CCW, CW, FEED, RAPID, Move, Program
@@ -72,6 +71,8 @@ class Station:
         return _with_length(as_lengths(rows) if self.style.diameter else rows)
 
 
+# The Syntec reads programs of the family, and beside them those of its own language.
+ISO_FAMILY = ("iso", "syntec")
 OTHER_LANGUAGES = {name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY}
 
 
