@@ -426,7 +426,8 @@ class Code:
     def variable_sign(self) -> str: ...  # what stands before the number of a variable
     @property
     def sources(self) -> list[tuple[str, str, bytes, bool]]: ...  # name, stem, UTF-8, external
-    # local, common or kept; image of a level's local; control for one of the control; empty where there is none
+    # local, common or kept; image of a level's local; control for one of the control; empty where
+    # there is none
     def variable_kind(self, number: int) -> str: ...
     @property
     def leaders(self) -> list[tuple[str, int]]: ...  # file, lines before its first %
