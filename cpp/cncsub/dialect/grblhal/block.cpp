@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cncsub/dialect/grblhal/codes.hpp"
+#include "cncsub/dialect/ngc_lines.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub::grblhal {
@@ -280,23 +281,7 @@ void BlockReader::write(Block& block, Words& words) {
   if (words.role == Role::Call) return call_98(block, words);
   if (words.role == Role::Return) return back_99(block, words);
   if (words.machine) words.list.forms.absolute = kEndWords;  // G53 takes machine coordinates always
-  const bool beside = !words.statements.empty() || words.print;
-  if (!words.any && words.statements.size() == 1 && !words.print)
-    return assign(to_, block, words.statements.front());
-  if (!words.any && words.statements.empty() && words.print)
-    return to_.become(block, Op::Print, *words.print);
-  if (!beside) {
-    to_.words(block, words.list);
-    if (words.ends) block.op = Op::EndProgram;
-    return;
-  }
-  Block own = block;
-  if (words.any) {
-    to_.words(own, words.list);
-    own.op = words.ends ? Op::EndProgram : Op::Words;
-  }
-  to_.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr,
-                      words.any ? &own : nullptr);
+  ngc_write(to_, block, words);
 }
 
 // ---- M98, M99, G65 ----

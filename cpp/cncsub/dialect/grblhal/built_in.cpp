@@ -6,18 +6,7 @@ namespace cncsub::grblhal {
 
 namespace {
 
-using Step = BuiltIn::Step;
-
-// The control keeps its own state at these numbers, beyond those that programs can name.
-constexpr double kModal = 14000, kWord = 14100, kMachine = 15020, kWork = 15040;
-
-constexpr Step modal(int group) { return {Ins::Variable, kModal + group}; }
-constexpr Step word(char address) { return {Ins::Variable, kWord + (address - 'A')}; }
-constexpr Step machine(int axis) { return {Ins::Variable, kMachine + axis}; }
-constexpr Step work(int axis) { return {Ins::Variable, kWork + axis}; }
-constexpr Step number(double value) { return {Ins::Constant, value}; }
-constexpr Step equal() { return {Ins::Equal, 0}; }
-constexpr Step times() { return {Ins::Multiply, 0}; }
+using namespace built_in;
 
 // G98 is _retract_r_plane, and G99 is _retract_old_z: the other way round than their names say.
 // [gHp, ngc_named_param_get_by_id]
@@ -98,9 +87,7 @@ bool tells_of_machine(std::string_view name) {
 }
 
 const BuiltIn* find_built_in(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kBuiltIns), std::end(kBuiltIns),
-                                         [name](const BuiltIn& of) { return of.name == name; });
-  return found == std::end(kBuiltIns) ? nullptr : found;
+  return cncsub::find_built_in(kBuiltIns, name);
 }
 
 }  // namespace cncsub::grblhal

@@ -1,23 +1,12 @@
 // Named variables that the control answers itself.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
 
-#include "cncsub/code/code.hpp"
+#include "cncsub/dialect/ngc_values.hpp"
 
 namespace cncsub::grblhal {
-
-/// A named variable as an expression.
-struct BuiltIn {
-  struct Step {
-    Ins op = Ins::End;
-    double value = 0;  // a constant or a variable number
-  };
-  std::string_view name;
-  std::array<Step, 4> steps;
-};
 
 std::span<const BuiltIn> built_ins();
 /// Return the names of those that tell about a machine.

@@ -19,7 +19,7 @@ constexpr KeywordRow kRows[] = {
 std::vector<Keyword> grblhal_keywords(const Control& /*control*/) {
   std::vector<Keyword> all;
   for (const KeywordRow& of : kRows) all.push_back(of.keyword());
-  for (const grblhal::BuiltIn& of : grblhal::built_ins())
+  for (const BuiltIn& of : grblhal::built_ins())
     all.push_back({"#<" + std::string(of.name) + ">", "computed",
                    "is a parameter of the control that a run knows", "", "", "gHp"});
   for (const std::string_view name : grblhal::kReturned)

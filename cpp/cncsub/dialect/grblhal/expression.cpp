@@ -12,34 +12,6 @@ namespace {
 
 constexpr int kDeepest = 100;  // nested values, more than a line has room for
 
-struct Function {
-  std::string_view name;
-  Ins op;
-};
-// [gHx, read_operation_unary, execute_unary]
-constexpr std::array<Function, 12> kFunctions = {{{"abs", Ins::Abs},
-                                                  {"acos", Ins::ArcCosineOf},
-                                                  {"asin", Ins::ArcSineOf},
-                                                  {"cos", Ins::CosineOf},
-                                                  {"exp", Ins::Raise},
-                                                  {"fix", Ins::Floor},
-                                                  {"fup", Ins::Ceil},
-                                                  {"ln", Ins::Ln},
-                                                  {"round", Ins::Round},
-                                                  {"sin", Ins::SineOf},
-                                                  {"sqrt", Ins::Sqrt},
-                                                  {"tan", Ins::TangentOf}}};
-
-// All operators are left-associative, powers too. [gHx, precedence, ngc_eval_expression]
-constexpr OperatorRow kRows[] = {{"**", 4, Ins::Raise},        {"*", 3, Ins::Multiply},
-                                 {"/", 3, Ins::Divide},        {"mod", 3, Ins::PositiveModulo},
-                                 {"+", 2, Ins::Add},           {"-", 2, Ins::Subtract},
-                                 {"eq", 1, Ins::NearlyEqual},  {"ne", 1, Ins::NearlyNotEqual},
-                                 {"ge", 1, Ins::GreaterEqual}, {"gt", 1, Ins::Greater},
-                                 {"le", 1, Ins::LessEqual},    {"lt", 1, Ins::Less},
-                                 {"and", 0, Ins::BothTrue},    {"or", 0, Ins::EitherTrue},
-                                 {"xor", 0, Ins::OneTrue}};
-
 /// Return a written number as the control has it. It reads nine digits as a whole number, and
 /// scales that by steps of 32 bits. [gHn, read_float]
 double single_of(std::string_view digits) {
@@ -70,8 +42,6 @@ double single_of(std::string_view digits) {
 
 }  // namespace
 
-const std::span<const OperatorRow> kOperators = kRows;
-
 bool ExpressionReader::wrong(Cause cause, std::string detail, std::size_t place, Kind kind) {
   const std::uint32_t at = line_.offset(place);
   fault = Fault{.cause = cause,
@@ -83,9 +53,7 @@ bool ExpressionReader::wrong(Cause cause, std::string detail, std::size_t place,
 }
 
 void ExpressionReader::emit(Ins op, double value, std::uint32_t index) {
-  const bool indexed = op == Ins::Local || op == Ins::LocalRaw || op == Ins::Common ||
-                       op == Ins::CommonRaw || op == Ins::NamedLocal || op == Ins::NamedCommon;
-  to_.expressions().emit({op, 0, indexed ? index : line_.offset(), value});
+  ngc_push(to_, line_, op, value, index);
 }
 
 bool ExpressionReader::finish(Value& value, std::uint32_t at) {
@@ -159,41 +127,9 @@ bool ExpressionReader::read_number() {
   return true;
 }
 
-/// The reader of the values of one pair of brackets.
-class OperatorReader {
- public:
-  using Value = bool;  // whether one was read
-  using Operator = OperatorRow;
-
-  OperatorReader(ExpressionReader& to, int depth) : to_(to), depth_(depth) {}
-
-  bool operand() { return to_.read_value(depth_); }
-  const OperatorRow* next_operator() const {
-    const std::string_view rest = to_.line_.rest();
-    for (const OperatorRow& of : kOperators)
-      if (rest.starts_with(of.spelling)) return &of;
-    return nullptr;
-  }
-  template <class Left>
-  int level_of(const OperatorRow& of, bool /*value*/, const Left& /*left*/) const {
-    return of.level;
-  }
-  std::uint32_t offset() const { return to_.line_.offset(); }
-  void pass(const OperatorRow& of) { to_.line_.take(of.spelling); }
-  bool apply(const OperatorRow& of, std::uint32_t at, bool /*left*/, bool /*right*/) {
-    to_.to_.expressions().emit({of.op, 0, at, 0});
-    to_.constant_.reset();
-    return true;
-  }
-
- private:
-  ExpressionReader& to_;
-  int depth_;
-};
-
 bool ExpressionReader::read_bracket(int depth) {
   line_.take('[');
-  OperatorReader values(*this, depth);
+  NgcOperators values(*this, depth);
   if (!read_operators(values)) return false;
   const std::size_t place = line_.place();
   if (line_.take(']')) return true;
@@ -207,11 +143,11 @@ bool ExpressionReader::read_function(int depth) {
   if (line_.take("atan")) return read_arctangent(depth);
   if (line_.take("exists")) return read_exists();
   if (line_.take("prm")) return read_setting(depth);
-  for (const Function& function : kFunctions) {
+  for (const NgcFunction& function : ngc_functions) {
     if (!line_.take(function.name)) continue;
     if (line_.peek() != '[')
       return wrong(Cause::BracketNotClosed, "the bracket after the function is missing", place);
-    if (function.op == Ins::Raise) emit(Ins::Constant, 2.71828182845904523536);
+    if (function.op == Ins::Raise) emit(Ins::Constant, kEuler);
     if (!read_bracket(depth)) return false;
     constant_.reset();
     to_.expressions().emit({function.op, 0, at, 0});
@@ -260,15 +196,7 @@ namespace cncsub {
 
 std::optional<Fault> grblhal_expression(Builder& to, const ExpressionText& text,
                                         std::uint32_t& expression, ValueType& /*type*/) {
-  BareLine line;
-  line.set("[" + std::string(text.text) + "]", text.at - 1);
-  grblhal::ExpressionReader reader(to, line);
-  grblhal::Value value;
-  if (!reader.bracketed(value)) return reader.fault;
-  if (!line.at_end())
-    return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
-  expression = to.expressions().expression_of(value);
-  return std::nullopt;
+  return ngc_expression<grblhal::ExpressionReader>(to, text, expression);
 }
 
 }  // namespace cncsub

@@ -2,21 +2,15 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <unordered_map>
 
-#include "cncsub/code/builder.hpp"
-#include "cncsub/code/operators.hpp"
-#include "cncsub/dialect/bare_line.hpp"
+#include "cncsub/dialect/ngc_values.hpp"
 
 namespace cncsub::grblhal {
 
 /// The last variable that programs write, and the last number that a variable has. [gHp]
 inline constexpr std::int64_t kLastWritten = 5060, kLastVariable = 5599;
-
-/// The operators. An operator whose spelling begins another's stands after that one.
-extern const std::span<const OperatorRow> kOperators;
 
 using Value = ValueRead;
 
@@ -58,7 +52,7 @@ class ExpressionReader {
   std::optional<Fault> fault;
 
  private:
-  friend class OperatorReader;
+  friend class NgcOperators<ExpressionReader>;
   bool read_value(int depth);
   bool read_signed(int depth, char sign);
   bool read_bracket(int depth);

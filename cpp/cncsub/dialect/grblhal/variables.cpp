@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::size_t kLongestName = 30;  // [gHp, NGC_MAX_PARAM_LENGTH]
 
-std::uint32_t named(Builder& to, const std::string& name) {
-  return to.names().variable(name, name.starts_with('_'));
-}
-
 /// Return whether what a name returns is asked: 0 the value, 1 whether there is one, -1 neither.
 int returned_place(const std::string& name) {
   const auto* const found = std::find(std::begin(kReturned), std::end(kReturned), name);
@@ -44,8 +40,7 @@ void ExpressionReader::push_load(std::int64_t number) {
   if (place.is_local() && of_caller_)
     return emit(Ins::Local, static_cast<double>(number),
                 static_cast<std::uint32_t>(callers_locals(to_) + number));
-  const Ins load = place.is_local() ? Ins::Local : place.is_common() ? Ins::Common : Ins::Variable;
-  emit(load, static_cast<double>(number), static_cast<std::uint32_t>(place.index));
+  ngc_push_load(to_, line_, number);
 }
 
 std::int32_t callers_locals(Builder& to) {
@@ -66,10 +61,7 @@ bool ExpressionReader::push_built_in(const std::string& name) {
   }
   const BuiltIn* found = find_built_in(name);
   if (found == nullptr) return false;
-  for (const BuiltIn::Step& step : found->steps) {
-    if (step.op == Ins::End) break;
-    emit(step.op, step.value);
-  }
+  ngc_push_built_in(to_, line_, *found);
   return true;
 }
 
@@ -132,7 +124,7 @@ bool ExpressionReader::read_named() {
                  "a value that is given back is computed with the caller's variables: #<" + name +
                      "> is not known here",
                  place);
-  const std::uint32_t at = named(to_, name);
+  const std::uint32_t at = ngc_named(to_, name);
   const NamedVariable& variable = to_.code().named_variables[at];
   emit(variable.common ? Ins::NamedCommon : Ins::NamedLocal, at,
        static_cast<std::uint32_t>(variable.index));
@@ -157,9 +149,7 @@ bool ExpressionReader::read_exists() {
   if (returned >= 0) {
     emit(Ins::CommonRaw, 0, static_cast<std::uint32_t>(to_.names().returned() + returned));
   } else {
-    const NamedVariable& variable = to_.code().named_variables[named(to_, name)];
-    emit(variable.common ? Ins::CommonRaw : Ins::LocalRaw, 0,
-         static_cast<std::uint32_t>(variable.index));
+    ngc_push_raw(to_, line_, name);
   }
   emit(Ins::IsSet);
   return true;
@@ -184,12 +174,7 @@ bool ExpressionReader::place(Place& place) {
         has_variable(number) ? Cause::VariableWriteProtected : Cause::IllegalVariable;
     return wrong(cause, "programs write #1 to #5060", start);
   }
-  const VariablePlace where = to_.code().place(number);
-  place.target = where.is_local()    ? Statement::Target::Local
-                 : where.is_common() ? Statement::Target::Common
-                                     : Statement::Target::Variable;
-  place.index =
-      place.target == Statement::Target::Variable ? static_cast<std::int32_t>(number) : where.index;
+  ngc_assign_to(to_, number, place);
   return true;
 }
 
@@ -204,7 +189,7 @@ bool ExpressionReader::named_place(Place& place) {
     place.index = to_.names().returned() + returned;
     return true;
   }
-  const NamedVariable& variable = to_.code().named_variables[named(to_, place.name)];
+  const NamedVariable& variable = ngc_variable(to_, place.name);
   place.target = variable.common ? Statement::Target::Common : Statement::Target::Local;
   place.index = variable.index;
   return true;
@@ -217,11 +202,7 @@ bool ExpressionReader::shown(Value& value) {
   if (std::string name; line_.peek() == '<') {
     if (!read_name(name)) return false;
     if (tells_of_machine(name)) return false;
-    if (!push_built_in(name)) {
-      const NamedVariable& variable = to_.code().named_variables[named(to_, name)];
-      emit(variable.common ? Ins::CommonRaw : Ins::LocalRaw, 0,
-           static_cast<std::uint32_t>(variable.index));
-    }
+    if (!push_built_in(name)) ngc_push_raw(to_, line_, name);
     return finish(value, at);
   }
   const std::string_view digits = line_.take_digits();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cncsub/dialect/linuxcnc/codes.hpp"
+#include "cncsub/dialect/ngc_lines.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub::linuxcnc {
@@ -279,6 +280,8 @@ bool BlockReader::assignment(Block& block, Words& words) {
 
 namespace {
 
+constexpr NgcFormat kFormat{.decimals = 6, .of_f = 4, .loses_percent = true};  // [rs274 2.9]
+
 /// Return the word with which a comment begins that prints or writes to a log; else nothing.
 template <class Begins>
 std::string_view printing(const Begins& begins) {
@@ -299,11 +302,7 @@ bool BlockReader::comment(Block& block, Words& words) {
   std::string_view said = text;
   const auto begins = [&](std::string_view word) {
     while (!said.empty() && (said.front() == ' ' || said.front() == '\t')) said.remove_prefix(1);
-    const bool same =
-        said.size() >= word.size() && std::equal(word.begin(), word.end(), said.begin(),
-                                                 [](char a, char b) { return a == upper(b); });
-    if (same) said.remove_prefix(word.size());
-    return same;
+    return ngc_take_word(said, word);
   };
   if (begins("MSG,")) {
     words.print.emplace();
@@ -322,76 +321,11 @@ bool BlockReader::comment(Block& block, Words& words) {
   return true;
 }
 
-namespace {
-
-/// Take %d, %f or %.3f, and return how many decimals the values after it have. Any other text
-/// stays, except that %. loses its percent sign. [rs274 2.9]
-int take_format(std::string_view& text, std::string& plain, int decimals) {
-  const auto at = [&text](std::size_t place) { return place < text.size() ? text[place] : '\0'; };
-  if (at(1) == 'd' || at(1) == 'f') {
-    decimals = at(1) == 'd' ? 0 : 4;
-    text.remove_prefix(2);
-  } else if (at(1) == '.' && is_digit(at(2)) && at(3) == 'f') {
-    decimals = at(2) - '0';
-    text.remove_prefix(4);
-  } else {
-    plain += at(1) == '.' ? '.' : '%';
-    text.remove_prefix(at(1) == '.' ? 2 : 1);
-  }
-  return decimals;
-}
-
-}  // namespace
-
 /// Write a message into `print`: `#5` and `#<name>` in it stand for their values.
 void BlockReader::message(std::string_view text, std::uint32_t at, Print& print) {
-  std::string plain;
-  int decimals = 6;
-  const Line kept = line_;
-  while (!text.empty()) {
-    if (text.front() == '%') {
-      decimals = take_format(text, plain, decimals);
-      continue;
-    }
-    const bool names = text.size() > 1 && (text[1] == '<' || is_digit(text[1]));
-    Value value;
-    if (text.front() == '#' && names) line_.set(text.substr(1), at);
-    if (text.front() != '#' || !names || !expression_.shown(value)) {
-      plain += text.front();
-      text.remove_prefix(1);
-      continue;
-    }
-    if (!plain.empty()) print.fields.push_back({.text = std::exchange(plain, {})});
-    print.fields.push_back({.is_variable = true,
-                            .text = {},
-                            .expression = value.expression,
-                            .whole_digits = PrintField::kPlain,
-                            .decimals = decimals});
-    text.remove_prefix(std::min<std::size_t>(1 + line_.width_from(at), text.size()));
-  }
-  if (!plain.empty()) print.fields.push_back({.text = plain});
-  line_ = kept;
+  ngc_message(to_, line_, expression_, kFormat, text, at, print);
 }
 
-void BlockReader::write(Block& block, Words& words) {
-  const bool beside = !words.statements.empty() || words.print;
-  if (!words.any && words.statements.size() == 1 && !words.print)
-    return assign(to_, block, words.statements.front());
-  if (!words.any && words.statements.empty() && words.print)
-    return to_.become(block, Op::Print, *words.print);
-  if (!beside) {
-    to_.words(block, words.list);
-    if (words.ends) block.op = Op::EndProgram;
-    return;
-  }
-  Block own = block;
-  if (words.any) {
-    to_.words(own, words.list);
-    own.op = Op::Words;  // a plain move would leave out what stands beside it
-    if (words.ends) own.op = Op::EndProgram;
-  }
-  to_.parallel_assign(block, words.statements, words.print ? &*words.print : nullptr,
-                      words.any ? &own : nullptr);
-}
+void BlockReader::write(Block& block, Words& words) { ngc_write(to_, block, words); }
 
 }  // namespace cncsub::linuxcnc

@@ -6,18 +6,7 @@ namespace cncsub::linuxcnc {
 
 namespace {
 
-using Step = BuiltIn::Step;
-
-// The control keeps its own state at these numbers, beyond those that programs can name.
-constexpr double kModal = 14000, kWord = 14100, kMachine = 15020, kWork = 15040;
-
-constexpr Step modal(int group) { return {Ins::Variable, kModal + group}; }
-constexpr Step word(char address) { return {Ins::Variable, kWord + (address - 'A')}; }
-constexpr Step machine(int axis) { return {Ins::Variable, kMachine + axis}; }
-constexpr Step work(int axis) { return {Ins::Variable, kWork + axis}; }
-constexpr Step number(double value) { return {Ins::Constant, value}; }
-constexpr Step equal() { return {Ins::Equal, 0}; }
-constexpr Step times() { return {Ins::Multiply, 0}; }
+using namespace built_in;
 
 constexpr std::array<BuiltIn, 41> kBuiltIns = {{
     {"_a", {work(3)}},
@@ -103,10 +92,7 @@ bool is_read_only(std::string_view name) {
 }
 
 const BuiltIn* find_built_in(std::string_view name) {
-  const auto* const found =
-      std::find_if(kBuiltIns.begin(), kBuiltIns.end(),
-                   [name](const BuiltIn& built_in) { return built_in.name == name; });
-  return found == kBuiltIns.end() ? nullptr : found;
+  return cncsub::find_built_in(kBuiltIns, name);
 }
 
 }  // namespace cncsub::linuxcnc

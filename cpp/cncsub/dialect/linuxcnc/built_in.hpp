@@ -1,24 +1,13 @@
 // Named variables that the interpreter answers itself.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "cncsub/code/code.hpp"
+#include "cncsub/dialect/ngc_values.hpp"
 
 namespace cncsub::linuxcnc {
-
-/// A named variable as an expression.
-struct BuiltIn {
-  struct Step {
-    Ins op = Ins::End;
-    double value = 0;  // a constant or a variable number; of Common: 0 what was returned, 1 whether
-  };
-  std::string_view name;
-  std::array<Step, 4> steps;
-};
 
 /// Return the variable of this name; null if it is none that is answered here.
 const BuiltIn* find_built_in(std::string_view name);

@@ -14,42 +14,7 @@ namespace {
 
 constexpr int kDeepest = 200;  // nested values, more than a line has room for
 
-struct Function {
-  std::string_view name;
-  Ins op;
-};
-constexpr std::array<Function, 12> kFunctions = {{{"abs", Ins::Abs},
-                                                  {"acos", Ins::ArcCosineOf},
-                                                  {"asin", Ins::ArcSineOf},
-                                                  {"cos", Ins::CosineOf},
-                                                  {"fix", Ins::Floor},
-                                                  {"fup", Ins::Ceil},
-                                                  {"ln", Ins::Ln},
-                                                  {"round", Ins::Round},
-                                                  {"sin", Ins::SineOf},
-                                                  {"sqrt", Ins::Sqrt},
-                                                  {"tan", Ins::TangentOf},
-                                                  {"exp", Ins::Raise}}};
-
-// All operators are left-associative, powers too. [rs274 2.9]
-constexpr OperatorRow kRows[] = {{"**", 4, Ins::Raise},        {"*", 3, Ins::Multiply},
-                                 {"/", 3, Ins::Divide},        {"mod", 3, Ins::PositiveModulo},
-                                 {"+", 2, Ins::Add},           {"-", 2, Ins::Subtract},
-                                 {"eq", 1, Ins::NearlyEqual},  {"ne", 1, Ins::NearlyNotEqual},
-                                 {"ge", 1, Ins::GreaterEqual}, {"gt", 1, Ins::Greater},
-                                 {"le", 1, Ins::LessEqual},    {"lt", 1, Ins::Less},
-                                 {"and", 0, Ins::BothTrue},    {"or", 0, Ins::EitherTrue},
-                                 {"xor", 0, Ins::OneTrue}};
-
 }  // namespace
-
-const std::span<const OperatorRow> kOperators = kRows;
-
-void push(Builder& to, const Line& line, Ins op, double value, std::uint32_t index) {
-  const bool indexed = op == Ins::Local || op == Ins::LocalRaw || op == Ins::Common ||
-                       op == Ins::CommonRaw || op == Ins::NamedLocal || op == Ins::NamedCommon;
-  to.expressions().emit({op, 0, indexed ? index : line.offset(), value});
-}
 
 bool ExpressionReader::wrong(Cause cause, std::string text, std::size_t place) {
   const std::uint32_t at = line_.offset(place);
@@ -64,7 +29,7 @@ void ExpressionReader::emit_at(std::uint32_t at, Ins op, double value) {
 }
 
 void ExpressionReader::emit(Ins op, double value, std::uint32_t index) {
-  push(to_, line_, op, value, index);
+  ngc_push(to_, line_, op, value, index);
 }
 
 std::optional<double> ExpressionReader::whole_number(double value, std::size_t place) {
@@ -145,41 +110,9 @@ bool ExpressionReader::read_number() {
   return true;
 }
 
-/// The reader of the values of one pair of brackets.
-class OperatorReader {
- public:
-  using Value = bool;  // whether one was read
-  using Operator = OperatorRow;
-
-  OperatorReader(ExpressionReader& to, int depth) : to_(to), depth_(depth) {}
-
-  bool operand() { return to_.read_value(depth_); }
-  const OperatorRow* next_operator() const {
-    const std::string_view rest = to_.line_.rest();
-    for (const OperatorRow& of : kOperators)
-      if (rest.starts_with(of.spelling)) return &of;
-    return nullptr;
-  }
-  template <class Left>
-  int level_of(const OperatorRow& of, bool /*value*/, const Left& /*left*/) const {
-    return of.level;
-  }
-  std::uint32_t offset() const { return to_.line_.offset(); }
-  void pass(const OperatorRow& of) { to_.line_.take(of.spelling); }
-  bool apply(const OperatorRow& of, std::uint32_t at, bool /*left*/, bool /*right*/) {
-    to_.emit_at(at, of.op);
-    to_.constant_.reset();
-    return true;
-  }
-
- private:
-  ExpressionReader& to_;
-  int depth_;
-};
-
 bool ExpressionReader::read_bracket(int depth) {
   line_.take('[');
-  OperatorReader values(*this, depth);
+  NgcOperators values(*this, depth);
   if (!read_operators(values)) return false;
   const std::size_t place = line_.place();
   if (line_.take(']')) return true;
@@ -198,13 +131,13 @@ bool ExpressionReader::read_function(int depth) {
   const std::uint32_t at = line_.offset();
   if (line_.take("atan")) return read_arctangent(depth);
   if (line_.take("exists")) return read_exists(depth);
-  for (const Function& function : kFunctions) {
+  for (const NgcFunction& function : ngc_functions) {
     if (!line_.take(function.name)) continue;
     if (line_.peek() != '[')
       return wrong(Cause::ExpressionFormat, "Left bracket missing after unary operation name",
                    place);
     const bool power = function.op == Ins::Raise;  // of e
-    if (power) emit(Ins::Constant, 2.71828182845904523536);
+    if (power) emit(Ins::Constant, kEuler);
     if (!read_bracket(depth)) return false;
     constant_.reset();
     emit_at(at, function.op);
@@ -241,15 +174,7 @@ namespace cncsub {
 
 std::optional<Fault> linuxcnc_expression(Builder& to, const ExpressionText& text,
                                          std::uint32_t& expression, ValueType& /*type*/) {
-  linuxcnc::Line line;
-  line.set("[" + std::string(text.text) + "]", text.at - 1);
-  linuxcnc::ExpressionReader reader(to, line);
-  linuxcnc::Value value;
-  if (!reader.bracketed(value)) return reader.fault;
-  if (!line.at_end())
-    return Fault{Cause::ExpressionFormat, line.offset(), 1, "the expression ends before this"};
-  expression = to.expressions().expression_of(value);
-  return std::nullopt;
+  return ngc_expression<linuxcnc::ExpressionReader>(to, text, expression);
 }
 
 }  // namespace cncsub

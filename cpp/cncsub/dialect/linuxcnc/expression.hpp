@@ -2,22 +2,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <unordered_set>
 
-#include "cncsub/code/builder.hpp"
-#include "cncsub/code/operators.hpp"
-#include "cncsub/dialect/bare_line.hpp"
+#include "cncsub/dialect/ngc_values.hpp"
 
 namespace cncsub::linuxcnc {
 
 /// The largest number that a program can name, except commons that were given to the control.
 /// [rs274 2.9: #5602 is out of range]
 inline constexpr std::int64_t kLastVariable = 5601;
-
-/// The operators. An operator whose spelling begins another's stands after that one.
-extern const std::span<const OperatorRow> kOperators;
 
 using Line = BareLine;
 using Value = ValueRead;
@@ -28,9 +22,6 @@ struct Place {
   std::int32_t index = 0;
   std::uint32_t number = 0;  // Indirect: the expression of its number
 };
-
-/// Write an instruction for the text at this place of the line.
-void push(Builder& to, const Line& line, Ins op, double value = 0, std::uint32_t index = 0);
 
 class ExpressionReader {
  public:
@@ -53,7 +44,7 @@ class ExpressionReader {
   std::optional<Fault> fault;
 
  private:
-  friend class OperatorReader;
+  friend class NgcOperators<ExpressionReader>;
   bool named_place(Place& place);
   bool read_value(int depth);
   bool read_bracket(int depth);

@@ -13,36 +13,10 @@ namespace {
 constexpr std::int64_t kFirstPosition = 5420, kLastPosition = 5428;
 constexpr std::int64_t kPositionShown = 15040;  // the same, beyond what programs can name
 
-/// Return the place of a name among Code::named_variables.
-std::uint32_t named(Builder& to, const std::string& name) {
-  return to.names().variable(name, name.starts_with('_'));
-}
-
-void push_load(Builder& to, const Line& line, std::int64_t number) {
-  const VariablePlace place = to.code().place(number);
-  const Ins load = place.is_local() ? Ins::Local : place.is_common() ? Ins::Common : Ins::Variable;
-  push(to, line, load, static_cast<double>(number), static_cast<std::uint32_t>(place.index));
-}
-
-/// Push the variable of a name; its value is vacant if it is not set.
-void push_raw(Builder& to, const Line& line, const std::string& name) {
-  const NamedVariable& variable = to.code().named_variables[named(to, name)];
-  push(to, line, variable.common ? Ins::CommonRaw : Ins::LocalRaw, 0,
-       static_cast<std::uint32_t>(variable.index));
-}
-
 bool push_built_in(Builder& to, const Line& line, const std::string& name) {
   const BuiltIn* found = find_built_in(name);
-  if (found == nullptr) return false;
-  for (const BuiltIn::Step& step : found->steps) {
-    if (step.op == Ins::End) break;
-    if (step.op == Ins::Common)
-      push(to, line, Ins::Common, 0,
-           static_cast<std::uint32_t>(to.names().returned() + to_whole<int>(step.value)));
-    else
-      push(to, line, step.op, step.value);
-  }
-  return true;
+  if (found != nullptr) ngc_push_built_in(to, line, *found);
+  return found != nullptr;
 }
 
 }  // namespace
@@ -77,7 +51,7 @@ bool ExpressionReader::read_variable(int depth) {
   if (!number) return false;
   constant_.reset();
   to_.expressions().rollback(first);
-  push_load(to_, line_, *number);
+  ngc_push_load(to_, line_, *number);
   return true;
 }
 
@@ -97,7 +71,7 @@ bool ExpressionReader::read_named() {
   if (tells_of_machine(name))
     return wrong(Cause::CodeNotComputed,
                  "#<" + name + "> depends on the machine, which cncsub does not have", place);
-  const std::uint32_t at = named(to_, name);
+  const std::uint32_t at = ngc_named(to_, name);
   const NamedVariable& variable = to_.code().named_variables[at];
   const auto index = static_cast<std::uint32_t>(variable.index);
   if (set_here_.contains(name))
@@ -121,7 +95,7 @@ bool ExpressionReader::read_exists(int depth) {
     if (is_read_only(name) || set_here_.contains(name)) {
       emit(Ins::Constant, 1);
     } else {
-      push_raw(to_, line_, name);
+      ngc_push_raw(to_, line_, name);
       emit(Ins::IsSet);
     }
   } else {
@@ -152,12 +126,7 @@ bool ExpressionReader::place(Place& place) {
   if (!number) return false;
   if (is_read_only(*number))
     return wrong(Cause::VariableWriteProtected, "Parameter is readonly", start);
-  const VariablePlace where = to_.code().place(*number);
-  place.target = where.is_local()    ? Statement::Target::Local
-                 : where.is_common() ? Statement::Target::Common
-                                     : Statement::Target::Variable;
-  place.index = place.target == Statement::Target::Variable ? static_cast<std::int32_t>(*number)
-                                                            : where.index;
+  ngc_assign_to(to_, *number, place);
   return true;
 }
 
@@ -168,7 +137,7 @@ bool ExpressionReader::named_place(Place& place) {
   if (is_read_only(name))
     return wrong(Cause::VariableWriteProtected,
                  "Cannot assign to read-only parameter #<" + name + ">", start);
-  const NamedVariable& variable = to_.code().named_variables[named(to_, name)];
+  const NamedVariable& variable = ngc_variable(to_, name);
   place.target = variable.common ? Statement::Target::Common : Statement::Target::Local;
   place.index = variable.index;
   set_here_.insert(name);
@@ -181,20 +150,20 @@ bool ExpressionReader::shown(Value& value) {
   constant_.reset();
   if (std::string name; line_.peek() == '<') {
     if (!read_name(name, line_.place())) return false;
-    if (!push_built_in(to_, line_, name)) push_raw(to_, line_, name);
+    if (!push_built_in(to_, line_, name)) ngc_push_raw(to_, line_, name);
     return finish(value, at);
   }
   const std::string_view digits = line_.take_digits();
   std::int64_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (number >= kFirstPosition && number <= kLastPosition) {  // a message shows it at any time
-    push_load(to_, line_, number - kFirstPosition + kPositionShown);
+    ngc_push_load(to_, line_, number - kFirstPosition + kPositionShown);
     return finish(value, at);
   }
   if (digits.size() > 9 || !to_.code().can_name(number, kLastVariable))
     emit(Ins::Constant, digits.size() <= 9 && number == 0 ? 0 : kVacant);
   else
-    push_load(to_, line_, number);
+    ngc_push_load(to_, line_, number);
   return finish(value, at);
 }
 
