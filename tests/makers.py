@@ -1,10 +1,7 @@
-"""A control of each maker that has a folder of examples, and the languages that read ISO blocks."""
+"""A control of each maker that has a folder of examples."""
 
 CONTROLS = {
     "fanuc": "fanuc-0i-f", "grblhal": "grblhal", "gsk": "gsk-988ta", "haas": "haas-ngc", "hnc": "hnc-21m",
     "linuxcnc": "linuxcnc", "mitsubishi": "mitsubishi-m800", "siemens": "siemens-one",
     "syntec": "syntec-22ma",
 }  # fmt: skip
-
-# The Syntec reads programs of the family, and beside them those of its maker's language.
-ISO_FAMILY = ("iso", "syntec")

@@ -9,11 +9,11 @@ import random
 from pathlib import Path
 
 import pytest
-from makers import ISO_FAMILY
 from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
+from cncsub.questions.asking import ISO_FAMILY
 
 CONTROLS = list(cncsub.controls)
 MILL = {"machine": "mill"}

@@ -9,11 +9,11 @@ import re
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from makers import ISO_FAMILY
 from typer.testing import CliRunner
 
 import cncsub
 from cncsub.cli import app
+from cncsub.questions.asking import ISO_FAMILY
 
 MITSUBISHI = "mitsubishi-m700"
 # The controls whose variables are #1, #100 ..., and whose programs may have a head O1.

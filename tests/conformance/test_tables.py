@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from makers import ISO_FAMILY
 
 import cncsub
 from cncsub import _core
+from cncsub.questions.asking import ISO_FAMILY
 from cncsub.questions.values import entries_of
 from cncsub.reports.facts import explanations
 from cncsub.testing.outcome import execute, load

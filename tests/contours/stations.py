@@ -9,6 +9,7 @@ from random import Random
 import numpy as np
 
 import cncsub
+from cncsub.questions.asking import ISO_FAMILY
 from curves import Curve, Vector, sweep
 from drawing import Drawing
 
@@ -20,7 +21,6 @@ NO_INCH = {"gsk-980tdi"}
 # No source describes radius compensation for these controls, or the engine does not compute it.
 # LinuxCNC begins beside its own line and goes around outside corners in arcs, so it is compared
 # with its interpreter.
-ISO_FAMILY = ("iso", "syntec")
 OTHERS = (name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY)
 NONE = {"gsk-928te", *OTHERS}
 

@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 
 import cncsub
+from cncsub.questions.asking import ISO_FAMILY
 from programs import CCW, CW, FEED, RAPID, Move, Program
 from spelling import Speller, Style
 
@@ -71,8 +72,6 @@ class Station:
         return _with_length(as_lengths(rows) if self.style.diameter else rows)
 
 
-# The Syntec reads programs of the family, and beside them those of its own language.
-ISO_FAMILY = ("iso", "syntec")
 OTHER_LANGUAGES = {name for name, of in cncsub.controls.items() if of.dialect not in ISO_FAMILY}
 
 

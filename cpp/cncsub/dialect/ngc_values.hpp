@@ -84,6 +84,17 @@ void ngc_assign_to(const Builder& to, std::int64_t number, Place& place) {
   place.index = place.target == Target::Variable ? static_cast<std::int32_t>(number) : where.index;
 }
 
+/// Let a statement assign a value to a place, which has a target, an index and a number.
+template <class Place>
+void ngc_assign(Builder& to, Statement& statement, const Place& place, const ValueRead& value) {
+  statement.expression = to.expressions().expression_of(value);
+  statement.target = place.target;
+  statement.index = place.index;
+  statement.variable = place.number;
+  statement.at = value.at;
+  statement.width = value.width;
+}
+
 /// Compile a text as an expression in brackets. `Expression` is a reader of values.
 template <class Expression>
 std::optional<Fault> ngc_expression(Builder& to, const ExpressionText& text,

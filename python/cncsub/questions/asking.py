@@ -20,7 +20,8 @@ from cncsub.questions.values import changed, entries_of, rule_named
 MOST_LINES = 5
 MOST_VALUES = 10  # of a rule, that are tried
 _INFERRED = "inferred"
-_ISO_FAMILY = ("iso", "syntec")  # languages that read the blocks of the examples of rules
+ISO_FAMILY = ("iso", "syntec")
+"""The languages that read the blocks of the ISO family: the examples of rules are of these."""
 
 
 @dataclass(frozen=True)
@@ -208,7 +209,7 @@ def _of_rows(name: str) -> Iterator[Short]:
 
 def _of_examples(control: Control, rule: Any, name: str) -> Iterator[Short]:
     """Yield programs made of the examples of the rule, which are of the ISO family."""
-    if control.dialect in _ISO_FAMILY:
+    if control.dialect in ISO_FAMILY:
         for span in dict.fromkeys(_spans(rule, name)):
             for form in _FORMS:
                 if (made := Short(form.format(span))).lines <= MOST_LINES:

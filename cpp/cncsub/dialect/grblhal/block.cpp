@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/dialect/grblhal/codes.hpp"
 #include "cncsub/dialect/ngc_lines.hpp"
 #include "cncsub/text/scan.hpp"
@@ -26,16 +27,6 @@ int hundredths(double value) {
 }
 
 }  // namespace
-
-Operand operand_of(const Value& value) {
-  Operand operand;
-  operand.kind = value.computed ? Operand::Kind::Expression : Operand::Kind::Constant;
-  operand.value = value.number;
-  operand.expression = value.expression;
-  operand.at = value.at;
-  operand.width = value.width;
-  return operand;
-}
 
 bool BlockReader::refuse(Block& block, Cause cause, std::string detail, std::uint32_t at,
                          Kind kind) {
@@ -256,12 +247,7 @@ bool BlockReader::assignment(Block& block, Words& words) {
     words.any = true;
     return true;
   }
-  statement.expression = to_.expressions().expression_of(value);
-  statement.target = place.target;
-  statement.index = place.index;
-  statement.variable = place.number;
-  statement.at = value.at;
-  statement.width = value.width;
+  ngc_assign(to_, statement, place, value);
   if (!place.name.empty()) {
     expression_.set_here(place.name, value);
     words.named.push_back(statement);

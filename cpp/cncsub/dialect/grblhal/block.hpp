@@ -113,7 +113,4 @@ class BlockReader {
   Locals locals_;
 };
 
-/// Return a value as an operand of a call.
-Operand operand_of(const Value& value);
-
 }  // namespace cncsub::grblhal

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/dialect/grblhal/block.hpp"
 
 namespace cncsub::grblhal {

@@ -268,12 +268,7 @@ bool BlockReader::assignment(Block& block, Words& words) {
     return refuse(block, Cause::MissingEquals, "Equal sign missing in parameter setting",
                   statement.variable_at);
   if (!expression_.value(value)) return refuse(block);
-  statement.expression = to_.expressions().expression_of(value);
-  statement.target = place.target;
-  statement.index = place.index;
-  statement.variable = place.number;
-  statement.at = value.at;
-  statement.width = value.width;
+  ngc_assign(to_, statement, place, value);
   words.statements.push_back(statement);
   return true;
 }

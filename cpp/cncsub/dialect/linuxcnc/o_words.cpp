@@ -2,21 +2,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/dialect/linuxcnc/block.hpp"
 
 namespace cncsub::linuxcnc {
 
 namespace {
-
-Operand operand_of(const Value& value) {
-  Operand operand;
-  operand.kind = value.computed ? Operand::Kind::Expression : Operand::Kind::Constant;
-  operand.value = value.number;
-  operand.expression = value.expression;
-  operand.at = value.at;
-  operand.width = value.width;
-  return operand;
-}
 
 struct Word {
   std::string_view name;

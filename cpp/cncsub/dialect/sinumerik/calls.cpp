@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/dialect/sinumerik/iso_mode.hpp"
 #include "cncsub/dialect/sinumerik/open_block.hpp"
 
@@ -25,16 +26,6 @@ namespace {
 
 // The numbers of alarms that a user's program may raise. [general knowledge]
 constexpr std::int32_t kFirstUserAlarm = 60000, kLastUserAlarm = 69999;
-
-Operand operand_of(const Value& value) {
-  Operand operand;
-  operand.kind = value.computed ? Operand::Kind::Expression : Operand::Kind::Constant;
-  operand.value = value.number;
-  operand.expression = value.expression;
-  operand.at = value.at;
-  operand.width = value.width;
-  return operand;
-}
 
 /// Read P3 or P=R1, where it stands here.
 bool pass_count(OpenBlock& open, Block& block, Operand& count) {

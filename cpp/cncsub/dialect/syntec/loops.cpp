@@ -30,11 +30,17 @@ void StructuredReader::end_while(Scanner& s, Block& block) {
   statement.to = open->head;
   to_.become(block, Op::EndDo, statement);
   append(s, block);
-  if (open->branch != kNowhere) {
-    statement_of(open->branch).end = end;
-    statement_of(open->branch).to = end + 1;
+  close_loop(end);
+}
+
+/// Lead the ways out of the innermost loop behind its end.
+void StructuredReader::close_loop(Address end) {
+  const Open& open = open_.back();
+  if (open.branch != kNowhere) {
+    statement_of(open.branch).end = end;
+    statement_of(open.branch).to = end + 1;
   }
-  for (const Address way : open->exits) statement_of(way).to = end + 1;
+  for (const Address way : open.exits) statement_of(way).to = end + 1;
   open_.pop_back();
 }
 
@@ -149,12 +155,7 @@ void StructuredReader::end_for(Scanner& s, Block& block) {
   }
   const Address end = to_.next_address();
   append(s, block);
-  if (open->branch != kNowhere) {
-    statement_of(open->branch).end = end;
-    statement_of(open->branch).to = end + 1;
-  }
-  for (const Address way : open->exits) statement_of(way).to = end + 1;
-  open_.pop_back();
+  close_loop(end);
 }
 
 void StructuredReader::repeat_head(Scanner& s, Block& block) {

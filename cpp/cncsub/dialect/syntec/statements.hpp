@@ -90,6 +90,7 @@ class StructuredReader {
   void choose(const Open& open, Address end);
   void while_head(Scanner& s, Block& block);
   void end_while(Scanner& s, Block& block);
+  void close_loop(Address end);
   void for_head(Scanner& s, Block& block);
   bool first_value(Scanner& s, Block& block, Counting& of);
   bool last_value(Scanner& s, Block& block, Counting& of);
