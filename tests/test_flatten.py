@@ -283,7 +283,7 @@ def test_for_a_control_of_another_language() -> None:
     assert "G02 X5. Y0. CR=4. ;O0012 LINE 6" in flat.text
     flat = library.flatten(control="siemens-one")
     assert flat.text == (
-        "%_N_PROG0012_MPF\nG00\nG71 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\n"
+        "%_N_PROG0012_MPF\nG00\nG710 G17 G90 G00 X1. Y0. Z5.\nG01 X3.333 F100.\nG91 Y0.5\nG90\n"
         "G91 Y0.5\nG90\nG02 X5. Y0. CR=4.\nG03 X1. Y0. CR=2.\nG04 F0.5\nG04 F1.5\nM8\nT3 M6\n"
         "S500 M3\nM30\n"
     )

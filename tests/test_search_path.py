@@ -12,6 +12,7 @@ import pytest
 from typer.testing import CliRunner
 
 import cncsub
+from cncsub.archive.gate import gate
 from cncsub.cli import app
 
 ONE = "siemens-one"
@@ -210,3 +211,13 @@ def test_a_folder_near_a_file_is_found_among_many(tmp_path: Path) -> None:
         (tmp_path / f"B{number}.WPD").mkdir()
     result = CliRunner().invoke(app, ["run", str(tmp_path / "A.WPD/MAIN.MPF"), "-c", ONE])
     assert result.exit_code == 0, result.output
+
+
+@pytest.mark.parametrize("each", ["file", "beside"])
+def test_the_files_of_a_batch_find_what_each_finds_alone(tmp_path: Path, each: str) -> None:
+    folder = written(tmp_path, FILES) / "WKS.DIR" / "SHAFT.WPD"
+    found = each == "beside"
+    (run,) = cncsub.run_many([folder], ONE, each=each, jobs=1).to_pylist()
+    assert run["stop"] == ("end" if found else "alarm")
+    (gated,) = gate([folder], ONE, each=each, jobs=1).files
+    assert gated.passes() is found

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cncsub/code/spelling.hpp"
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/text/number.hpp"
 #include "cncsub/text/words.hpp"
 #include "laws.hpp"
@@ -51,6 +52,8 @@ const WrittenWord* last_word(const std::vector<WrittenWord>& words, const Spelli
 /// Check that each number of the block is the one that is written.
 void check_values(const Code& code, const Block& block, const std::vector<WrittenWord>& words) {
   if (block.mask == 0) return;
+  // A language may tell fewer numbers apart than a person who reads the word.
+  const double near = std::max(1e-12, find_dialect(code.control->dialect)->precision);
   const Cell* cell = code.cells.data() + block.data;
   std::uint32_t expressions = 0;
   if ((block.flags & Block::kHasExtra) != 0) expressions = (cell++)->extra.expressions;
@@ -65,7 +68,7 @@ void check_values(const Code& code, const Block& block, const std::vector<Writte
     const WrittenWord* word = last_word(words, *code.spelling, place);
     if (word == nullptr && indexed) continue;
     claim(word != nullptr, "a word that counts is written");
-    const bool exact = std::fabs(word->value - cell->value) <= 1e-12 * std::fabs(word->value);
+    const bool exact = std::fabs(word->value - cell->value) <= near * std::fabs(word->value);
     // A word that counts takes the whole number that is meant: L0.99999.
     claim(!word->known || exact || nearly_whole(word->value) == cell->value,
           "a word has the value that is written");

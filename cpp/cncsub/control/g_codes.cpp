@@ -239,6 +239,13 @@ GCode GCodes::of(Meaning meaning) const {
   return lowest;
 }
 
+GCode GCodes::of(Meaning meaning, std::int16_t variant) const {
+  const auto found = std::find_if(codes_.begin(), codes_.end(), [&](const GCode& entry) {
+    return entry.meaning == meaning && entry.variant == variant;
+  });
+  return found == codes_.end() ? GCode{} : *found;
+}
+
 MachineType machine_of(const Control& control, const std::string& name) {
   const auto& names = options<MachineType>();
   for (std::size_t i = 0; i < names.size(); ++i)

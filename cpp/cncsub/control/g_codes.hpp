@@ -54,6 +54,8 @@ class GCodes {
   }
   /// Return the code of a meaning as this machine writes it; code -1 where it has none.
   GCode of(Meaning meaning) const;
+  /// Return the code of a meaning and a variant of it; code -1 where the machine has none.
+  GCode of(Meaning meaning, std::int16_t variant) const;
 
  private:
   void set(GCode entry);

@@ -56,13 +56,15 @@ struct GCode {
   Meaning meaning = Meaning::None;
   std::int16_t variant = 0;  // of several codes of one meaning: the extra work system that the code
                              // names (0: P does), the form of G31 (1: G31.1), the axis of a lathe's
-                             // cycle or of its measuring (1: X, 0: Z)
+                             // cycle or of its measuring (1: X, 0: Z), units of lengths alone (1)
 
   bool operator==(const GCode&) const = default;
 };
 
 /// The variant of a skip that is a word beside the line that G01 makes.
 inline constexpr std::int16_t kSkipOnLine = 4;
+/// The variant of units of lengths alone: F counts in those that hold at power-on.
+inline constexpr std::int16_t kLengthsAlone = 1;
 
 /// A meaning that a control may give to another code: the words of the rule g_meanings.
 struct MeaningWord {
@@ -75,6 +77,8 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"ignored", Group::OneShot, Meaning::Ignored},
     {"inch", Group::Units, Meaning::Inch},
     {"metric", Group::Units, Meaning::Metric},
+    {"inch-lengths", Group::Units, Meaning::Inch, kLengthsAlone},
+    {"metric-lengths", Group::Units, Meaning::Metric, kLengthsAlone},
     {"pulses", Group::Units, Meaning::Pulses},
     {"mirror", Group::Mirror, Meaning::MirrorOn},
     {"mirror-off", Group::Mirror, Meaning::MirrorOff},

@@ -21,9 +21,6 @@ namespace {
 constexpr std::string_view kOrder = "XYZABCUVWIJKRQPLEFSTHDNO";
 constexpr std::string_view kLengths = "ABCIJKQRUVWXYZ";
 
-const MotionFacts& facts_of(const Machine& machine) { return machine.motion().view().facts; }
-const Control& control_of(const Machine& machine) { return *machine.code().control; }
-
 bool is_in(std::string_view letters, char letter) {
   return letters.find(letter) != std::string_view::npos;
 }
@@ -132,7 +129,11 @@ int OtherWriter::code_of(const GCode& own, bool& idle) const {
   };
   if (const GCode there = facts.codes.find(own.code); same(there)) return there.code;
   if (is_neutral(own.meaning)) return -1;
-  if (const GCode there = facts.codes.of(own.meaning); same(there)) return there.code;
+  if (const GCode there = facts.codes.of(own.meaning, own.variant); there.code >= 0)
+    return there.code;
+  // F is written in the units that it has there.
+  if (const GCode there = facts.codes.of(own.meaning); own.group == Group::Units && there.code >= 0)
+    return there.code;
   const std::size_t group = at(own.group);
   idle = own.group != Group::OneShot && to_.motion().state().modal[group].code < 0 &&
          at_power_on_[group].meaning == own.meaning;
@@ -258,9 +259,24 @@ double OtherWriter::value_of(const NcWords& words, int place) const {
   const MotionView view = from_.motion().view();
   const bool whole = (words.whole >> place & 1) != 0;
   const bool increments = control_of(from_).reading.whole_numbers.value == WholeNumbers::Increments;
-  if (letter == 'F' && whole && increments) return value * feed_increment(view.state);
+  if (letter == 'F')
+    return feed_there(whole && increments ? value * feed_increment(view.state) : value);
   if (!whole || !is_in(kLengths, letter)) return value;
   return in_units(view, words, letter);
+}
+
+/// Return a feed in the units that F has there, where the code of units changes it on one of the
+/// two controls and not on the other.
+double OtherWriter::feed_there(double feed) const {
+  const MotionState& state = from_.motion().state();
+  const GCode own = state.modal[at(Group::Units)];
+  bool idle = false;
+  const int code = code_of(own, idle);
+  const GCode there =
+      code < 0 ? to_.motion().state().modal[at(Group::Units)] : facts_of(to_).codes.find(code);
+  if (state.modal[at(Group::Feed)].meaning == Meaning::InverseTime || own.variant == there.variant)
+    return feed;
+  return feed * state.feed_unit / feed_unit_of(facts_of(to_), there);
 }
 
 bool OtherWriter::put_word(std::string& to, int place, double value) {
@@ -358,84 +374,6 @@ bool OtherWriter::put_others(std::string& to, const NcWords& words, std::uint32_
       return false;
   }
   return true;
-}
-
-// ---- axes beside the path ----
-
-void OtherWriter::begin_block() { start_ = from_.motion().state().work; }
-
-std::string OtherWriter::code_text(const GCode& own) const {
-  bool idle = false;
-  const int code = code_of(own, idle);
-  return code < 0 ? "" : code_name(code) + " ";
-}
-
-/// Write the moves of axes beside the path as moves along it, for a control that has no such axes,
-/// and put the modes in force again that this changes.
-bool OtherWriter::put_as_path(std::string& to) {
-  const MotionState& state = from_.motion().state();
-  const GCode motion = state.modal[at(Group::Motion)], feed = state.modal[at(Group::Feed)];
-  const bool per_minute = feed.meaning == Meaning::PerMinute;
-  const GCodes& codes = facts_of(from_).codes;
-  const std::string line = code_text(codes.of(Meaning::Line));
-  if (line.empty() || (state.feed <= 0 && motion.meaning != Meaning::Rapid) ||
-      (!per_minute && feed.meaning != Meaning::PerRevolution))
-    return refuse(
-        "axes beside the path cannot be written as a path move in the modes of this block");
-  std::vector<BesideMove> moves = moves_beside_path(from_.motion().view(), start_, state.work);
-  for (const BesideMove& move : moves) {
-    if (state.incremental) to += code_text(codes.of(Meaning::Absolute));
-    if (!per_minute) to += code_text(codes.of(Meaning::PerMinute));
-    to += line;
-    for (std::size_t i = 0; i < 3; ++i)
-      if ((move.axes >> i & 1) != 0 && !put_word(to, kAxisNames[i] - 'A', move.end[i] / state.unit))
-        return false;
-    if (!put_word(to, 'F' - 'A', move.feed / state.unit)) return false;
-    to.back() = '\n';
-  }
-  return moves.empty() || put_modes_again(to);
-}
-
-/// Put the modes in force again that a move along the path has changed.
-bool OtherWriter::put_modes_again(std::string& to) {
-  const MotionState& state = from_.motion().state();
-  const GCode motion = state.modal[at(Group::Motion)], feed = state.modal[at(Group::Feed)];
-  const bool per_minute = feed.meaning == Meaning::PerMinute;
-  if (state.incremental) to += code_text(state.modal[at(Group::Distance)]);
-  if (!per_minute) to += code_text(feed);
-  if (motion.meaning != Meaning::Line) to += code_text(motion);
-  if (state.feed > 0 && !put_word(to, 'F' - 'A', state.feed / state.unit)) return false;
-  return true;
-}
-
-/// Write a block that moves axes beside the path.
-bool OtherWriter::put_beside_path(std::string& to, const NcWords& words) {
-  constexpr std::uint32_t kBeside = bit(Group::OneShot) | bit(Group::Motion);
-  if (facts_of(to_).codes.of(Meaning::PositionAxes).code < 0) {
-    if ((words.codes->groups & ~kBeside) != 0 || words.codes->m_count != 0)
-      return refuse("codes stand beside axes that go beside the path");
-    return put_as_path(to);
-  }
-  const Spelling& spelling = *to_.code().spelling;
-  for (const int code : words.codes->g())
-    if (facts_of(from_).codes.find(code).meaning != Meaning::PositionAxes)
-      to += code_text(facts_of(from_).codes.find(code));
-  for (std::size_t i = 0; i < 3; ++i) {
-    const char axis = kAxisNames[i], feed = static_cast<char>('I' + i);
-    const auto index = [&](const char* name) { return std::string(name) + "[" + axis + "]="; };
-    if (words.has(axis)) {
-      const bool adds = (words.forms.incremental & bit(axis)) != 0,
-                 stays = (words.forms.absolute & bit(axis)) != 0;
-      const Spelling::Around form = adds    ? spelling.incremental
-                                    : stays ? spelling.absolute
-                                            : Spelling::Around{};
-      to += index("POS") + std::string(form.before);
-      to += NumberText(words[axis]).text();
-      to += std::string(form.behind) + " ";
-    }
-    if (words.has(feed)) to += index("FA") + std::string(NumberText(words[feed]).text()) + " ";
-  }
-  return put_m(to, words, false);
 }
 
 namespace {

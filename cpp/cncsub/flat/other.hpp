@@ -9,8 +9,12 @@
 
 #include "cncsub/flat/numbers.hpp"
 #include "cncsub/machine/machine.hpp"
+#include "cncsub/motion/state/facts.hpp"
 
 namespace cncsub {
+
+inline const MotionFacts& facts_of(const Machine& machine) { return machine.motion().view().facts; }
+inline const Control& control_of(const Machine& machine) { return *machine.code().control; }
 
 class OtherWriter {
  public:
@@ -47,6 +51,7 @@ class OtherWriter {
   bool put_word(std::string& to, int place, double value);
   bool put_dwell(std::string& to, double seconds);
   double value_of(const NcWords& words, int place) const;
+  double feed_there(double feed) const;
   bool put_hole_dwell(std::string& to, double seconds);
   bool put_beside_path(std::string& to, const NcWords& words);
   bool put_as_path(std::string& to);

@@ -12,7 +12,7 @@ void prepare_fast_path(const MotionFacts& facts, MotionState& state);
 /// Return F of a block as a feed. Times a minute have no unit of length.
 inline double plain_feed(const MotionState& state, double value) {
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
-  return times ? value : value * state.unit;
+  return times ? value : value * state.feed_unit;
 }
 
 /// Return which of the codes of a path a meaning is, 0 for G00 to 3 for G03; -1 where it is none.

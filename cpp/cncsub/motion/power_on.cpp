@@ -141,7 +141,9 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;
-    state.unit = state.modal[at(Group::Units)].meaning == Meaning::Inch ? kInch : 1;
+    const GCode units = state.modal[at(Group::Units)];
+    state.unit = unit_of(facts, units.meaning);
+    state.feed_unit = feed_unit_of(facts, units);
   }
   forget_program(facts, state);
 }

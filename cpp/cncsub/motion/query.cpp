@@ -51,7 +51,7 @@ double modal_word(MotionView m, char address) {
     case 'F':
       return m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime
                  ? m.state.feed
-                 : m.state.feed / m.state.unit;
+                 : m.state.feed / m.state.feed_unit;
     case 'H':
       return m.state.h;
     case 'P':

@@ -13,8 +13,8 @@ double feed_of(MotionView m) {
   const MotionState& state = m.state;
   const bool times = state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
   if (times && m.facts.control->motion.feed_mode_change.value == FeedModeChange::EndsFeed)
-    return state.feed_before / state.unit;
-  return times ? state.feed : state.feed / state.unit;
+    return state.feed_before / state.feed_unit;
+  return times ? state.feed : state.feed / state.feed_unit;
 }
 double speed_of(const MotionState& state) {
   return state.surface ? state.surface_speed : state.speed;

@@ -84,7 +84,8 @@ void meanings(Control& c) {
   c.motion.g_meanings = {
       "5=not-computed 25=not-computed 26=not-computed 33=thread-by-axis 331=thread-by-axis "
       "332=thread-by-axis 34=thread-growing 35=thread-shrinking 58=frame-shift-by-axis "
-      "59=frame-fine-shift-by-axis 60=neutral 63=tapping 70=inch 71=metric 74=reference-direct "
+      "59=frame-fine-shift-by-axis 60=neutral 63=tapping 70=inch-lengths 71=metric-lengths "
+      "74=reference-direct "
       "75=second-reference-direct 96=surface-speed-per-revolution 97=spindle-speed-per-revolution "
       "961=surface-speed-per-minute 971=spindle-speed-per-minute "
       "973=spindle-speed-per-revolution "
@@ -102,6 +103,8 @@ void meanings(Control& c) {
   c.motion.g_meanings.tell("58=frame-shift-by-axis", "SONE p.315: G58", Manual);
   c.motion.g_meanings.tell("59=frame-fine-shift-by-axis", "SONE p.315: G59", Manual);
   c.motion.g_meanings.tell("63=tapping", kKnown, Inferred);
+  for (const char* units : {"70=inch-lengths", "71=metric-lengths", "700=inch", "710=metric"})
+    c.motion.g_meanings.tell(units, "808Dm p.54: G70, G71, G700, G710", Manual);
   c.motion.g_meanings.tell("MEAS=skip-on-line", "840slj p.5-24: MEAS", Secondary);
   c.motion.g_meanings.tell("CT=tangent-arc", "SONE p.201: CT", Manual);
   c.motion.g_meanings.tell("POS=position-axes", "MD840, MD 32060: positioning axes", Secondary);

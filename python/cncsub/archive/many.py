@@ -57,7 +57,8 @@ def run_many(
     """Run every program file of some files and folders: a row for each, in the order of the files.
 
     `each`: what is loaded for one run, `"file"` the file alone, `"beside"` the file with all files
-    of its folder as the memory, `"folder"` each folder with its first file as the main program.
+    of its folder, and of the folders beside it that the control searches, as the memory,
+    `"folder"` each folder with its first file as the main program.
     `external`, `encoding`: as in `load`. `options`: those of `Library.run` but `trace`; without
     them a run may take 1,000,000 blocks, 10 seconds and 512 MiB.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 import time
 from collections.abc import Callable, Sequence
@@ -17,6 +18,7 @@ from cncsub.interrupts import uninterrupted
 from cncsub.library import Library
 from cncsub.reports.hints import foreign_language
 from cncsub.run import Run, Stop
+from cncsub.sibling_files import searched_folders
 from cncsub.system import kept_from_children
 
 Row = tuple[Any, ...]
@@ -145,6 +147,9 @@ def _library(task: Task, job: Job) -> Library:
     if task.each == "beside":
         siblings = next(walk(Path(job.before), Reading()), ("", [], ""))[1]
         read_found_files(job.before, siblings, real, task.encoding, reading)
+        for folder in searched_folders(job.path, task.control):
+            for before, names, inner in itertools.islice(walk(folder, Reading()), 1):
+                read_found_files(before, names, inner, task.encoding, reading)
     names = reading.names
     files: list[CoreFile] = reading.rows(False)
     if task.external is not None:

@@ -54,6 +54,36 @@ for code in ("G97", "G973"):
         program=f"N10 G1 X5 F100\nN20 {code} S100 M3\nN30 X10\nN40 M30", runs="N10 N20", alarm="no-feed", number="10860", at="MAIN N30", word="X10",
     )
 
+# ---- F and the codes of units ----
+
+UNITS = {"control": ONE, "source": "808Dm p.54: G70, G71, G700, G710", "evidence": "manual", "setup": ZERO}
+case(
+    "G70 is about lengths: F stays millimetres", pins="g_meanings:70=inch-lengths", **UNITS,
+    program="N10 G1 X25.4 F254\nN20 G70 X2\nN30 X3 F127\nN40 M30", time=6 + 6 + 12, moves="F X25.4\nF X50.8\nF X76.2",
+)
+case(
+    "of a revolution too", **UNITS,
+    program="N10 G95 S100 M3 G70\nN20 G1 X1 F0.254\nN30 M30", time=60, moves="F X25.4",
+)
+case(
+    "G700 is about F too", pins="g_meanings:700=inch", **UNITS, program="N10 G700\nN20 G1 X1 F10\nN30 M30", time=6, moves="F X25.4",
+)
+case(
+    "what F said keeps its speed where the units change", **UNITS,
+    program="N10 G700 G1 X1 F10\nN20 G71 X50.8\nN30 X76.2 F127\nN40 M30", time=6 + 6 + 12, moves="F X25.4\nF X50.8\nF X76.2",
+)
+case(
+    "G71 after G700 counts F in millimetres again", pins="g_meanings:71=metric-lengths g_meanings:710=metric", **UNITS,
+    program="N10 G700 G1 X1 F10\nN20 G71 X50.8 F127\nN30 G710 X76.2 F254\nN40 M30", time=6 + 12 + 6, moves="F X25.4\nF X50.8\nF X76.2",
+)
+case(
+    "a feed of corners and one of an axis are feeds", **UNITS,
+    program="N10 G70 G1 X1 F254 FRCM=127\nN20 X2 RND=0.1\nN30 Y1\nN40 POS[Z]=1 FA[Z]=254\nN50 M30", moves="F X25.4\nF X48.26\nCCW X50.8 Y2.54 C X48.26 Y2.54\nF Y25.4\nF Z25.4",
+)
+case(
+    "degrees of a round axis are not inches", **UNITS, program="N10 G70 G1 A90 F90\nN20 G700 A0 F90\nN30 M30", time=120,
+)
+
 # ---- F out of range ----
 
 for value in ("F-5", "F0", "F=-5", "F=R1", "F=R1-0.5"):

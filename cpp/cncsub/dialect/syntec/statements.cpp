@@ -69,13 +69,10 @@ const StructuredReader::Word StructuredReader::kWords[] = {
 
 bool is_statement(std::string_view word) {
   static constexpr std::string_view kInside[] = {"THEN", "OF", "TO", "BY", "DO", "END_REPEAT"};
+  const auto& begins = StructuredReader::kWords;
   return std::find(std::begin(kInside), std::end(kInside), word) != std::end(kInside) ||
-         StructuredReader::begins_statement(word);
-}
-
-bool StructuredReader::begins_statement(std::string_view word) {
-  return std::any_of(std::begin(kWords), std::end(kWords),
-                     [word](const Word& of) { return of.name == word; });
+         std::any_of(std::begin(begins), std::end(begins),
+                     [word](const auto& of) { return of.name == word; });
 }
 
 // ---- the text ----

@@ -28,10 +28,8 @@ class StructuredReader {
   /// Lead jumps to their blocks, and refuse the structures without an end. The program has ended.
   void end_program(const Program& program);
 
-  /// Return whether a word begins a statement.
-  static bool begins_statement(std::string_view word);
-
  private:
+  friend bool is_statement(std::string_view word);
   using Kind = std::array<char, 2>;  // of a fault
   enum class Structure : std::uint8_t { If, Case, While, For, Repeat };
 

@@ -276,8 +276,10 @@ Result set_offsets_and_act(MotionContext& m, BlockWords& block) {
   const bool edges = m.facts.control->motion.tool_edges.value;
   if (block.has(Group::Radius) || (!edges && block.words.has('D') && !takes_word(m, block, 'D')))
     if (auto wrong = set_radius(m, block)) return wrong;
-  set_contour_offset(m, block);
-  if (auto wrong = set_corner_modes(m, block)) return wrong;
+  if ((block.words.mask & m.facts.contour_modes) != 0) {
+    set_contour_offset(m, block);
+    if (auto wrong = set_corner_modes(m, block)) return wrong;
+  }
   if (block.has(Group::OneShot))
     if (auto wrong = set_longer(m, block)) return wrong;
   if (auto wrong = act(m, block)) return wrong;

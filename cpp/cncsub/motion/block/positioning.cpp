@@ -28,7 +28,7 @@ struct Way {
 Result read_feeds(MotionContext& m, const BlockWords& block) {
   for (std::size_t i = 0; i < kStraight; ++i) {
     if (!block.words.has(kFeedNames[i])) continue;
-    const double feed = block.words[kFeedNames[i]] * m.state.unit;
+    const double feed = block.words[kFeedNames[i]] * m.state.feed_unit;
     if (feed < 0) return fault_at(kFeedNames[i], Cause::AxisFeedNegative, block);
     m.state.axis_feeds[i] = feed;
   }

@@ -58,7 +58,7 @@ Result corner_feed_of(MotionView m, const BlockWords& block, char letter, bool m
   const double value = block.words[letter];
   if (value < 0 || (value == 0 && !may_be_zero))
     return fault_at(letter, Cause::ValueOutOfRange, block, "a feed of corners is above zero");
-  feed = value * m.state.unit;
+  feed = value * m.state.feed_unit;
   return std::nullopt;
 }
 

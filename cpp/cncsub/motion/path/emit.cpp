@@ -100,7 +100,7 @@ MoveState move_state(const MotionState& state) {
   row.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
                   : mode == Meaning::InverseTime ? FeedMode::InverseTime
                                                  : FeedMode::PerMinute;
-  row.degree = g20(state) && mode != Meaning::InverseTime ? kInch : 1;
+  row.degree = state.feed_unit == kInch && mode != Meaning::InverseTime ? kInch : 1;
   return row;
 }
 

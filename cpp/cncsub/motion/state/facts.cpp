@@ -91,6 +91,10 @@ MotionFacts::MotionFacts(std::shared_ptr<const Control> c, const Setup& setup,
   constexpr std::uint32_t kOthers = bit('A') | bit('B') | bit('C') | bit('U') | bit('V') | bit('W');
   const std::uint32_t corners = chamfers.mask | rounds.mask | angles.mask;
   if (!lathe()) other_axes = kOthers & ~corners;
+  const MotionRules& rules = control->motion;
+  for (const Letters* words : {&rules.modal_round_words.value, &rules.modal_corner_feed_words.value,
+                               &rules.contour_offset_words.value})
+    for (const char name : *words) contour_modes |= bit(name);
   if (machine == MachineType::LatheA) increments = (bit('U') | bit('W')) & ~corners;
   rapid.fill(control->motion.rapid_rate.value);
   fill(rapid, setup.rapid);

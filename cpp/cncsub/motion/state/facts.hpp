@@ -128,8 +128,9 @@ struct MotionFacts {
   std::vector<const Conflict*> conflicts_of_words;  // of a block without G codes
   std::vector<const Conflict*> conflicts_of_moves;  // of a block with plain motion codes only
   CornerWords chamfers, rounds, angles;
-  bool keeps_heading;            // a program has arcs that go on from the move before
-  bool general_only;             // no block takes the fast path
+  std::uint32_t contour_modes = 0;  // words of corners and contours that hold for the moves after
+  bool keeps_heading;               // a program has arcs that go on from the move before
+  bool general_only;                // no block takes the fast path
   std::uint32_t other_axes = 0;  // of a mill: axis letters beside X, Y and Z that mean nothing else
   std::uint32_t increments = 0;  // of a lathe, G code system A: U and W that are no corner words
 

@@ -17,7 +17,7 @@ bool takes_word(MotionView m, const BlockWords& block, char letter) {
 Result feed_of(MotionView m, const BlockWords& block, double& feed) {
   const double value = block.words['F'];
   const bool times = m.state.modal[at(Group::Feed)].meaning == Meaning::InverseTime;
-  double unit = times ? 1 : m.state.unit;  // times a minute have no unit of length
+  double unit = times ? 1 : m.state.feed_unit;  // times a minute have no unit of length
   if (!times && (block.words.whole & bit('F')) != 0 &&
       m.facts.control->reading.whole_numbers.value == WholeNumbers::Increments)
     unit *= feed_increment(m.state);

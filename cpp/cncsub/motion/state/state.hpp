@@ -183,6 +183,7 @@ struct ModalValues {
   std::uint32_t row_state = 0;
   const Moves* row_moves = nullptr;  // the table row_state belongs to; only compared
   double unit = 1;                   // mm in one unit of the program
+  double feed_unit = 1;              // mm in one unit of F, where it counts lengths
   double feed = 0;                   // mm/min, mm/rev
   double seconds_per_mm = 0;
   double time = 0;

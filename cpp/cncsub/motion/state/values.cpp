@@ -11,6 +11,11 @@ double unit_of(const MotionFacts& facts, Meaning units) {
   return units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts.increment : 1;
 }
 
+double feed_unit_of(const MotionFacts& facts, const GCode& units) {
+  if (units.variant != kLengthsAlone) return unit_of(facts, units.meaning);
+  return facts.control->common.power_on.value.has(PowerOn::G20) ? kInch : 1;
+}
+
 namespace {
 
 /// Return how many least increments a unit of the program has, of a length or of an angle.
