@@ -18,8 +18,10 @@ struct ExpressionForm {
  private:
   static constexpr bool is_variable(Ins op) { return op >= Ins::Local && op <= Ins::CommonRaw; }
   static_assert(static_cast<int>(Ins::CommonRaw) - static_cast<int>(Ins::Local) == 3);
-  static constexpr bool compares(Ins op) { return op >= Ins::Equal && op <= Ins::AlikeLessEqual; }
-  static constexpr bool joins(Ins op) { return op >= Ins::Add && op <= Ins::Multiply; }
+  static constexpr bool is_of_two(Ins op) {
+    return (op >= Ins::Equal && op <= Ins::AlikeLessEqual) ||
+           (op >= Ins::Add && op <= Ins::Multiply);
+  }
 
   /// Return the same operation on two values.
   static constexpr Ins without_constant(Ins op) {
@@ -43,14 +45,13 @@ inline ExpressionForm ExpressionForm::of(const ExpressionCell* at, const Express
       if (!is_variable(first)) break;
       if (const Ins op = without_constant(at[1].op()); op != Ins::End)
         return {Form::VariableAndConstant, op};
-      if (const Ins op = at[2].op(); is_variable(at[1].op()) && (joins(op) || compares(op)))
-        return {Form::TwoVariables, op};
+      if (is_variable(at[1].op()) && is_of_two(at[2].op())) return {Form::TwoVariables, at[2].op()};
       break;
     case 4:
-      if (const Ins op = at[3].op();
-          first == Ins::Constant && is_variable(at[2].op()) && (joins(op) || compares(op)))
-        return {Form::ConstantAndVariable, op};
-      if (is_variable(first) && at[1].op() == Ins::Constant && compares(at[3].op()))
+      if (!is_of_two(at[3].op())) break;
+      if (first == Ins::Constant && is_variable(at[2].op()))
+        return {Form::ConstantAndVariable, at[3].op()};
+      if (is_variable(first) && at[1].op() == Ins::Constant)
         return {Form::VariableToConstant, at[3].op()};
       break;
     default:

@@ -27,6 +27,7 @@ class ReferenceReader {
 
   void call(const CallRecord& call);
   void part(const CallRecord& call);
+  void places_of(const CallRecord& call, CallRecord& known, CallReference& reference) const;
   void target_of(const CallRecord& call, CallReference& reference);
   void o_word(const OWord& own);
   void label_of(const OWord& own, CallReference& reference) const;
@@ -60,9 +61,9 @@ void ReferenceReader::operands(const CallRecord& call) {
     if (!of.copied) used_.written(of.variable);
 }
 
-/// Fill in what the operands say that are written as numbers; the others are computed.
-void ReferenceReader::target_of(const CallRecord& call, CallReference& reference) {
-  CallRecord known = call;
+/// Fill in where the operands stand, and which of them are computed: those are left out of `known`.
+void ReferenceReader::places_of(const CallRecord& call, CallRecord& known,
+                                CallReference& reference) const {
   const auto computed = [this](Operand& of, std::optional<TextPlace>& place) {
     if (of.kind != Operand::Kind::Expression) return;
     place = place_of(of.expression);
@@ -81,6 +82,12 @@ void ReferenceReader::target_of(const CallRecord& call, CallReference& reference
     reference.program_place = reference.place;
   if (call.start().present()) reference.start_place = place_of(call.start());
   if (reference.computed_program) known.program_number = 0;
+}
+
+/// Fill in what the operands say that are written as numbers; the others are computed.
+void ReferenceReader::target_of(const CallRecord& call, CallReference& reference) {
+  CallRecord known = call;
+  places_of(call, known, reference);
   Target target;
   const CallOperands values{known.p.value, known.l.value, known.start().value,
                             known.device().value};

@@ -93,6 +93,14 @@ std::vector<std::int64_t> candidates(const VariableRange& range,
   return found;
 }
 
+/// Return whether a name is a number alone or one with the sign of variables: 5, #5, #[5].
+bool is_numbered(std::string_view written, const std::string& digits, std::string_view sign) {
+  if (written == digits) return true;
+  if (!written.starts_with(sign)) return false;
+  written.remove_prefix(sign.size());
+  return written == digits || written == '[' + digits + ']';
+}
+
 }  // namespace
 
 std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
@@ -102,11 +110,11 @@ std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
   const std::vector<std::int64_t> numbers = numbers_in(written);
   if (numbers.empty() && variable_name == nullptr) return std::nullopt;
   if (numbers.size() == 1) {
-    const std::string digits = std::to_string(numbers[0]), sign(variable);
-    for (const std::string& form : {digits, sign + digits, sign + "[" + digits + "]"})
-      if (written == form &&
-          (form == digits || name_of_variable(control, numbers[0]) == sign + digits))
-        return numbers[0];
+    const std::string digits = std::to_string(numbers[0]);
+    if (is_numbered(written, digits, variable) &&
+        (written == digits ||
+         name_of_variable(control, numbers[0]) == std::string(variable).append(digits)))
+      return numbers[0];
   }
   for (const VariableRange& range : control.variables)
     for (const std::int64_t number : candidates(range, numbers))

@@ -97,6 +97,8 @@ bool ExpressionReader::assignment(Statement& statement) {
   if (!open_.line.take('='))
     return open_.wrong(Cause::MissingEquals, "R1 alone has no effect: write R1=5, or X=R1", at);
   if (!assigned_value(real(), statement)) return false;
+  statement.at = at;
+  statement.width = open_.line.width_from(at);
   if (statement.target == Statement::Target::Common)
     open_.assigned.insert(statement.number);
   else
