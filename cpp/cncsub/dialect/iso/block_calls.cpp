@@ -33,12 +33,7 @@ void BlockWriter::call() {
   call.macro = macro_;
   call.at = meaning_.call->operand.at;
   call.width = meaning_.call->operand.width;
-  if (meaning_.registered != nullptr) {
-    call.program_number = meaning_.registered->by_name ? -1 : meaning_.registered->program;
-    call.variable = meaning_.registered->variable;
-    call.code = to_whole<std::int32_t>(meaning_.call->operand.value);
-    if (meaning_.registered->by_name) name_by_code(call);
-  }
+  if (meaning_.registered != nullptr) program_by_code(call);
   for (const Token& token : tokens_)
     if (&token != meaning_.call)
       if (auto fault = operand(call, token)) return refuse(std::move(*fault));
@@ -57,9 +52,13 @@ void BlockWriter::call() {
   to_.become(block_, op_of(meaning_.code_kind), std::move(call));
 }
 
-/// Let the call name the program of its code. All codes of a letter, T1 and T2, have one.
-void BlockWriter::name_by_code(CallRecord& call) const {
+/// Let the call lead to the program of its code. All codes of a letter, T1 and T2, have one.
+void BlockWriter::program_by_code(CallRecord& call) const {
   const Token& token = *meaning_.call;
+  call.program_number = meaning_.registered->by_name ? -1 : meaning_.registered->program;
+  call.variable = meaning_.registered->variable;
+  call.code = to_whole<std::int32_t>(token.operand.value);
+  if (!meaning_.registered->by_name) return;
   const std::string_view text = rules_.code.files.back().text.view();
   CallExtras& named = call.extras.make();
   named.name = name_of_called(token.letter, rules_.calling.whole_letter(token.letter)

@@ -26,7 +26,7 @@ struct IsoVariant {
 };
 
 struct BlockRules {
-  explicit BlockRules(const Code& of, const IsoVariant& variant = {});
+  explicit BlockRules(const Code& of, const IsoVariant& its = {});
   BlockRules(const BlockRules&) = delete;  // readers refer to it
   BlockRules& operator=(const BlockRules&) = delete;
 

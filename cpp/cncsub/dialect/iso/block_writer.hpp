@@ -36,7 +36,7 @@ class BlockWriter {
   WordValue value_of(const Operand& operand, int place);
 
   void call();
-  void name_by_code(CallRecord& call) const;
+  void program_by_code(CallRecord& call) const;
   std::optional<Fault> operand(CallRecord& call, const Token& token) const;
   std::optional<Fault> given(Operand& place, const Token& token) const;
   std::optional<Fault> arguments(CallRecord& call);
