@@ -151,7 +151,7 @@ def test_wrong_use_throws_and_says_why(package: Path, tmp_path: Path) -> None:
     for message, why in zip(
         told["tried"],
         (
-            "Error: there is no control fanuc-99; controls() lists them",
+            "Error: there is no control fanuc-99; did you mean fanuc-16i, ",
             "Error: there is no rule max_nestin",
             "TypeError: max_nesting is no rule or parameter with one value",
             "TypeError: the text of a.nc must be a string or a Uint8Array",
