@@ -51,8 +51,8 @@ SIEMENS = tuple(name for name in CONTROLS if name.startswith("siemens"))
 _LACK = {
     _ALONG_Z: (),
     _IN_THE_PLANE: ("gsk-928te", "gsk-980tdi"),  # these have no G17, or no G91
-    _CALLS: ("gsk-928te", "grblhal", *SIEMENS),  # these have no line O1
-    _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", "grblhal", *SIEMENS),
+    _CALLS: ("gsk-928te", "grblhal", "okuma-osp-p300", *SIEMENS),  # these have no line O1, or no M98
+    _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", "grblhal", "okuma-osp-p300", *SIEMENS),
 }
 
 
@@ -286,8 +286,9 @@ def _files(folder: Path, control: str) -> Path:
     return folder / "O2.nc"
 
 
-# LinuxCNC needs the label of a return, and a file of grblHAL returns where it ends.
-_ADD_NO_RETURN = ("linuxcnc", "grblhal", "gsk-928te")
+# LinuxCNC needs the label of a return, a file of grblHAL returns where it ends, and no code of an
+# OSP is a return.
+_ADD_NO_RETURN = ("linuxcnc", "grblhal", "gsk-928te", "okuma-osp-p300")
 
 
 @pytest.mark.parametrize("control", [n for n in CONTROLS if n not in _ADD_NO_RETURN])

@@ -63,6 +63,11 @@ _OWN_LANGUAGE = {
         "names": "names of files",
         "macros": "O-words",
     },
+    "okuma-osp-p300": {
+        "levels": "8",
+        "names": "names of programs",
+        "macros": "CALL, MODIN",
+    },
     **{
         name: {"names": "names of programs", "macros": "PROC, MCALL"}
         for name in ("siemens-828d", "siemens-840d-sl", "siemens-one")

@@ -14,6 +14,7 @@ HNC = "hnc-21m"
 HAAS = "haas-ngc"
 LINUXCNC = "linuxcnc"
 GRBLHAL = "grblhal"
+OKUMA = "okuma-osp-p300"
 ONE = "siemens-one"
 GSK_LATHES = (TA, T, TDI, TE)
 MILLS = (MDI, HNC, HAAS)
@@ -299,6 +300,13 @@ _TABLE = _joined(
         " data_forms:in-force data_forms:here"
         " roles:G65=macro-call roles:M30=end"
         " roles:M70=save-modes roles:M71=forget-modes roles:M72=restore-modes",
+        NO_SUCH_ENTRY,
+    ),
+    _sets(
+        OKUMA,
+        "refuses roles power_on reset_clears",
+        "power_on:G91 power_on:G18 power_on:G19 power_on:G20 refuses:no-radius"
+        " roles:M30=end roles:M98=none roles:M99=none roles:M198=none",
         NO_SUCH_ENTRY,
     ),
     _sets(

@@ -90,6 +90,8 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"restore-shift", Group::OneShot, Meaning::RestoreShift},
     {"reference-all", Group::OneShot, Meaning::Reference, 1},
     {"second-reference-all", Group::OneShot, Meaning::SecondReference, 1},
+    {"length", Group::Length, Meaning::LengthPlus},
+    {"length-off", Group::Length, Meaning::LengthOff},
     {"length-given", Group::Length, Meaning::LengthPlus, 1},
     {"length-added", Group::Length, Meaning::LengthPlus, 2},
     {"store-reference", Group::OneShot, Meaning::StoreReference, 1},

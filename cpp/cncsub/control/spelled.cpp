@@ -48,7 +48,10 @@ bool has_vacant(const Control& control) {
 
 std::string word_for(std::string_view name, const Control& control) {
   if (name == "end") return end_of_main(control);
-  if (name == "return") return either(codes_of(control, Role::Return));
+  if (name == "return") {
+    const std::string codes = either(codes_of(control, Role::Return));
+    return codes.empty() ? "a return" : codes;  // one that is no code
+  }
   if (name == "end-or-return") return ends_and_returns(control);
   if (name == "macro-call") return either(codes_of(control, Role::MacroCall));
   if (name == "or-vacant") return has_vacant(control) ? ", or compare it with #0 first" : "";

@@ -57,7 +57,7 @@ _LANGUAGES: tuple[tuple[str, str, str | None], ...] = (
         "siemens-one",
     ),
     (r"^ *o(?:\d+|<\w+>) +(?:sub|call|if|while)\b|^ *#<\w+> *=", "LinuxCNC", "linuxcnc"),
-    (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", None),
+    (r"^ *(?:N\w+ +)?(?:CALL +O\w+|RTS\b|V[CZ]\d*\w* *=)", "Okuma (OSP)", "okuma-osp-p300"),
     (
         r"^ *(?:N\d+ *)?#(?:[VR]\d+ *=|(?:IF|GOTO|PRINT|INPUT|CLEAR)\b|:[A-Z])"
         r"|^ *N\d+ *O\d+ *(?:\(|$)",

@@ -190,7 +190,8 @@ bool evaluate_keeping(Run& run, Expression e, const Places& places, double& valu
   fault.name = trap.function;
   if (!trap.name.empty()) {
     fault.name = trap.name;
-    fault.detail = "#<" + fault.name + "> has no value";
+    const bool numbered = run.code->spelling->numbered;
+    fault.detail = (numbered ? "#<" + fault.name + ">" : fault.name) + " has no value";
   }
   return alarm(run, fault);
 }
