@@ -39,7 +39,7 @@ case(
 )
 case(
     "P is the number of the program, and holds no count", **CHAPTER,
-    pins="program_word count_and_l",
+    pins="program_word",
     program="O1\nN10 M98 P30002\nN20 M98 P30002 L2\nN30 M30\nO30002\nN40 M99",
     runs="N10 N40 N20 N40*2 N30",
 )
@@ -50,7 +50,7 @@ case(
     runs="N10 N30 N40 N20",
 )
 case(
-    "L0 calls nothing", **KIN,
+    "L0 of a Mazak calls nothing", **KIN,
     pins="zero_repeats",
     program="O1\nN10 M98 P9 L0\nN20 M30",
     runs="N10 N20",
@@ -149,7 +149,7 @@ case(
 )
 case(
     "G66 calls after each block that moves, until G67", control=MAZAK, source="MZG, G66", evidence="secondary",
-    pins="roles:G66=modal-call modal_trigger",
+    pins="roles:G66=modal-call",
     program="O1\nN10 G66 P2\nN20 G0 X1.\nN30 M8\nN40 X2.\nN50 G67\nN60 X3.\nN70 M30\nO2\nN80 M99",
     runs="N10 N20 N80 N30 N40 N80 N50 N60 N70",
 )

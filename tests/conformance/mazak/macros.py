@@ -21,7 +21,7 @@ def stops(name, statement, alarm, number, evidence="secondary", **more):
 for n, number in ((1, "980"), (10, "989"), (11, "990"), (20, "999"), (21, "979"), (30, "979"), (9999, "979")):
     case(
         f"#3000={n} raises {number} (MAZ-11)", **listed(number),
-        pins="user_alarm_offset user_alarm_numbers" + (" user_alarm_last" if n == 9999 else ""),
+        pins={20: "user_alarm_offset user_alarm_numbers", 21: "user_alarm_numbers", 9999: "user_alarm_last"}.get(n, ""),
         program=f"O1\nN10 #3000={n}(TOOL WORN)\nN20 M30",
         runs="N10", alarm="user-alarm", number=number, at="O1 N10",
     )
@@ -40,10 +40,10 @@ stops("the root of a negative value", "#1=SQRT[-1]", "square-root-of-negative", 
 stops("IF without a condition", "IF GOTO 30", "if-format", "864")
 stops("a condition that compares nothing", "IF[#1]GOTO 30", "if-format", "864", pins="conditions:bare")
 stops("WHILE without DO", "WHILE[#1 EQ 0]", "while-format", "865", pins="loop_form")
-stops("END without DO", "END1", "missing-do", "868")
+stops("END1 of no DO", "END1", "missing-do", "868")
 stops("an assignment without =", "#1 5", "missing-equals", "847")
 stops("a wrong address", "@5", "illegal-character", "806", "inferred")
-stops("a G code that it has not", "G5.5", "g-code-not-available", "808", pins="g_codes")
+stops("a G code that it has not", "G5.5", "g-code-not-available", "808")
 stops("an address without a value", "X", "address-without-value", "807")
 case(
     "27 loops inside each other", **listed("867"),
