@@ -2,6 +2,7 @@
 
 CONTROLS = {
     "fanuc": "fanuc-0i-f", "grblhal": "grblhal", "gsk": "gsk-988ta", "haas": "haas-ngc", "hnc": "hnc-21m",
-    "linuxcnc": "linuxcnc", "mitsubishi": "mitsubishi-m800", "okuma": "okuma-osp-p300", "siemens": "siemens-one",
+    "linuxcnc": "linuxcnc", "mazak": "mazak-smooth", "mitsubishi": "mitsubishi-m800", "okuma": "okuma-osp-p300",
+    "siemens": "siemens-one",
     "syntec": "syntec-22ma",
 }  # fmt: skip

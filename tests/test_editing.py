@@ -322,6 +322,27 @@ FORMATTED: list[tuple[str, str, dict[str, object], str]] = [
         {"capitals": False},
         "o<ab> sub\n  g1 x1 f100 (Aa)\no<ab> endsub\no1 do\n  #<x>=[#<x>+1]\no1 while [#<x> lt 3]\nm2\n",
     ),
+    # loops that ask at their end
+    (
+        "o1 do\no2 if [#<x> gt 1]\ng0 x1\no2 endif\n#<x>=[#<x>+1]\no1 while [#<x> lt 3]\nm2\n",
+        "grblhal",
+        {"capitals": False},
+        "o1 do\n  o2 if [#<x> gt 1]\n    g0 x1\n  o2 endif\n  #<x>=[#<x>+1]\no1 while [#<x> lt 3]\nm2\n",
+    ),
+    (
+        "%@MACRO\n#1 := 0;\nREPEAT\n#1 := #1+1;\nREPEAT\n#2 := #2+1;\nUNTIL #2 > 3 END_REPEAT;\n"
+        "UNTIL #1 > 3 END_REPEAT;\nM30;\n",
+        "syntec-22ma",
+        {},
+        "%@MACRO\n#1 := 0;\nREPEAT\n  #1 := #1+1;\n  REPEAT\n    #2 := #2+1;\n  UNTIL #2 > 3 END_REPEAT;\n"
+        "UNTIL #1 > 3 END_REPEAT;\nM30;\n",
+    ),
+    (
+        "REPEAT\nR1=R1+1\nUNTIL R1>3\nM30\n",
+        "siemens-one",
+        {},
+        "REPEAT\n  R1=R1+1\nUNTIL R1>3\nM30\n",
+    ),
 ]
 
 
@@ -358,6 +379,12 @@ LITERAL = [
     ("o1\n#3006=1(check  the tool)\nm30\n", MILL, "(check  the tool)"),
     ("(msg, hello  there)\n(debug,x is  #1)\ng0x1\nm2\n", "linuxcnc", "(debug,x is  #1)"),
     ('msg("hello  x1")\ng0x1\nm30\n', "siemens-one", '"hello  x1"'),
+    (
+        '%@MACRO\nmsg(100,"say (x  =1) g0");\ng0x1;\nm30;\n',
+        "syntec-22ma",
+        '(100,"say (x  =1) g0")',
+    ),
+    ('%@MACRO\nalarm(3,"a (b) ;// c");\ng0x1;\nm30;\n', "syntec-22ma", '(3,"a (b) ;// c")'),
 ]
 
 

@@ -118,6 +118,15 @@ def test_bytes_that_no_edit_names_stay(tmp_path: Path, encoding: str) -> None:
     assert (tmp_path / "a.nc").read_bytes() == wanted
 
 
+def test_an_edit_may_hold_letters_in_the_encoding_of_the_file() -> None:
+    edit = Edit("a.nc", 1, 1, "\xff", "  \xff")
+    assert edited(b"\xff91g1\n", [edit], "\xff91g1") == b"  \xff91g1\n"
+    edit = Edit("a.nc", 1, 4, "\u6f22", " \u6f22")
+    for encoding in ("utf-8", "gb18030"):
+        line = "(\u6f22)\u6f22x1\n".encode(encoding)
+        assert edited(line, [edit], "(\u6f22)\u6f22x1") == "(\u6f22) \u6f22x1\n".encode(encoding)
+
+
 def test_bytes_that_are_no_text_stay() -> None:
     line = b"N1 (\xff\xfe\x81)G0 X1\n"
     shown = "N1 (\ufffd\ufffd\ufffd)G0 X1"

@@ -38,41 +38,45 @@ def edited(data: bytes, edits: Iterable[Edit], shown: str) -> bytes:
     for edit in sorted(edits, key=lambda edit: edit[1:3], reverse=True):
         line = lines[edit.line - 1] if edit.line <= len(lines) else b""
         text = read[edit.line - 1] if edit.line <= len(read) else ""
-        at = place_in(line, edit, text)
-        if at is None:
+        made = _made(line, edit, text)
+        if made is None:
             raise NoPlaceError(
                 f"{edit.file}:{edit.line}:{edit.column}: there is no {edit.old!r} any more"
             )
-        new = _encoded(edit.new)
-        lines[edit.line - 1] = line[:at] + new + line[at + len(_encoded(edit.old)) :]
+        lines[edit.line - 1] = made
     return mark + b"".join(lines)
 
 
-def _encoded(text: str) -> bytes:
-    return text.encode("utf-8", "surrogateescape")
-
-
-def place_in(line: bytes, edit: Edit, shown: str | None = None) -> int | None:
-    """Return the first byte of an edit's old text in its line; `None` where it cannot be told.
-
-    `shown`: the line as it was read. Words of NC programs are ASCII: a column after other
-    characters is found by the encoding that gives the same line, or by what stands after it.
-    Without `shown` it is found where the text is in the line once.
+def _made(line: bytes, edit: Edit, shown: str) -> bytes | None:
+    """Return a line with an edit made; `None` where its old text is not there. `shown`: the line as
+    it was read. The encoding of the file is one that gives the same line.
     """
-    old = _encoded(edit.old)
+    at = edit.column - 1
+    for encoding in _ENCODINGS:
+        try:
+            before, old, new = (
+                text.encode(encoding, "surrogateescape")
+                for text in (shown[:at], edit.old, edit.new)
+            )
+        except UnicodeEncodeError:
+            continue
+        if line.startswith(before + old):
+            return before + new + line[len(before) + len(old) :]
+    # Words of NC programs are ASCII: what stands after other characters is found from the end.
+    behind = shown[at:].rstrip()
+    words = without_end(line).rstrip()
+    if not behind.isascii() or shown[:at].isascii() or not words.endswith(behind.encode()):
+        return None
+    place = len(words) - len(behind)
+    return line[:place] + edit.new.encode() + line[place + len(edit.old) :]
+
+
+def place_in(line: bytes, edit: Edit) -> int | None:
+    """Return the first byte of an edit's old text in its line, where it stands after nothing but
+    ASCII or is in the line once; otherwise `None`.
+    """
+    old = edit.old.encode("utf-8", "surrogateescape")
     at = edit.column - 1
     if line[:at].isascii() and line.startswith(old, at):
         return at
-    if shown is not None:
-        for encoding in _ENCODINGS:
-            try:
-                before = shown[:at].encode(encoding)
-            except UnicodeEncodeError:
-                continue
-            if line.startswith(before) and line.startswith(old, len(before)):
-                return len(before)
-        behind = shown[at:].rstrip()
-        words = without_end(line).rstrip()
-        same = behind.isascii() and not shown[:at].isascii() and words.endswith(behind.encode())
-        return len(words) - len(behind) if same else None
     return line.index(old) if line.count(old) == 1 else None

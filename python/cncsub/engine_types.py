@@ -69,7 +69,7 @@ _DOCS: Mapping[type, tuple[str, Mapping[str, str]]] = {
         {
             "name": "The key in `cncsub.controls`; of a changed control also the changes.",
             "title": "The name for people.",
-            "dialect": "The language of its programs: `iso`, `grblhal`, `okuma`, `sinumerik`.",
+            "dialect": "The language of its programs, such as `iso`, `linuxcnc` or `okuma`.",
             "base": "The built-in control that it was made from: a key of `cncsub.controls`.",
             "rules": "How it answers each question, a tuple of rules with their sources.",
             "parameters": "Its settings by name, such as `6005#0`, with what they mean.",

@@ -27,7 +27,7 @@ HOW_TO_WRITE = "python tests/conformance/entries.py looks for rows and writes en
 
 LETTERS = (  # noqa: SIM905
     "point_addresses minus_addresses name_marks dwell_words longer_words cycle_repeats"
-    " lead_growth thread_words_not_computed"
+    " lead_growth thread_words_not_computed call_words_not_computed cycle_words_not_computed"
 ).split()  # lists of one character an entry; the others have blanks between
 
 # Each is a rule, a control or None for all, the entries, and why no row can notice them.

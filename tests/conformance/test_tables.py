@@ -90,7 +90,15 @@ def test_the_980s_print_four_digits_as_the_later_printing_of_their_paper_does(na
 
 def test_only_a_list_that_is_printed_is_quoted() -> None:
     quoted = {n for n, c in cncsub.controls.items() if any(a.printed for a in c.alarms.values())}
-    assert quoted == {"fanuc-0i-d", "fanuc-0i-f", "fanuc-30i", "grblhal", "linuxcnc", "okuma-osp-p300"}
+    assert quoted == {
+        "fanuc-0i-d",
+        "fanuc-0i-f",
+        "fanuc-30i",
+        "grblhal",
+        "linuxcnc",
+        "mazak-smooth",
+        "okuma-osp-p300",
+    }
 
 
 def test_rows_run_on_controls_that_exist() -> None:

@@ -12,6 +12,7 @@ MITSUBISHI = ("mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800")
 F16, F0D, F0F, F30 = FANUC = ("fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i")
 HNC = "hnc-21m"
 HAAS = "haas-ngc"
+MAZAK = "mazak-smooth"
 LINUXCNC = "linuxcnc"
 GRBLHAL = "grblhal"
 OKUMA = "okuma-osp-p300"
@@ -274,7 +275,7 @@ _TABLE = _joined(
     _all("reset_clears:commons", (HAAS,), "all of its commons are kept at power-off"),
     _all(
         "skip_signals measuring measured",
-        (HAAS,),
+        (HAAS, MAZAK),
         "its other signals and its G37 are not computed",
     ),
     _all("refuses:spindle-stopped", (HAAS,), "the control cuts no threads"),

@@ -22,13 +22,25 @@ std::vector<BlockToken> tokens_of(ReadWord read, std::string_view text) {
   return tokens;
 }
 
-/// A text in which comments and what stands between quotes are passed over.
+/// A text in which comments and what stands between quotes are passed over. Round brackets may be
+/// none of a comment: what stands between quotes in them is passed over as a whole.
 template <class Change>
 std::string outside_comments(const Spelling& spelling, std::string_view text,
                              const Change& change) {
   std::string written;
-  char end = '\0';  // of the comment or the text that is open
-  for (const char c : text) {
+  char end = '\0';         // of the comment or the text that is open
+  std::size_t quoted = 0;  // up to here a text between quotes in brackets goes
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if (at < quoted) {
+      written += c;
+      continue;
+    }
+    if (end == ')' && c == '"' && text.find('"', at + 1) != std::string_view::npos) {
+      quoted = text.find('"', at + 1) + 1;
+      written += c;
+      continue;
+    }
     const bool outside = end == '\0';
     if (!outside)
       end = c == end ? '\0' : end;
@@ -122,7 +134,8 @@ bool BlockLayout::joined(const BlockToken& before, const BlockToken& behind) con
 std::string BlockLayout::between(const BlockToken& before, std::string_view blanks,
                                  const BlockToken& behind) const {
   const bool ignored = before.kind == Kind::Ignored || behind.kind == Kind::Ignored;
-  if (layout_.blanks == Layout::Blanks::Keep || ignored) return std::string(blanks);
+  const bool ends_line = blanks.find('\n') != std::string_view::npos;
+  if (layout_.blanks == Layout::Blanks::Keep || ignored || ends_line) return std::string(blanks);
   if (joined(before, behind)) return "";
   const auto statement = [](const BlockToken& of) {
     return of.kind == Kind::Word && (of.word.address.empty() || !of.word.known);
@@ -213,6 +226,9 @@ LayoutChange reduced(std::string_view file, const LayoutChange& change) {
     --before;
   else if (before + behind == old.size() && behind > 0)
     --behind;
+  // A character is changed as a whole, however many bytes it has.
+  while (before > 0 && before < old.size() && is_inside_character(old[before])) --before;
+  while (behind > 0 && is_inside_character(old[old.size() - behind])) --behind;
   return {change.at + static_cast<std::uint32_t>(before),
           static_cast<std::uint32_t>(old.size() - before - behind),
           std::string(text.substr(before, text.size() - before - behind))};
@@ -283,7 +299,7 @@ void FileLayout::block(const Block& block, const Program& program, int depth) {
 
 void FileLayout::program(std::int32_t index, InterruptCheck& interrupt) {
   const Program& program = code_.programs[static_cast<std::size_t>(index)];
-  NestingDepth depth(code_);
+  NestingDepth depth(code_, program);
   for (Address at = program.first; at < program.last; ++at) {
     const Block& block = code_.blocks[at];
     if (interrupt.requested(block.length + InterruptCheck::kBlock)) return;

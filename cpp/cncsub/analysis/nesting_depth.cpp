@@ -2,7 +2,17 @@
 
 #include <algorithm>
 
+#include "cncsub/code/loop_end.hpp"
+
 namespace cncsub {
+
+NestingDepth::NestingDepth(const Code& code, const Program& program) : code_(code) {
+  for (Address at = program.first; at < program.last; ++at) {
+    const Block& block = code.blocks[at];
+    if (block.op != Op::IfGoto) continue;
+    if (const auto head = head_of_loop(code.statements[block.aux])) ends_[*head] = at;
+  }
+}
 
 /// Return whether a statement ends the innermost one that is open, or is another branch of it.
 bool NestingDepth::ends(const OWord& word) const {
@@ -54,6 +64,7 @@ int NestingDepth::of(Address at) {
     return depth();
   }
   const int its = depth();
+  if (const auto loop = ends_.find(at); loop != ends_.end()) open_.push_back({loop->second});
   switch (block.op) {
     case Op::OWord:
       return of_o_word(code_.o_words[block.aux]);

@@ -1,6 +1,7 @@
 // How many loops, branches and subprograms are open at each block of a program.
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "cncsub/code/code.hpp"
@@ -10,7 +11,7 @@ namespace cncsub {
 /// Counts what is open, over the blocks of a program in their order.
 class NestingDepth {
  public:
-  explicit NestingDepth(const Code& code) : code_(code) {}
+  NestingDepth(const Code& code, const Program& program);
 
   /// Return the depth at which the next block stands: an end stands at the depth of its beginning.
   int of(Address at);
@@ -29,6 +30,7 @@ class NestingDepth {
 
   const Code& code_;
   std::vector<Open> open_;
+  std::unordered_map<Address, Address> ends_;  // of loops that ask at their end, by their heads
 };
 
 }  // namespace cncsub

@@ -103,6 +103,17 @@ case(
     "a block with a number may be reached from elsewhere: no type is known there", **OURS,
     program=macro("N10 #1 := 7;\nN20 #2 := #1/2;\nN30 M30;"), runs="N10", alarm="code-not-computed", number=None, at="O1 N20",
 )
+for skip in ((), (1,)):
+    case(
+        f"an assignment that a slash may skip tells no type, whether it does or not: {'on' if skip else 'off'}", **OURS,
+        program=macro("N10 #1 := 7;\n/#1 := 6.;\n#2 := #1/4;\nN30 M30;"), skip=skip, alarm="code-not-computed", number=None, at="O1",
+        variables={2: 5}, vars={2: 5},
+    )
+case(
+    "a T code that calls a subprogram may change a type", **OURS, params={"3215": 1},
+    files={"O1": "%@MACRO\n#1 := 6;\nT5;\n#2 := #1/4;\nM30;\n", "T0000": "%@MACRO\n#1 := 6.;\nM99;\n"}, main="O1",
+    alarm="code-not-computed", number=None, at="O1", vars={1: 6},
+)
 case(
     "a quotient of values whose types nobody knows is not computed", **OURS,
     program=macro("N10 #1 := #24/#25;\nN20 M30;"), runs="", alarm="code-not-computed", number=None, at="O1 N10",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cncsub/code/loop_end.hpp"
 #include "cncsub/text/scan.hpp"
 
 namespace cncsub::grblhal {
@@ -241,6 +242,7 @@ void Structure::end_do(const Met& word) {
   Met last = word;
   const Address head = lines_[open_.back().met].address;
   last.flow.statement.to = head + 1;
+  end_loop_by(last.flow.statement, LoopEnd::BehindHead);
   become(last, Op::IfGoto);
   jumps_of(open_.back(), word.address + 1, head + 1);
   open_.pop_back();

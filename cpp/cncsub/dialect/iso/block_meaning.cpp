@@ -262,6 +262,7 @@ std::optional<Fault> MeaningReader::check_together() const {
   if (auto fault = check_m_codes()) return fault;
   if (auto fault = check_g_codes()) return fault;
   if (auto fault = check_corner()) return fault;
+  if (auto fault = check_call_words()) return fault;
   return check_repeated();
 }
 
@@ -324,6 +325,17 @@ std::optional<Fault> MeaningReader::check_corner() const {
       return fault_of(token, Cause::CornerWithCall,
                       "a chamfer or corner round cannot share a block with M98");
   }
+  return std::nullopt;
+}
+
+/// Return the fault of a word beside M98 by which it is something that is not computed.
+std::optional<Fault> MeaningReader::check_call_words() const {
+  const Letters& words = control_.calls.call_words_not_computed.value;
+  if (!meaning_.calls() || meaning_.kind != CallKind::Subprogram) return std::nullopt;
+  for (const Token& token : tokens_)
+    if (!token.comma && words.has(token.letter))
+      return fault_of(token, Cause::CodeNotComputed,
+                      std::string("M98 with ") + token.letter + " is not computed");
   return std::nullopt;
 }
 

@@ -92,6 +92,7 @@ class MeaningReader {
   std::optional<Fault> check_m_codes() const;
   std::optional<Fault> check_g_codes() const;
   std::optional<Fault> check_corner() const;
+  std::optional<Fault> check_call_words() const;
   std::optional<Fault> check_repeated() const;
 
   const BlockRules& rules_;

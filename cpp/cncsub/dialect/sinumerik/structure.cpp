@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cncsub/code/loop_end.hpp"
+
 namespace cncsub::sinumerik {
 
 namespace {
@@ -171,6 +173,7 @@ void Structure::close(const Met& met, Link::Kind opener) {
   }
   if (runs(end, Op::EndDo) || runs(end, Op::EndFor) || runs(end, Op::IfGoto))
     statement(end).to = begin;
+  if (runs(end, Op::IfGoto)) end_loop_by(statement(end), LoopEnd::ToHead);
   if (counts && runs(end, Op::EndFor))
     statement(end).then = static_cast<std::uint32_t>(statement(begin).number);
 }

@@ -57,7 +57,7 @@ bool is_structured(std::string_view block) {
     if (block[at] != '(' && block[at] != '@' && block[at] != ':') continue;
     const char behind = at + 1 < block.size() ? block[at + 1] : '\0';
     if (block[at] == '@' || (block[at] == ':' && behind == '=')) return true;
-    const bool value = is_digit(behind) || std::string_view("#@.+-(").find(behind) < 6;
+    const bool value = is_digit(behind) || std::string_view("#@.+-(\"").find(behind) < 7;
     if (block[at] == '(' && at > 0 && is_letter(block[at - 1]) && value) return true;
   }
   return false;

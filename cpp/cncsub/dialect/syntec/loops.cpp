@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cncsub/code/loop_end.hpp"
 #include "cncsub/dialect/iso/structured_words.hpp"
 #include "cncsub/dialect/syntec/statement_text.hpp"
 #include "cncsub/dialect/syntec/statements.hpp"
@@ -185,6 +186,7 @@ void StructuredReader::until(Scanner& s, Block& block) {
   } else {
     statement.expression = *read;
     statement.to = open->head;
+    end_loop_by(statement, LoopEnd::ToHead);
     to_.become(block, Op::IfGoto, statement);
   }
   append(s, block);

@@ -136,8 +136,9 @@ void StructuredReader::words(const Scanner& from, Scanner& s, Block& block) {
   append(s, block);
 }
 
-/// Keep the type of the variable that a block assigns, if both are known. A label, a structure and
-/// a call may be reached, or change variables, in other ways: nothing is known after them.
+/// Keep the type of the variable that a block assigns, if both are known and no switch skips the
+/// block. A label, a structure and a call may be reached, or change variables, in other ways:
+/// nothing is known after them.
 void StructuredReader::learn_type(const Block& block) {
   if (block.n >= 0) types_.clear();
   if (is_words(block.op))
@@ -150,7 +151,8 @@ void StructuredReader::learn_type(const Block& block) {
   const std::int64_t number = assigned_number(block, text_, written_);
   const Value& value = blocks_.expressions().last_value();
   types_.erase(number);
-  if (value.is_whole() || value.is_real()) types_[number] = value.is_whole();
+  if (!block.can_be_skipped() && (value.is_whole() || value.is_real()))
+    types_[number] = value.is_whole();
 }
 
 /// Read a statement that begins with a word of several letters, perhaps after N and a number.

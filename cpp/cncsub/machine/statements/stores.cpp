@@ -22,8 +22,9 @@ bool user_alarm(Run& run, double n, const Statement& statement) {
     return alarm(run, {Cause::IllegalUserAlarm, statement.at, statement.width,
                        "a program may raise alarms 0 to " + std::to_string(last)});
   const std::string text = comment_of(run, statement);
-  std::string shown =
-      std::to_string(control.macros.user_alarm_offset.value + to_whole<std::int64_t>(number));
+  const int own = control.macros.user_alarm_numbers.value;
+  const auto counted = own > 0 && number > own ? 0 : to_whole<std::int64_t>(number);
+  std::string shown = std::to_string(control.macros.user_alarm_offset.value + counted);
   while (static_cast<int>(shown.size()) < control.user_alarm_digits) shown.insert(0, "0");
   return alarm_of_program(run, statement, text,
                           control.user_alarm_number.empty() ? control.user_alarm_prefix + shown

@@ -76,8 +76,18 @@ Result check_first_words(MotionView m, const BlockWords& block) {
   return missing ? Result(fault(Cause::MotionWordMissing, block)) : std::nullopt;
 }
 
+/// Refuse words that change the moves of the cycle in a way that is not computed.
+Result check_computed(MotionView m, const BlockWords& block) {
+  for (const char letter : m.facts.control->motion.cycle_words_not_computed.value)
+    if (block.words.has(letter))
+      return fault_at(letter, Cause::CodeNotComputed, block,
+                      std::string("a canned cycle with ") + letter);
+  return std::nullopt;
+}
+
 /// Read how often the cycle is done, or return what is wrong with its words.
 Result cycle_words(MotionContext& m, const BlockWords& block, int& repeats) {
+  if (auto wrong = check_computed(m, block)) return wrong;
   take_cycle_words(m, block);
   if (auto wrong = check_first_words(m, block)) return wrong;
   const NcWords& w = block.words;
@@ -160,12 +170,15 @@ Result peck(MotionContext& m, BlockWords& block, int axis, double r, double z) {
 /// Feed a tap to a level. Where the control takes its axes for each other outside of G17, so do we;
 /// the cycle goes on over its hole. [rs274 2.9: convert_cycle_g74_g84]
 Result feed_tap(MotionContext& m, BlockWords& block, int axis, double level) {
-  const TapReturn form = m.facts.control->motion.tap_return.value;
-  if (form != TapReturn::Shuffled || m.state.plane == Plane::XY)
-    return move_axis(m, block, MoveKind::Feed, axis, level);
+  const MotionRules& rules = m.facts.control->motion;
   Axes hole = m.state.work;
   Axes end = hole;
   hole[static_cast<std::size_t>(axis)] = level;
+  if (rules.tap_return.value != TapReturn::Shuffled || m.state.plane == Plane::XY) {
+    Piece piece = make_piece(m, block, MoveKind::Feed, hole, axis_bit(axis));
+    if (rules.tap_feed.value == TapFeed::Lead) piece.state.feed_mode = FeedMode::PerRevolution;
+    return move(m, block, piece);
+  }
   if (m.state.plane == Plane::ZX)
     end[0] = level, end[1] = hole[2], end[2] = hole[0];
   else
@@ -209,7 +222,8 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
     case Meaning::Tap:
       if (m.facts.control->motion.tap_return.value != TapReturn::R)
         return feed_tap(m, block, axis, level);
-      [[fallthrough]];
+      if (auto wrong = feed_tap(m, block, axis, r)) return wrong;
+      return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
     case Meaning::Bore:
     case Meaning::BoreDwell:
       if (cycle.cycle == Meaning::BoreDwell &&
