@@ -51,8 +51,21 @@ SIEMENS = tuple(name for name in CONTROLS if name.startswith("siemens"))
 _LACK = {
     _ALONG_Z: (),
     _IN_THE_PLANE: ("gsk-928te", "gsk-980tdi"),  # these have no G17, or no G91
-    _CALLS: ("gsk-928te", "grblhal", "okuma-osp-p300", *SIEMENS),  # these have no line O1, or no M98
-    _DRILLS: ("gsk-928te", "gsk-980tdi", "gsk-988t", "gsk-988ta", "grblhal", "okuma-osp-p300", *SIEMENS),
+    _CALLS: (
+        "gsk-928te",
+        "grblhal",
+        "okuma-osp-p300",
+        *SIEMENS,
+    ),  # these have no line O1, or no M98
+    _DRILLS: (
+        "gsk-928te",
+        "gsk-980tdi",
+        "gsk-988t",
+        "gsk-988ta",
+        "grblhal",
+        "okuma-osp-p300",
+        *SIEMENS,
+    ),
 }
 
 
