@@ -126,9 +126,12 @@ const SystemProgram* system_program(const Code& code, const CallRecord& call) {
 
 Fault not_computed(const CallRecord& call, const SystemProgram& called) {
   const CallExtras& extras = call.extras.get();
-  return {Cause::CodeNotComputed, extras.name_at, extras.name_width,
-          "cncsub does not compute " + std::string(called.name) +
-              (called.needs.empty() ? "" : ": " + std::string(called.needs))};
+  std::string detail = "cncsub does not compute ";
+  if (!called.name.starts_with('_')) {  // else no program can name it: it stands for what it needs
+    detail.append(called.name);
+    if (!called.needs.empty()) detail += ": ";
+  }
+  return {Cause::CodeNotComputed, extras.name_at, extras.name_width, detail.append(called.needs)};
 }
 
 /// The reading of a library's files.

@@ -69,12 +69,16 @@ constexpr SystemProgram kCycles[] = {
     {"SLOT1", {}, {}},
     {"SLOT2", {}, {}},
     // What the cycles above do not compute of their parameters: they call these names.
-    {"_GMODE_OF_CYCLE", {}, {}},
-    {"_VARI_OF_CYCLE82", {}, {}},
-    {"_DAM_WITHOUT_MDEP", {}, {}},
-    {"_VARI_OF_CYCLE801", {}, {}},
-    {"_VARI_OF_CYCLE84", {}, {}},
-    {"_PITA_OF_CYCLE", {}, {}},
+    {"_GMODE_OF_CYCLE", {}, "GMODE of a drilling cycle: write 0"},
+    {"_VARI_OF_CYCLE82", {}, "drilling through, VARI, ZA and ZD of CYCLE82"},
+    {"_DAM_WITHOUT_MDEP", {}, "a factor in DAM of CYCLE83 without MDEP"},
+    {"_AMODE_OF_CYCLE83", {}, "hundreds and more in AMODE of CYCLE83, which say what others count"},
+    {"_FRF_OF_CYCLE83", {}, "FRF of CYCLE83 outside 0.001 to 1"},
+    {"_VARI_OF_CYCLE801", {}, "frames and parallelograms, VARI, ANG1 and ANG2 of CYCLE801"},
+    {"_VARI_OF_HOLES2", {}, "VARI of HOLES2: write 0, or leave it out"},
+    {"_HIDE_OF_PATTERN", {}, "positions that HIDE leaves out: write the others one by one"},
+    {"_VARI_OF_CYCLE84", {}, "tapping in strokes, VARI of CYCLE84"},
+    {"_PITA_OF_CYCLE", {}, "leads in inches or in threads an inch, PITA above 1"},
 };
 
 constexpr const char* kAlarms = "general knowledge of the SINUMERIK alarms";

@@ -96,7 +96,10 @@ Param = Annotated[
 ]
 Skip = Annotated[
     list[int] | None,
-    typer.Option(help="A block-skip switch that is on, 1 to 10.", metavar="N"),
+    typer.Option(
+        help="A block-skip switch that is on, 1 to 10: 1 skips /, 2 skips /2 (of a SINUMERIK /1).",
+        metavar="N",
+    ),
 ]
 External = Annotated[
     Path | None, typer.Option(help="The folder of the external device, from which M198 calls.")

@@ -124,6 +124,17 @@ for area in ("NCK", "CHAN"):
                "UGUD.DEF": f"DEF {area} REAL DEPTH=2.5 ; of the machine\nM30\n"},
         vars={1: 2.5, 2: 7, 3: 9},
     )
+for words in ("CHAN REAL PHU 1", "NCK INT LLI 0 ULI 10", "CHAN INT", "CHAN APRP 7 APWP 3 DCM INT", "NCK REAL SYNRW PHU 42 LLI -5.5"):
+    case(
+        f"who may use a variable stands before its type or after it: {words}", control=ONE, source="828Dj p.23, DEF", evidence="maker's manual",
+        files={"MAIN.MPF": "N10 R1=DEPTH\nN20 M30\n", "UGUD.DEF": f"DEF {words} DEPTH=3\nM17\n"}, vars={1: 3},
+    )
+for use in ("MYMAC", "R1=MYMAC", "G0 X1 MYMAC"):
+    case(
+        f"a macro of a file that is no number is not computed: {use}", **POLICY,
+        files={"MAIN.MPF": f"N10 G0 X2\nN20 {use}\nN30 M30\n", "UMAC.DEF": "DEFINE MYMAC AS G0 X5\nM17\n"},
+        runs="N10", alarm="code-not-computed", at="MAIN N20", word="MYMAC",
+    )
 case(
     "a name that nothing defines is not computed", **POLICY,
     program="N10 DEPTH=5\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10",
@@ -135,8 +146,8 @@ case(
 )
 for word in ("LLI", "ULI"):
     case(
-        f"{word}, a limit of a variable, is not computed", control=ONE, source="SONE p.409, limit values of variables", evidence="maker's manual",
-        program=f"N10 DEF REAL {word} 5.0 DEPTH\nN20 M30", runs="", alarm="code-not-computed", at="MAIN N10", word=word,
+        f"{word}, a limit of a variable, is told as dropped", control=ONE, source="SONE p.409, limit values of variables", evidence="maker's manual",
+        program=f"N10 DEF REAL {word} 5.0 DEPTH=2\nN20 R1=DEPTH\nN30 M30", vars={1: 2}, dropped=[f"{word} 5.0"],
     )
 for value in ("2147483648", "-2147483649", "1EX10"):
     case(

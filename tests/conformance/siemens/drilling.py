@@ -84,6 +84,10 @@ _drill(
     "an absolute depth does not", "CYCLE81(30,30,2,10)",
     "R Z32\nF Z10\nR Z30", **KNOWN,
 )
+for _call in ("CYCLE81(100,0,2,10)", "CYCLE82(100,0,2,10,,0.6)", "CYCLE81(-100,0,2,-10)"):
+    _drill(
+        f"a depth on the side of the retraction plane is 61101: {_call}", _call, "", alarm="user-alarm", number="61101", **KNOWN,
+    )
 _drill(
     "a retraction plane that is nearer to the depth than the reference plane is 61101", "CYCLE81(20,30,2,-10)", "",
     alarm="user-alarm", number="61101", **KNOWN,
@@ -135,6 +139,16 @@ _drill(
     "a factor without a least stroke is not computed", "CYCLE83(50,30,2,10,,,8,-0.5)", "",
     alarm="code-not-computed", word="_DAM_WITHOUT_MDEP", **KNOWN,
 )
+for _what, _call in (
+    ("digits of AMODE that say what other parameters count", "CYCLE83(50,30,2,10,,20,,4,0,0,1,0,0,1.2,1.4,0,1.6,0,1,1110)"),
+    ("a feed factor above 1", "CYCLE83(50,30,2,10,,20,,4,0,0,90)"),
+    ("one below a thousandth", "CYCLE83(50,30,2,10,,20,,4,0,0,0.0001)"),
+    ("a negative one", "CYCLE83(50,30,2,10,,20,,4,0,0,-1)"),
+):
+    _drill(
+        f"{_what}: not computed", _call, "",
+        alarm="code-not-computed", word="_AMODE_OF_CYCLE83" if "AMODE" in _what else "_FRF_OF_CYCLE83", **KNOWN,
+    )
 _drill(
     "DTD is the dwell at the final depth", "CYCLE83(50,30,2,10,,20,,0,0.5,0,1,0,0,0,0,1.5)",
     "R Z32\nF Z20\nW 0.5\nF Z21\nF Z10\nW 1.5\nR Z50", **LIST,

@@ -174,3 +174,8 @@ case(
     "an IF of an unknown name opens a structure that can be left", **UNKNOWN,
     program="N10 GOTOF OUT\nN20 IF $A_DBB[1]==1\nN30 G0 X1\nN40 ENDIF\nN50 OUT: M30", runs="N10 N50",
 )
+for jump in ("GOTO LA", "GOTOF LA", "GOTOB LA", "GOTOS"):
+    case(
+        f"a jump beside other words is refused: {jump}", control=ONE, source="general knowledge of the SINUMERIK 840D: a block of its own", evidence="inferred",
+        program=f"N10 G0 X2\nN20 LA: G0 X1 {jump}\nN30 M30", runs="N10", alarm="statement-format", at="MAIN N20", word=jump.split()[0],
+    )

@@ -135,6 +135,11 @@ _pattern(
     "R X40 Y30\nR X25\nR X10\nR Y20\nR X25\nR X40", "X100 Y100",
 )
 _pattern("a grid turns about its corner", "CYCLE801(10,20,90,15,10,2,2)", "R X10 Y20\nR Y35\nR X0\nR Y20", "X12 Y18")
+for _call in ('HOLES1(10,20,0,5,15,3,0,0,"2")', 'HOLES2(10,20,5,0,90,3,0,0,"2")', 'CYCLE801(10,20,0,15,10,3,2,0,0,0,0,"2")'):
+    _pattern(f"positions that are left out are not computed: {_call[:6]}", _call, "", alarm="code-not-computed", word="_HIDE_OF_PATTERN")
+_pattern(
+    "another way along a circle is not computed", "HOLES2(10,20,5,0,90,3,1000)", "", alarm="code-not-computed", word="_VARI_OF_HOLES2",
+)
 _pattern(
     "a frame is not computed", "CYCLE801(10,20,0,15,10,3,2,1)", "", alarm="code-not-computed", word="_VARI_OF_CYCLE801",
 )

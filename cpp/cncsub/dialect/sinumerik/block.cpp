@@ -212,8 +212,12 @@ bool named(OpenBlock& open, Block& block, Words& words) {
   if (name == "MSG") return message(open, block, words, at);
   if (name == "MCALL") return modal_call(open, block, words, at);
   if (const Definition* const of = open.definitions.find(name)) {
+    if (of->macro) return open.not_computed(block, "the macro " + name, at);
     return open.expression.assignments(*of, words.statements) || open.refuse(block);
   }
+  if (is_jump(name))
+    return open.refuse(block, Cause::StatementFormat,
+                       "a jump stands in a block of its own, or behind IF", at);
   if (name == "AX") return axis_by_index(open, block, words, at);
   if (name == "POS") return position(open, block, words, at);
   if (name == "MEAS") return measure(open, block, words, at);

@@ -189,9 +189,6 @@ bool DeclarationReader::name(Block& block, Declared& declared, std::size_t short
   const std::string_view name = line_.name();
   declared.name = capitals(name);
   line_.pass(name.size());
-  if (declared.name == "LLI" || declared.name == "ULI")  // [SONE p.409, limit values]
-    return refuse(block, Cause::CodeNotComputed, "limits of a variable are not computed here",
-                  declared.at);
   declared.width = line_.width_from(declared.at);
   if (name.size() < shortest || name.size() > kLongestName ||
       (name.size() > 1 && is_digit(name[1])))

@@ -39,6 +39,7 @@ class DeclarationReader {
   bool macro(Block& block);
   bool is_of_definitions();
   bool is_global(Block& block, bool& global);
+  void attributes_of_data();
   bool add(Block& block, Declared& declared, std::vector<Statement>& statements);
   bool type(Block& block, Definition& definition);
   bool name(Block& block, Declared& declared, std::size_t shortest);

@@ -10,15 +10,20 @@ namespace cncsub::sinumerik {
 namespace {
 
 // Words between DEF and the type that say who may read and write, and when the control reads ahead.
-constexpr std::string_view kAccess[] = {"SYNR", "SYNW", "SYNRW", "PHU",  "APR",   "APW",
-                                        "APRP", "APWP", "APRB",  "APWB", "INIPO", "INIRE"};
+constexpr std::string_view kAccess[] = {"SYNR", "SYNW", "SYNRW", "PHU",   "APR",   "APW", "APRP",
+                                        "APWP", "APRB", "APWB",  "INIPO", "INIRE", "DCM"};
+// Words before the limits of its values.
+constexpr std::string_view kLimits[] = {"LLI", "ULI"};
 
 }  // namespace
 
 /// Read DEF INT COUNT=1, LAST. A variable without a value is 0.
 bool DeclarationReader::def(Block& block) {
   Definition of;
-  if (!is_global(block, of.global) || !type(block, of)) return false;
+  if (!is_global(block, of.global)) return false;
+  attributes_of_data();
+  if (!type(block, of)) return false;
+  attributes_of_data();
   std::vector<Statement> statements;
   do {
     Declared declared;
@@ -46,13 +51,23 @@ bool DeclarationReader::is_global(Block& block, bool& global) {
   if (!is_of_definitions())
     return refuse(block, Cause::CodeNotComputed,
                   "DEF " + first + " outside of a file of definitions is not computed here", at);
-  for (std::string word = capitals(line_.name());
-       std::find(std::begin(kAccess), std::end(kAccess), word) != std::end(kAccess);
-       word = capitals(line_.name())) {
-    line_.pass(word.size());
-    if (is_digit(line_.peek())) line_.take_digits();
-  }
   return true;
+}
+
+/// Pass the words that say who may read and write, and when; the limits of the values are told as
+/// dropped. They stand before the type or after it. [828Dj p.23]
+void DeclarationReader::attributes_of_data() {
+  for (;;) {
+    const std::uint32_t at = line_.offset();
+    const std::string word = capitals(line_.name());
+    const bool limits = is_among(kLimits, word);
+    if (!limits && !is_among(kAccess, word)) return;
+    line_.pass(word.size());
+    Value value;
+    expression_.number(value);
+    expression_.fault.reset();
+    if (limits) to_.drop(at, line_.width_from(at));
+  }
 }
 
 /// Add what gives a variable its first value when its definition runs, or when a run begins.
@@ -94,17 +109,21 @@ bool DeclarationReader::first_value(Block& block, const Declared& declared) {
 bool DeclarationReader::macro(Block& block) {
   const Line before = line_;
   const auto leave = [&] { return line_ = before, false; };
+  Definition number;
+  number.global = is_of_definitions();
   line_.pass(6);
   const std::string name = capitals(line_.name());
   line_.pass(name.size());
   if (name.size() < 2 || capitals(line_.name()) != "AS") return leave();
   line_.pass(2);
-  Definition number;
-  number.global = is_of_definitions();
   Value value;
   const bool read = expression_.number(value) && line_.at_end();
   expression_.fault.reset();
-  if (!read) return leave();
+  if (!read) {
+    number.macro = true;
+    if (number.global) definitions_.add(name, number);
+    return leave();
+  }
   if (definitions_.defines(name, number.global))
     return refuse(block, Cause::VariableGivenTwice, name + " is defined already", value.at), true;
   number.constant = value.number;

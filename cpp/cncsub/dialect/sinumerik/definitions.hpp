@@ -36,6 +36,7 @@ struct Definition {
   std::size_t dimensions = 0;          // of an array
   std::array<std::int32_t, kMostDimensions> extents{};
   std::optional<double> constant{};  // the number that a macro stands for
+  bool macro = false;                // what a macro stands for is no number
   // Of a parameter that stands for a variable: the local that says for which. Of an array the
   // next one holds how many elements it has, and the extents, which are 0 here, come after it.
   std::int32_t reference = -1;

@@ -258,4 +258,9 @@ int place_of(std::string_view address) {
   return -1;
 }
 
+bool is_jump(std::string_view word) {
+  static constexpr std::string_view kJumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
+  return is_among(kJumps, word);
+}
+
 }  // namespace cncsub::sinumerik

@@ -60,4 +60,7 @@ bool is_keyword(std::string_view word);
 /// Return a word that is not computed, with what it would need where that is known.
 std::string what_it_needs(std::string_view word);
 
+/// Return whether a word, in capitals, is GOTO or one of its kind.
+bool is_jump(std::string_view word);
+
 }  // namespace cncsub::sinumerik

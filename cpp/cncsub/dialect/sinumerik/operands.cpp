@@ -115,8 +115,10 @@ Read read_axis(OpenExpression& open) {
 }
 
 Read read_name(OpenExpression& open, const std::string& name, int depth) {
-  if (const Definition* const of = open.definitions.find(name))
+  if (const Definition* const of = open.definitions.find(name)) {
+    if (of->macro) return fails(open.not_computed("the macro " + name, open.line.offset()));
     return read_variable(open, *of, name, depth);
+  }
   if (name[0] == 'R' && (name.size() == 1 ? open.line.ahead(1) == '[' : is_digit(name[1])))
     return read_parameter(open, depth);
   if (name.size() == 1 && axis_value(name[0]) > 0) return read_axis(open);

@@ -32,11 +32,8 @@ constexpr Structure kStructures[] = {{"ELSE", Link::Kind::Else, Op::Else, false}
                                      {"ENDFOR", Link::Kind::EndFor, Op::EndFor, false},
                                      {"UNTIL", Link::Kind::Until, Op::IfGoto, true}};
 
-constexpr std::string_view kJumps[] = {"GOTO", "GOTOF", "GOTOB", "GOTOC", "GOTOS"};
 constexpr std::string_view kOthers[] = {"IF", "FOR", "CASE", "REPEAT", "REPEATB"};
 constexpr std::string_view kCalls[] = {"CALL", "PCALL", "EXTCALL", "ISOCALL", "CALLPATH", "SETAL"};
-
-bool is_jump(std::string_view word) { return is_among(kJumps, word); }
 
 /// Return whether a jump stands in the rest of the block, which opens no structure then.
 bool jumps_later(OpenBlock& open) {
