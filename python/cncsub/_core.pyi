@@ -674,6 +674,9 @@ class Machine:
     @property
     def modal_calls(self) -> int: ...  # how many are in force
     def follows_time(self, number: int) -> bool: ...  # a clock or a date
+    @property
+    def control_frames(self) -> dict[str, tuple[str, str | None]]:
+        """Return the frames that programs may write: role and value, `None` where none makes it."""
     def assignment(self, number: int, value: float | None) -> str:
         """Return how the control assigns a value to a variable."""
     def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:

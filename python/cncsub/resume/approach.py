@@ -57,6 +57,21 @@ class Approach:
             bend(self._draft)
         self._go_across(aim, axes, order)
 
+    def stay_in_frame(self) -> None:
+        """Go with all axes to where the tool stands, in a frame that has come after the moves: an
+        increment counts from where an axis has gone in its frame.
+        """
+        if not (self._draft.frames and len(self._machine.moves)):
+            return
+        aim = {
+            axis: value
+            for axis in self._commanded
+            if (value := machine_coordinate(self._machine.moves[-1], axis)) is not None
+        }
+        if aim:
+            line = self._line_to(aim, "G00")
+            self._draft.add_where(self._draft.stands_still, line)
+
     def _go_across(self, aim: Any, axes: list[str], order: tuple[str, ...] | None) -> None:
         chosen = order or (("Z", "X") if self._draft.lathe else ())
         left = "".join(axis for axis in axes if axis not in "".join(chosen))

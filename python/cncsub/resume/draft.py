@@ -52,6 +52,7 @@ class Draft:
         self.notes: list[str] = []
         self.now = self.run([])
         self.power_on = self.modal
+        self.frames = machine.core.control_frames
         self.lathe = self.power_on.get("plane", "G18") == "G18"
 
     @property

@@ -24,8 +24,37 @@ def bend(draft: Draft) -> None:
         asked = partial(_has_code_of, draft, name)
         for step in draft.before.steps_with(found[1] if found else 0, asked):
             draft.add_where(lambda _: True, *draft.before.flat_text(step))
+    _bend_by_frame(draft)
+
+
+def _bend_by_frame(draft: Draft) -> None:
+    """Make the frame of the program as the run has made it; where that gives another one, as after
+    a return that has restored it, by its value.
+    """
+    before = draft.lines, draft.now
     for step in draft.before.frame_steps():
         draft.add_where(lambda _: True, *draft.before.flat_text(step))
+    if _frames_apart(draft, "program"):
+        draft.lines, draft.now = before
+        write_frames(draft, "program")
+
+
+def write_frames(draft: Draft, *roles: str) -> None:
+    """Give the frames of the control of these roles, as variables, the values that they have in the
+    run.
+    """
+    for name in _frames_apart(draft, *roles):
+        _, value = draft.frames[name]
+        if value is None or not draft.add(f"{name}={value}"):
+            draft.lacks.append(f"{name} cannot be given the frame that it has")
+
+
+def _frames_apart(draft: Draft, *roles: str) -> list[str]:
+    """Return the frames of the control of these roles that are not as the run has them."""
+    here = draft.now.core.control_frames if draft.frames else {}
+    return [
+        name for name, of in draft.frames.items() if of[0] in roles and here.get(name) != of
+    ]
 
 
 def _has_code_of(draft: Draft, group: str, block: Any) -> bool:

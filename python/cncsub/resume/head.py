@@ -52,4 +52,5 @@ def write_head(
     shift(draft)
     if not manner.bends_first:
         bend(draft)
+        approach.stay_in_frame()
     write_modes_last(draft)

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from cncsub.resume.draft import BENDING, PLANES, Draft
+from cncsub.resume.frames import write_frames
 from cncsub.resume.errors import ResumeError, place_text, refused
 from cncsub.resume.state import roles_of
 
@@ -40,8 +41,10 @@ def write_modes_first(draft: Draft, *, units_late: bool) -> None:
     for code in codes:
         _add_if_right(draft, code)
     _join(draft, codes)
+    write_frames(draft, "stored", "basic")
     if "work" in modal and not draft.add(modal["work"]):
         raise refused(f"the control takes no block '{modal['work']}' here", draft.state.block)
+    write_frames(draft, "settable")
     _modes_left(draft)
 
 
