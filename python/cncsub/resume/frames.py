@@ -52,9 +52,7 @@ def write_frames(draft: Draft, *roles: str) -> None:
 def _frames_apart(draft: Draft, *roles: str) -> list[str]:
     """Return the frames of the control of these roles that are not as the run has them."""
     here = draft.now.core.control_frames if draft.frames else {}
-    return [
-        name for name, of in draft.frames.items() if of[0] in roles and here.get(name) != of
-    ]
+    return [name for name, of in draft.frames.items() if of[0] in roles and here.get(name) != of]
 
 
 def _has_code_of(draft: Draft, group: str, block: Any) -> bool:

@@ -7,8 +7,8 @@ from functools import partial
 from typing import Any
 
 from cncsub.resume.draft import BENDING, PLANES, Draft
-from cncsub.resume.frames import write_frames
 from cncsub.resume.errors import ResumeError, place_text, refused
+from cncsub.resume.frames import write_frames
 from cncsub.resume.state import roles_of
 
 _DIGITS = 10  # of a value of `modal`: one that has as many may have more
