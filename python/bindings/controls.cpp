@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bindings.hpp"
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/control/alias.hpp"
 #include "cncsub/control/control.hpp"
 #include "cncsub/control/source.hpp"
@@ -564,6 +565,8 @@ void add_controls(py::module_& m) {
       .def_property_readonly("name", &whole_name)
       .def_readonly("title", &Control::title)
       .def_readonly("dialect", &Control::dialect)
+      .def_property_readonly(
+          "precision", [](const Control& c) { return find_dialect(c.dialect)->precision; })
       .def_property_readonly("base",
                              [](const Control& c) { return c.base.empty() ? c.name : c.base; })
       .def_property_readonly("rules",

@@ -76,7 +76,7 @@ bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
     const VariableKind kind = code.place(of.number).kind;
     const auto value = assigned_text(of);
     if (!value)
-      return refuse(name + " gets a frame that shears or turns inside out, and no functions make it");
+      return refuse("a frame of the control gets a value that no functions make: it shears");
     text += name + "=" + *value;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";

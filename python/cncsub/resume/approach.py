@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.draft import NEAR, REACHED, Draft, coordinate, stands_at
+from cncsub.resume.draft import REACHED, Draft, coordinate, stands_at
 from cncsub.resume.errors import refused
 from cncsub.resume.frames import bend, polar
 from cncsub.resume.modes import texts_for
@@ -173,7 +173,7 @@ class Approach:
         moves = self._machine.moves
         ends = np.asarray(moves[f"m{axis.lower()}"], float)
         starts = np.concatenate([[self._starts.machine_start(axis)], ends[:-1]])
-        return ~(np.abs(ends - starts) <= NEAR)
+        return ~(np.abs(ends - starts) <= self._draft.near)
 
     def _can_move(self, axis: str) -> bool:
         """Return whether the head can move an axis to the place: not where its place depends on
@@ -245,7 +245,7 @@ class Approach:
             step = self._before.last_executed(lambda block: _goes_home(block, axis))
             self._references[axis] = self._stays_since(axis, step)
         there = self._references[axis]
-        return there is not None and abs(there - value) < NEAR
+        return there is not None and abs(there - value) < self._draft.near
 
     def _stays_since(self, axis: str, step: int | None) -> float | None:
         moves = self._machine.moves
@@ -253,7 +253,7 @@ class Approach:
             return None
         here = coordinate(moves[-1], axis)
         for index in range(len(moves) - 1, -1, -1):
-            if abs(coordinate(moves[index], axis) - here) > NEAR:
+            if abs(coordinate(moves[index], axis) - here) > self._draft.near:
                 return None
             if moves[index].step <= step:
                 return here

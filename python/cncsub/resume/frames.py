@@ -7,7 +7,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.draft import BENDING, NEAR, PLANES, REACHED, Draft, coordinate, stands_at
+from cncsub.resume.draft import BENDING, PLANES, REACHED, Draft, coordinate, stands_at
 
 if TYPE_CHECKING:
     from cncsub.machine import Machine
@@ -91,7 +91,7 @@ def shift_first(draft: Draft) -> set[str]:
         line = f"G{code} {words}"
         if draft.writes(code) and draft.add_where(
             lambda _: all(
-                abs(draft.now.position[a] - starts.start_in_work(a)) < NEAR for a in axes
+                abs(draft.now.position[a] - starts.start_in_work(a)) < draft.near for a in axes
             ),
             line,
         ):
@@ -105,9 +105,9 @@ def shift(draft: Draft) -> None:
     wanted = draft.state.position
     here = draft.now.position
     off = {axis: here[axis] - wanted[axis] for axis in wanted if axis in here}
-    if all(abs(each) < NEAR for each in off.values()) or draft.used("rotation"):
+    if all(abs(each) < draft.near for each in off.values()) or draft.used("rotation"):
         return
-    shifted = [axis for axis, value in off.items() if abs(value) > NEAR]
+    shifted = [axis for axis, value in off.items() if abs(value) > draft.near]
     by = " ".join(f"{axis}{draft.text(axis, off[axis])}" for axis in shifted)
     to = " ".join(f"{axis}{draft.text(axis, wanted[axis])}" for axis in shifted)
     used = [code for code in (52, 92, 50) if draft.writes(code)]
@@ -123,6 +123,6 @@ def _shifts(draft: Draft, line: str) -> bool:
     def right(before: Machine) -> bool:
         here = draft.now.position
         unmoved = len(draft.now.moves) == len(before.moves)
-        return unmoved and all(abs(here[axis] - wanted[axis]) < NEAR for axis in wanted)
+        return unmoved and all(abs(here[axis] - wanted[axis]) < draft.near for axis in wanted)
 
     return draft.add_where(right, line)
