@@ -121,7 +121,7 @@ class SourceView(ScrollView, can_focus=True):
     def _fit_title(self) -> None:
         """Write the program and its file over the source: of a path that is too long, the end."""
         name, file = self._named
-        room = self.size.width - cell_len(name) - 4
+        room = self.size.width - cell_len(name) - 6  # two blanks, and what frames a title
         if room > 0 and cell_len(file) > room:
             file = "…" + right_crop(file, room - 1)
         self.border_title = Content(f"{name}  {file}".rstrip())
