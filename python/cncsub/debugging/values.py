@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import re
 from typing import Any
 
@@ -120,17 +119,23 @@ def _put_element(
 ) -> str:
     """Give an element of an array a value, such as `SIDES[1]` or `GRID[0,R1]`."""
     name = element[1].upper()
-    array: Any = copy.deepcopy([*variables.named[name]])
-    elements = array
+    array = elements = _lists(variables.named[name])
     *rows, last = (int(_number(machine, index) or 0) for index in element[2].split(","))
     try:
         for row in rows:
             elements = elements[_counted(row)]
-        elements[_counted(last)] = _typed(machine, text, elements[_counted(last)])
+        if isinstance(held := elements[_counted(last)], list):
+            raise IndexError(last)
+        elements[last] = _typed(machine, text, held)
     except (IndexError, TypeError):
         raise KeyError(f"{name} has no element {element[0]!r}") from None
     variables.named[name] = array
     return value_text(elements[last])
+
+
+def _lists(values: Any) -> Any:
+    """Return an array as lists that may be changed."""
+    return [*map(_lists, values)] if isinstance(values, list) else values
 
 
 def _counted(index: int) -> int:
