@@ -388,6 +388,14 @@ def test_generated_programs_are_started_again_on_every_control() -> None:
     assert restarts.share_refused < 0.03, restarts.report(shows=True)
 
 
+def test_programs_of_every_language_are_started_again_on_each_control() -> None:
+    """`python tests/differential/restart_programs.py --each 10000` does the same with more."""
+    restarts = restart_programs.Restarts(places=1)
+    for count, control in enumerate(cncsub.controls, 1):
+        restart_programs.of_control(restarts, control, 4 * count)
+    assert restarts.share_refused < 0.03, restarts.report(shows=True)
+
+
 def test_examples_are_started_again() -> None:
     restarts = restart_programs.Restarts()
     restart_programs.of_examples(restarts, every=9)
