@@ -238,8 +238,8 @@ def test_a_head_puts_in_force_what_the_run_has(
 
 def test_a_frame_that_a_return_has_restored_is_in_force_by_its_value() -> None:
     job = {
-        "A.MPF": "N10 G0 X5 Y0 Z10\nN20 TRANS X3\nTURN\nN30 G0 X7\nN40 Y2\nN50 M30\n",
-        "TURN.SPF": "PROC TURN SAVE\nROT Z30\nG0 X1\nM17\n",
+        "A.MPF": "N10 G0 X5 Y0 Z10\nN20 TRANS X3\nASIDE\nN30 G0 X7\nN40 Y2\nN50 M30\n",
+        "ASIDE.SPF": "PROC ASIDE SAVE\nROT Z30\nG0 X1\nM17\n",
     }
     resumed = cncsub.loads(job, control="siemens-one").resume(at="A:N40", setup=HOME)
     lines = resumed.text.splitlines()
@@ -248,7 +248,7 @@ def test_a_frame_that_a_return_has_restored_is_in_force_by_its_value() -> None:
 
 
 def test_numbers_of_32_bits_are_written_as_the_control_reads_them() -> None:
-    text = "o100 sub\nG1 X#1 F100\nG1 X[6.148+0.001] Y[1/3]\no100 endsub\nG0 X0 Y0 Z5\no100 call [6.148]\nM2\n"
+    text = "o100 sub\nG1 X#1 F100\nY[8/4]\no100 endsub\nG0 X0 Y0 Z5\no100 call [6.148]\nM2\n"
     library = cncsub.loads(text, control="grblhal")
     flat = library.flatten()
     assert "G1 X6.148 F100" in flat.text
