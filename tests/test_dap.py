@@ -304,6 +304,8 @@ def test_data_breakpoints_are_of_variables_axes_and_modes(client: Client, row: P
     )
     mode = client.ask("dataBreakpointInfo", name="cycle")
     assert client.ask("dataBreakpointInfo", name="#30 +")["dataId"] is None
+    switch = client.ask("dataBreakpointInfo", name="block_skip")
+    assert switch == {"dataId": None, "description": "block_skip is no value that is watched"}
     placed = client.ask(
         "setDataBreakpoints",
         breakpoints=[

@@ -870,3 +870,18 @@ def test_wrong_use_is_told_before_the_screen_opens(arguments: list[str], told: s
     assert (status, opened) == (2, [])
     assert told in printed
     assert printed.count("\n") == 1
+
+
+def test_a_title_shows_the_end_of_a_long_path_and_a_cut_line_its_mark() -> None:
+    file = f"{'folder/' * 12}row.nc"
+    text = ROW.replace("N10 G90", f"N10 ({'A LONG COMMENT ' * 5}) G90")
+
+    async def steps(screen: Screen) -> None:
+        title = str(screen.app.board.source.border_title)
+        assert title.startswith("O1  …")
+        assert title.endswith("folder/row.nc")
+        assert "row.nc ─" in screen.text
+        (line,) = [each for each in screen.text.splitlines() if "A LONG COMMENT" in each]
+        assert "…" in line
+
+    drive({file: text}, steps)

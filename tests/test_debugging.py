@@ -716,3 +716,31 @@ def test_a_line_of_a_file_is_not_that_of_a_file_of_the_same_name_in_a_folder() -
     machine.back(0)
     assert machine.run(until="sub/row.nc:3") is None
     assert machine.next.n == 40
+
+
+def test_what_is_no_variable_by_number_says_where_it_is() -> None:
+    text = 'DEF REAL PITCH\nDEF STRING[9] LABEL="A"\nM30\n'
+    machine = cncsub.loads(text, control="siemens-one").machine()
+    for _ in range(2):
+        machine.step()
+    with pytest.raises(KeyError, match=r"give variables\.named\['PITCH'\]"):
+        machine.variables["pitch"]
+    with pytest.raises(KeyError, match=r"give variables\.named\['PITCH'\]"):
+        machine.variables["PITCH"] = 1
+    for number in (-1, 10**12, 2**70):
+        with pytest.raises(KeyError, match="there is no "):
+            machine.variables[number] = 1
+    with pytest.raises(KeyError, match="there is no 'Q' to be set; there are X, Y, Z"):
+        machine.position["Q"] = 1
+    with pytest.raises(TypeError, match=r"named\['LABEL'\] must be a number or a text, not None"):
+        machine.variables.named["LABEL"] = None
+    with pytest.raises(ValueError, match=r"named\['PITCH'\] must be a number of 64 bits"):
+        machine.variables.named["PITCH"] = 10**400
+
+
+def test_a_wrong_place_to_go_back_to_is_refused_by_its_name(machine: cncsub.Machine) -> None:
+    machine.run()
+    with pytest.raises(TypeError, match="to must be a Block"):
+        machine.back(1.5)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="to names no place"):
+        machine.back([])  # type: ignore[arg-type]

@@ -280,7 +280,7 @@ def test_names_that_a_program_does_not_define_are_set_as_it_would() -> None:
     session.into()
     assert session.machine.position == {"X": 6, "Y": 0, "Z": 3}
     for name, value, why in (
-        ("#<nobody>", "1", "cannot be set"), ("#<depth>", "1/0", "the divisor is 0"), ("1+2", "5", "mdi"),
+        ("#<nobody>", "1", "cannot be set"), ("#<depth>", "1/0", "the divisor is 0"), ("1+2", "5", "cannot be set"),
     ):  # fmt: skip
         with pytest.raises((KeyError, ValueError), match=why):
             session.set(name, value)
@@ -559,3 +559,21 @@ def test_ticks_lose_no_breakpoint_and_no_change() -> None:
     ]
     assert len(pause.output) == 6000
     assert told
+
+
+def test_an_element_of_an_array_and_a_whole_frame_are_set() -> None:
+    text = "DEF INT GRID[2,3]\nDEF REAL ONE\nR1=GRID[1,2]\nM30\n"
+    session = Session(cncsub.loads(text, control="siemens-one"))
+    for _ in range(2):
+        session.into()
+    assert session.set("GRID[1,2]", "7") == "7"
+    assert session.set("grid[R2,1]", "3") == "3"
+    assert session.machine.variables.named["GRID"] == [[0, 3, 0], [0, 0, 7]]
+    for wrong in ("GRID[2,0]", "GRID[0]", "GRID[0,-1]"):
+        with pytest.raises(KeyError, match=r"GRID has no element"):
+            session.set(wrong, "1")
+    session.into()
+    assert session.evaluate("R1") == "7"
+    assert session.set("$P_UIFR[1]", "CTRANS(X,5):CROT(Z,30)") == '"CTRANS(X,5):CROT(Z,30)"'
+    with pytest.raises(KeyError, match="'100' cannot be set"):
+        session.set("100", "5")

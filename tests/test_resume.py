@@ -197,6 +197,27 @@ HEADS: list[tuple[str, str, str, dict[str, Any], list[str]]] = [
     ),
     (
         "siemens-one",
+        "N10 G0 X5 Z10\n$P_UIFR[1]=CTRANS(X,2):CROT(Z,90)\nG54\n$P_PFRAME=CTRANS(Y,1)\n"
+        "N30 G0 X7\nN40 X8\nN50 M30\n",
+        "MAIN:N40",
+        HOME,
+        [
+            "G71 G17 G94 G40 G90",
+            "$P_UIFR[1]=CTRANS(X,2):CROT(Z,90)",
+            "G54",
+            "G00 Z10.",
+            "$P_PFRAME=CTRANS(Y,1)",
+        ],
+    ),
+    (
+        "linuxcnc",
+        "G0 X0 Y0 Z5\nG1 Z-1 F100\nG2 X10 Y10 I10 J0\nF90\nX20 Y0 J-10\nM2\n",
+        "MAIN:4",
+        HOME,
+        ["G00 X10. Y10.", "G01 Z-1. F100", "F90", "G02 X20 Y0 J-10", "M2"],
+    ),
+    (
+        "siemens-one",
         "N10 G0 X5 Z10\nN20 TRANS X3\nN30 G0 X7\nN40 X8\nN50 M30\n",
         "MAIN:N40",
         HOME,
@@ -213,6 +234,26 @@ def test_a_head_puts_in_force_what_the_run_has(
     lines = resumed.text.splitlines()
     assert [line for line in lines if line in head] == head
     assert len(lines) - lines.index(head[-1]) <= 5
+
+
+def test_a_frame_that_a_return_has_restored_is_in_force_by_its_value() -> None:
+    job = {
+        "A.MPF": "N10 G0 X5 Y0 Z10\nN20 TRANS X3\nASIDE\nN30 G0 X7\nN40 Y2\nN50 M30\n",
+        "ASIDE.SPF": "PROC ASIDE SAVE\nROT Z30\nG0 X1\nM17\n",
+    }
+    resumed = cncsub.loads(job, control="siemens-one").resume(at="A:N40", setup=HOME)
+    lines = resumed.text.splitlines()
+    assert "$P_PFRAME=CTRANS(X,3)" in lines
+    assert not [line for line in lines if line.startswith("ROT")]
+
+
+def test_numbers_of_32_bits_are_written_as_the_control_reads_them() -> None:
+    text = "o100 sub\nG1 X#1 F100\nY[8/4]\no100 endsub\nG0 X0 Y0 Z5\no100 call [6.148]\nM2\n"
+    library = cncsub.loads(text, control="grblhal")
+    flat = library.flatten()
+    assert "G1 X6.148 F100" in flat.text
+    flat.verify()
+    library.resume(at="O100:2", setup=HOME).verify()
 
 
 def test_the_safe_height_and_the_order_of_axes_are_chosen(job: cncsub.Library) -> None:
@@ -344,6 +385,14 @@ def test_generated_programs_are_started_again_on_every_control() -> None:
     restart_programs.of_other_languages(restarts, range(4))
     assert sum(restarts.made.values()) > 100
     assert restarts.made["calls"] > restarts.made["flat"]
+    assert restarts.share_refused < 0.03, restarts.report(shows=True)
+
+
+def test_programs_of_every_language_are_started_again_on_each_control() -> None:
+    """`python tests/differential/restart_programs.py --each 10000` does the same with more."""
+    restarts = restart_programs.Restarts(places=1)
+    for count, control in enumerate(cncsub.controls, 1):
+        restart_programs.of_control(restarts, control, 4 * count)
     assert restarts.share_refused < 0.03, restarts.report(shows=True)
 
 

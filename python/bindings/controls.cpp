@@ -10,6 +10,7 @@
 #include "cncsub/control/spelled.hpp"
 #include "cncsub/control/variable_table.hpp"
 #include "cncsub/dialect/asked.hpp"
+#include "cncsub/dialect/dialect.hpp"
 
 namespace py = pybind11;
 
@@ -564,6 +565,8 @@ void add_controls(py::module_& m) {
       .def_property_readonly("name", &whole_name)
       .def_readonly("title", &Control::title)
       .def_readonly("dialect", &Control::dialect)
+      .def_property_readonly("precision",
+                             [](const Control& c) { return find_dialect(c.dialect)->precision; })
       .def_property_readonly("base",
                              [](const Control& c) { return c.base.empty() ? c.name : c.base; })
       .def_property_readonly("rules",

@@ -227,6 +227,31 @@ std::string assignment(const Live& live, std::int64_t number, std::optional<doub
          value_text(value.value_or(kVacant), code);
 }
 
+std::string_view role_of(std::optional<FrameInForce> frame) {
+  if (!frame) return "stored";
+  switch (*frame) {
+    case FrameInForce::Settable:
+      return "settable";
+    case FrameInForce::Program:
+      return "program";
+    case FrameInForce::Basic:
+      return "basic";
+    case FrameInForce::Whole:
+    case FrameInForce::Other:
+      break;
+  }
+  return "";
+}
+
+/// Return the frames of the control that programs may write: by name, the role and how its value
+/// is written.
+py::dict control_frames(Live& live) {
+  py::dict frames;
+  for (const auto& of : Look(live)->control_frames())
+    frames[py::str(of.name)] = py::make_tuple(role_of(of.role), of.text);
+  return frames;
+}
+
 /// Raise the reason why something cannot be set.
 void raise_refused(const std::optional<std::string>& refused) {
   if (refused) throw py::value_error(*refused);
@@ -324,6 +349,7 @@ void add_debugging(MachineClass& machine) {
       .def_property_readonly("modal_calls",
                              [](Live& live) { return Look(live)->state().modals.size(); })
       .def("follows_time", &follows_time, py::arg("number"))
+      .def_property_readonly("control_frames", &control_frames)
       .def("assignment", &assignment, py::arg("number"), py::arg("value"))
       .def("blocks_at", &blocks_at, py::arg("program"), py::arg("n") = -1, py::arg("line") = -1)
       .def_property_readonly("next_block", &next_block)

@@ -138,6 +138,8 @@ class Control:
     @property
     def dialect(self) -> str: ...
     @property
+    def precision(self) -> float: ...  # how exactly it reads a number; 0: in 64 bits
+    @property
     def base(self) -> str: ...
     @property
     def rules(self) -> tuple[Rule, ...]: ...
@@ -674,6 +676,9 @@ class Machine:
     @property
     def modal_calls(self) -> int: ...  # how many are in force
     def follows_time(self, number: int) -> bool: ...  # a clock or a date
+    @property
+    def control_frames(self) -> dict[str, tuple[str, str | None]]:
+        """Return the frames that programs may write: role and value, `None` where none makes it."""
     def assignment(self, number: int, value: float | None) -> str:
         """Return how the control assigns a value to a variable."""
     def blocks_at(self, program: int, n: int = -1, line: int = -1) -> list[int]:

@@ -74,9 +74,9 @@ class Breakpoint:
             raise ValueError(f"hits must be 1 to {2**31 - 1}, not {self.hits}")
 
 
-def wrong_place(given: object) -> TypeError:
+def wrong_place(given: object, what: str = "until") -> TypeError:
     return TypeError(
-        "until must be a Block, a program and a sequence number such as ('O2', 30), a number of"
+        f"{what} must be a Block, a program and a sequence number such as ('O2', 30), a number of"
         f" open calls, a Breakpoint or several, or a text such as {_FORMS}; not {given!r}"
     )
 
@@ -297,12 +297,18 @@ def compiled(
     return expressions
 
 
-def as_breakpoints(given: object) -> list[Breakpoint]:
+def as_breakpoints(given: object, what: str = "until") -> list[Breakpoint]:
     """Return what `until` and `to` may give as a list: one breakpoint or place, or several."""
     if isinstance(given, Breakpoint):
         return [given]
     if isinstance(given, Block | str) or _is_place(given):
         return [Breakpoint(given)]  # type: ignore[arg-type]
     if isinstance(given, Iterable) and not isinstance(given, Mapping | bytes):
-        return [each if isinstance(each, Breakpoint) else Breakpoint(each) for each in given]
-    raise wrong_place(given)
+        return [one for each in given for one in _one_breakpoint(each, what)]
+    raise wrong_place(given, what)
+
+
+def _one_breakpoint(given: object, what: str) -> list[Breakpoint]:
+    if isinstance(given, Iterable) and not isinstance(given, str | tuple):
+        raise wrong_place(given, what)
+    return as_breakpoints(given, what)

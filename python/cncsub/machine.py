@@ -198,7 +198,8 @@ class Machine(Outcome):
             return step
         if isinstance(to, str) and _VARIABLE.match(to) and not _EVENT.match(to):
             to = f"changes {to}"
-        breakpoints = as_breakpoints(to)
+        if not (breakpoints := as_breakpoints(to, "to")):
+            raise ValueError("to names no place: give a step, 'call', a variable or a breakpoint")
         last = Compiled(self.core, breakpoints).last_met()
         if last is None:
             raise _interrupted()

@@ -9,7 +9,7 @@ from typing import Any
 from cncsub import _core
 from cncsub.controls import did_you_mean
 from cncsub.files import one_line
-from cncsub.inputs import by_number, checked_variables, number_of
+from cncsub.inputs import by_number, checked_variables, is_whole, number_of
 from cncsub.pickling import NotPicklable
 from cncsub.setup import checked_number
 
@@ -84,7 +84,9 @@ class Variables(NotPicklable, Mapping[int, float | None]):
         try:
             return number_of("variables", self._core.code.control, name)
         except ValueError as error:
-            raise KeyError(str(error).removeprefix("variables: ")) from None
+            defined = next((of for of in self.named if of.upper() == name.upper()), None)
+            cure = "" if defined is None else f" by number: give variables.named[{defined!r}]"
+            raise KeyError(f"{str(error).removeprefix('variables: ')}{cure}") from None
 
     def _set(self) -> dict[int, float | None]:
         return self._core.variables(self._level)
@@ -142,7 +144,10 @@ class MachineVariables(Variables, MutableMapping[int, float | None]):
         return NamedVariables(self._core, self._level)
 
     def __setitem__(self, number: int | str, value: float | None) -> None:
-        named = checked_variables("variables", {self._number(number): value})
+        asked = self._number(number)
+        if is_whole(asked) and not 0 <= int(asked) < 2**31:
+            raise KeyError(f"there is no {self._name(asked)}")
+        named = checked_variables("variables", {asked: value})
         ((checked, number_or_none),) = by_number(
             "variables", self._core.code.control, named
         ).items()
@@ -211,7 +216,8 @@ class _ByName(dict[str, Any]):
 
     def __setitem__(self, name: str, value: Any) -> None:
         if name not in self:
-            raise KeyError(f"there is no {name!r} to be set{did_you_mean(name, list(self))}")
+            known = f"; there are {', '.join(self)}" if self else ""
+            raise KeyError(f"there is no {name!r} to be set{did_you_mean(name, self, known)}")
         super().__setitem__(name, self._put(name, value))
 
     def update(self, *given: Any, **named: Any) -> None:
@@ -289,12 +295,16 @@ def _array(values: Any) -> Any:
     return _Array(map(_array, values)) if isinstance(values, list) else values
 
 
-def _flat(values: Any) -> list[Any]:
+def _flat(what: str, values: Any) -> list[Any]:
+    """Return the values of a variable, of an array row by row; `what` names it in an error."""
     if isinstance(values, list | tuple):
-        return [each for value in values for each in _flat(value)]
+        return [each for value in values for each in _flat(what, value)]
     if not isinstance(values, int | float | str):
-        raise TypeError(f"a value must be a number or a text, not {values!r}")
-    return [values if isinstance(values, str) else float(values)]
+        raise TypeError(f"{what} must be a number or a text, not {values!r}")
+    try:
+        return [values if isinstance(values, str) else float(values)]
+    except OverflowError:
+        raise ValueError(f"{what} must be a number of 64 bits, not {str(values)[:20]}...") from None
 
 
 class NamedVariables(_ByName):
@@ -308,8 +318,9 @@ class NamedVariables(_ByName):
         self._level = level
 
     def _put(self, name: str, value: Any) -> Any:
+        values = _flat(f"named[{name!r}]", value)
         try:
-            self._core.set_named(name, _flat(value), self._level)
+            self._core.set_named(name, values, self._level)
         except ValueError as error:
             raise ValueError(f"named[{name!r}] = {value!r}: {error}") from None
         return _array(self._core.named_variables(self._level)[name])

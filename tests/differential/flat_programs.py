@@ -32,7 +32,7 @@ MOST_BLOCKS = 20_000
 
 # The reasons for which rows that end are refused.
 REASONS = {
-    "a frame of the control gets a value, and a flat program cannot write frames",
+    "a frame of the control gets a value that no functions make: it shears",
     "axes that go beside the path cannot be written as a block of another program",
     "M02 or M30 returns from a subprogram, and the flat program would end there",
     "a code starts the program over, and the flat program goes on after it",

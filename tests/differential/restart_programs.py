@@ -1,8 +1,10 @@
 """Start rows, examples and generated programs again in the middle.
 
-    python tests/differential/restart_programs.py --rows --examples --programs 1000
+    python tests/differential/restart_programs.py --rows 1 --examples --programs 1000
+    python tests/differential/restart_programs.py --each 10000 --control fanuc-0i-f
 
-A restart program is proved when it is made; what is refused is counted by its reason.
+A restart program is proved when it is made; what is refused is counted by its reason. `--each` tries
+so many programs that end on every control, each of them at one place.
 """
 
 from __future__ import annotations
@@ -23,6 +25,7 @@ from cncsub.resume.start import given_setup, systems_of, with_start
 from cncsub.setup import work_system
 from cncsub.testing.cases import Row
 from comparison import Comparison
+from control_programs import jobs_on
 from flat_programs import (
     EXAMPLES,
     MOST_BLOCKS,
@@ -35,16 +38,21 @@ from flat_programs import (
 )
 
 PLACES = 3  # of each program
+SHOWN = 20  # how many programs of a reason are named
 
 
 class Restarts:
     """How many restarts of programs were made, by their form, and why others were refused."""
 
-    def __init__(self, seed: object = SEED) -> None:
+    def __init__(self, seed: object = SEED, places: int = PLACES) -> None:
         self.random = Random(f"restarts {seed}")
+        self.places = places
+        self.programs = 0  # those that ended
         self.made: Counter[str] = Counter()
         self.refused: Counter[str] = Counter()
         self.shown: dict[str, str] = {}
+        self.name = ""  # of the program, where it has one
+        self.names: dict[str, list[str]] = {}  # of those that were refused, by reason
 
     def of(self, library: cncsub.Library, main: str | None = None, **options: Any) -> None:
         """Start a program again at several steps, if it ends. The setup says where all axes start:
@@ -57,8 +65,9 @@ class Restarts:
         run = library.run(main, **options)
         if run.stop not in (cncsub.Stop.END, cncsub.Stop.CYCLES) or not len(run.steps):
             return
+        self.programs += 1
         count = len(run.steps)
-        for step in sorted(self.random.sample(range(count), min(count, PLACES))):
+        for step in sorted(self.random.sample(range(count), min(count, self.places))):
             self._at(library, main, run, step, options)
 
     def _at(
@@ -74,6 +83,7 @@ class Restarts:
         except ResumeError as error:
             reason = shape(error.reason)
             self.refused[reason] += 1
+            self.names.setdefault(reason, []).append(self.name)
             self.shown.setdefault(
                 reason, f"{library.control.name} step {step}: {error}\n{_texts(library)}"
             )
@@ -90,9 +100,13 @@ class Restarts:
 
     def report(self, shows: bool = False) -> str:
         forms = ", ".join(f"{count:,} {form}" for form, count in sorted(self.made.items()))
-        lines = [f"{forms}; {sum(self.refused.values()):,} refused ({self.share_refused:.1%})"]
+        lines = [
+            f"{self.programs:,} programs: {forms}; {sum(self.refused.values()):,} refused"
+            f" ({self.share_refused:.1%})"
+        ]
         for reason, count in self.refused.most_common():
-            lines.append(f"  {count}: {reason}")
+            names = " ".join(filter(None, self.names[reason][:SHOWN]))
+            lines.append(f"  {count}: {reason}{names and f' (--from {names})'}")
             if shows:
                 lines.append("    " + self.shown[reason].replace("\n", "\n    "))
         return "\n".join(lines)
@@ -162,11 +176,22 @@ def of_macros(restarts: Restarts, places: Iterable[int]) -> None:
         restarts.of(library, max_blocks=MOST_BLOCKS)
 
 
+def of_control(restarts: Restarts, control: str, count: int, first: int = 0) -> None:
+    """Start so many programs again that end on a control, each of them at one place."""
+    jobs = enumerate(jobs_on(control, first), first)
+    while restarts.programs < count:
+        place, job = next(jobs)
+        restarts.random, restarts.name = Random(f"restarts {control} {place}"), str(place)
+        restarts.of(job.library, **job.options)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rows", type=int, default=0, help="every so manieth row of the tables")
     parser.add_argument("--examples", action="store_true", help="every example")
     parser.add_argument("--programs", type=int, default=0, help="so many generated programs")
+    parser.add_argument("--each", type=int, default=0, help="so many programs for each control")
+    parser.add_argument("--control", action="append", help="one of these controls; all if left out")
     parser.add_argument("--from", type=int, default=0, dest="first", help="the first of them")
     parser.add_argument("--show", action="store_true", help="a program for each reason")
     asked = parser.parse_args()
@@ -186,6 +211,10 @@ def main() -> int:
         restarts = Restarts(asked.first)
         made(restarts, places)
         print(f"{made.__name__}:", restarts.report(asked.show), flush=True)
+    for control in (asked.control or list(cncsub.controls)) if asked.each else ():
+        restarts = Restarts(asked.first, places=1)
+        of_control(restarts, control, asked.each, asked.first)
+        print(f"{control}:", restarts.report(asked.show), flush=True)
     return 0
 
 

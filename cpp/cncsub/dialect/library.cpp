@@ -29,7 +29,8 @@ const Dialect* find_dialect(std::string_view name) {
    folder##_rules,      \
    folder##_word_uses,  \
    folder##_keywords,   \
-   folder##_precision},
+   folder##_precision,  \
+   folder##_read_number},
 #include "dialect/list.def"
 #undef DIALECT
   };

@@ -56,20 +56,28 @@ std::string FlatRun::assigned_name(std::int64_t number) const {
   return spelling.name_of_variable(*there.control, number);
 }
 
+/// Return what a variable gets: of a frame what it is after the block, which may have written a
+/// part of it. Nothing where it cannot be written.
+std::optional<std::string> FlatRun::assigned_text(const Observer::Assigned& of) const {
+  const VariableKind kind = machine_.code().place(of.number).kind;
+  if (is_frame(kind)) return machine_.frame_text(of.number);
+  if (kind == VariableKind::ToolName) return "\"" + machine_.text(of.value) + "\"";
+  return value_text(of.value, *for_);
+}
+
 bool FlatRun::write_assigned(std::string& text, FlatOrigins& origins) {
   const Code& code = machine_.code();
   for (const Observer::Assigned& of : observer_.assigned) {
     if (!has_effect(code, of.number)) continue;
-    if (is_frame(code.place(of.number).kind))
-      return refuse("a frame of the control gets a value, and a flat program cannot write frames");
     const std::string name = assigned_name(of.number);
     if (name.empty())
       return refuse(code.spelling->name_of_variable(*code.control, of.number) +
                     " gets a value, and the control has no statement that assigns it");
     const VariableKind kind = code.place(of.number).kind;
-    const bool is_text = kind == VariableKind::ToolName;
-    text += name + "=" +
-            (is_text ? "\"" + machine_.text(of.value) + "\"" : value_text(of.value, *for_));
+    const auto value = assigned_text(of);
+    if (!value)
+      return refuse("a frame of the control gets a value that no functions make: it shears");
+    text += name + "=" + *value;
     if (kind == VariableKind::UserAlarm || kind == VariableKind::Message)
       text += "(" + of.comment + ")";
     end_line(text, origins);

@@ -7,6 +7,7 @@
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/motion/state/facts.hpp"
+#include "cncsub/motion/state/modes.hpp"
 #include "cncsub/motion/state/values.hpp"
 
 namespace cncsub {
@@ -230,16 +231,23 @@ bool keeps_modes(const BlockCodes& codes) {
          codes.has(Role::RestoreModes) || codes.has(Role::KeepModes);
 }
 
+/// Return the frame of the program as an assignment gives it; nothing where the control has none,
+/// or in inches, in which frames as values are not computed.
+std::optional<std::string> assigned_frame(const Machine& machine) {
+  if (g20(machine.motion().state())) return std::nullopt;
+  for (const Machine::ControlFrame& of : machine.control_frames())
+    if (of.role == FrameInForce::Program && of.text) return of.name + "=" + *of.text;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool FlatRun::write_block(std::string& text, FlatOrigins& origins) {
   return write_own(text, origins) && write_restored(text, origins);
 }
 
-/// Write the codes that the return from a call has put in force again.
+/// Write the codes and the frame that the return from a call has put in force again.
 bool FlatRun::write_restored(std::string& text, FlatOrigins& origins) {
-  if (observer_.frame_restored)
-    return refuse("a return brings back the frame of the caller, and a flat program has no calls");
   for (const BlockCodes& codes : observer_.restored) {
     const std::size_t before = text.size();
     NcWords words;
@@ -249,6 +257,12 @@ bool FlatRun::write_restored(std::string& text, FlatOrigins& origins) {
       if (!other_) text += (text.size() == before ? "" : " ") + code_name(code);
     if (text.size() > before) end_line(text, origins);
   }
+  if (!observer_.frame_restored) return true;
+  const auto frame = other_ ? std::nullopt : assigned_frame(machine_);
+  if (!frame)
+    return refuse("a return brings back the frame of the caller, and a flat program has no calls");
+  text += *frame;
+  end_line(text, origins);
   return true;
 }
 

@@ -91,6 +91,7 @@ class FlatRun {
   bool write_for_other(std::string& text, FlatOrigins& origins, const Block& block,
                        OtherWriter& other);
   std::string assigned_name(std::int64_t number) const;
+  std::optional<std::string> assigned_text(const Observer::Assigned& of) const;
   bool write_assigned(std::string& text, FlatOrigins& origins);
   void write_raised(std::string& text, FlatOrigins& origins);
   bool write_print(std::string& text, FlatOrigins& origins);

@@ -6,6 +6,7 @@
 
 #include "cncsub/control/code_calls.hpp"
 #include "cncsub/control/g_codes.hpp"
+#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/motion/state/facts.hpp"
@@ -34,9 +35,39 @@ char letter_of(int place) {
 /// Return whether = stands between an address and its value.
 bool needs_equals(std::string_view address) { return address.size() > 1 && address.front() != ','; }
 
+/// Return the text with the fewest digits that a language reads as a number, of those that lie
+/// nearest to it; empty where it reads none of them so.
+std::string text_as_read(double value, double (*read)(std::string_view digits)) {
+  constexpr int kMostDigits = 9, kNear = 64;
+  const double size = std::fabs(value);
+  if (size == 0) return "0";
+  const int whole = static_cast<int>(std::floor(std::log10(size))) + 1;
+  for (int decimals = 0; decimals + whole <= kMostDigits; ++decimals) {
+    const double scale = std::pow(10.0, decimals), nearest = std::round(size * scale);
+    const int most = decimals + whole == kMostDigits ? kNear : 0;  // its own rounding is less exact
+    for (int away = 0; away <= 2 * most; ++away) {
+      const double tried = nearest + (away % 2 == 0 ? away / 2 : -(away + 1) / 2);
+      std::string text = system::shortest_fixed(tried / scale);
+      if (read(text) == size) return (value < 0 ? "-" : "") + text;
+    }
+  }
+  return "";
+}
+
+std::string text_on(double value, const Control& control) {
+  const Dialect* const dialect = find_dialect(control.dialect);
+  std::string text;
+  if (dialect != nullptr && dialect->read_number != nullptr && std::isfinite(value))
+    text = text_as_read(value + 0.0, dialect->read_number);
+  return text.empty() ? system::shortest_fixed(value + 0.0) : text;
+}
+
 }  // namespace
 
-NumberText::NumberText(double value) : text_(system::shortest_fixed(value + 0.0)) {
+NumberText::NumberText(double value) : NumberText(value, system::shortest_fixed(value + 0.0)) {}
+NumberText::NumberText(double value, const Control& control)
+    : NumberText(value, text_on(value, control)) {}
+NumberText::NumberText(double value, std::string text) : text_(std::move(text)) {
   end_of_whole_ = std::min(text_.find('.'), text_.size());
   whole_ = end_of_whole_ - (value < 0 ? 1 : 0);
   if (std::fabs(value) < 1) whole_ = 0;
@@ -63,7 +94,7 @@ std::string expression_text(double value, int most_digits) {
 
 std::string expression_text(double value, const Code& code) {
   return code.spelling->long_numbers
-             ? std::string(NumberText(value).text())
+             ? std::string(NumberText(value, *code.control).text())
              : expression_text(value, code.control->macros.max_constant_digits.value);
 }
 
@@ -169,7 +200,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   const bool comma = place >= kCommaC;
   const char letter = letter_of(place);
   const bool rounded = round(place, value);
-  const NumberText text(value);
+  const NumberText text(value, control_);
   const std::string address = code_.spelling->address_of(place);
   const bool named = !comma && calls(letter, value);
   if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
@@ -189,7 +220,7 @@ void WordWriter::value(std::string& to, int place, double value) const {
 
 bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
   const char letter = letter_of(place);
-  const NumberText text(value);
+  const NumberText text(value, control_);
   const std::string address = code_.spelling->address_of(place);
   if (place < kCommaC && calls(letter, value)) return bracketed(to, address, value);
   to += address;
@@ -213,7 +244,7 @@ bool WordWriter::code(std::string& to, char letter, int tenfold) const {
   const double value = tenfold / 10.0;
   if (!plain || calls(letter, value)) return bracketed(to, std::string(1, letter), value);
   to += letter;
-  to += NumberText(value).text();
+  to += NumberText(value, control_).text();
   return true;
 }
 

@@ -12,10 +12,12 @@
 
 namespace cncsub {
 
-/// A number with the fewest digits that give it back, without an exponent.
+/// A number with the fewest digits that give it back, without an exponent: on a control of any
+/// language that has 64 bits, or on this one.
 class NumberText {
  public:
   explicit NumberText(double value);
+  NumberText(double value, const Control& control);
   std::string_view text() const { return text_; }
   std::size_t whole() const { return whole_; }
   std::size_t decimals() const {
@@ -23,6 +25,8 @@ class NumberText {
   }
 
  private:
+  explicit NumberText(double value, std::string text);
+
   std::string text_;
   std::size_t end_of_whole_ = 0, whole_ = 0;
 };

@@ -115,6 +115,17 @@ class Machine {
   std::vector<NamedValues> named(int level) const { return named_variables(run_, level); }
   /// Return the text that a value of a variable stands for.
   const std::string& text(double value) const { return text_of(run_, value); }
+  /// Return the frame of the control that a variable is, as programs write it; nothing where it is
+  /// none, or no functions make it.
+  std::optional<std::string> frame_text(std::int64_t number) const;
+  /// A frame of the control that programs may write, and how they write what it is now; nothing
+  /// where no functions make it.
+  struct ControlFrame {
+    std::string name;
+    std::optional<FrameInForce> role;  // nothing: a work offset holds it
+    std::optional<std::string> text;
+  };
+  std::vector<ControlFrame> control_frames() const;
   /// Read or write a variable. A fault says why it has no value, or takes none. Locals are those of
   /// an open level, 0 to State::level.
   std::optional<Fault> read(std::int64_t number, int level, double& value) const;

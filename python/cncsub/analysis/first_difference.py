@@ -32,8 +32,10 @@ def column_of(table: Any, name: str) -> Column:
     return written[column]
 
 
-def first_difference(pairs: Sequence[tuple[Column, Column]]) -> int | None:
-    """Return the first row in which one of the columns differs, or the end of the shorter table."""
+def first_difference(pairs: Sequence[tuple[Column, Column]], precision: float = 0.0) -> int | None:
+    """Return the first row in which one of the columns differs, or the end of the shorter table.
+    `precision`: how exactly a control reads numbers, relative to them.
+    """
     import numpy as np
 
     a, b = pairs[0]
@@ -42,7 +44,8 @@ def first_difference(pairs: Sequence[tuple[Column, Column]]) -> int | None:
     for one, other in pairs:
         x, y = one[:count], other[:count]
         if x.dtype.kind == "f" and y.dtype.kind == "f":
-            differs |= ~((np.abs(x - y) < NEAR) | (np.isnan(x) & np.isnan(y)))
+            near = np.maximum(NEAR, precision * np.maximum(np.abs(x), 1)) if precision else NEAR
+            differs |= ~((np.abs(x - y) < near) | (np.isnan(x) & np.isnan(y)))
         else:
             differs |= x != y
     found = np.flatnonzero(differs)

@@ -10,6 +10,7 @@ from cncsub.dap.sources import known_file, source_of
 from cncsub.dap.views import held_by
 from cncsub.debugging import PausePoint, PlacedPoint
 from cncsub.debugging.points import blocks_between, programs_of
+from cncsub.debugging.values import is_state_name
 
 _MOST_LOCATIONS = 10_000  # lines with blocks of one answer
 
@@ -117,6 +118,8 @@ def data_breakpoint_info(adapter: Adapter, arguments: Arguments) -> dict[str, An
         axis = expression.upper()
         told = f"{axis} passes the value that the condition gives, such as -5"
         return _info(f"passes {axis}", told)
+    if is_state_name(session.machine.core, expression):
+        return {"dataId": None, "description": f"{expression} is no value that is watched"}
     if expression.split(" ")[0] in ("changes", "passes", "mode"):
         at = expression
     else:

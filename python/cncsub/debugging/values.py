@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import re
+from typing import Any
+
 from cncsub import _core
 from cncsub.debugging.frames import StackFrame
 from cncsub.debugging.scopes import SWITCHES, switch_text, value_text
 from cncsub.machine import Machine
 from cncsub.number_text import length_text
-from cncsub.variables import Position
+from cncsub.variables import MachineVariables, Position
 
 _ON, _OFF = ("on", "yes", "true"), ("off", "no", "false")
 _VACANT = ("vacant", "#0", "")
+_ELEMENT = re.compile(r"([A-Za-z_]\w*)\[([^\[\]]+)\]")  # of an array
 
 
 def number_of(machine: Machine, name: str) -> int | None:
@@ -102,10 +106,43 @@ def put(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
     if asked.upper() in named:
         named[asked.upper()] = _typed(machine, text, named[asked.upper()])
         return value_text(variables.named[asked.upper()])
+    if (element := _ELEMENT.fullmatch(asked)) and element[1].upper() in named:
+        return _put_element(machine, variables, element, text)
     if asked in machine.modal:
         machine.modal[asked] = text.strip()
         return str(machine.modal[asked])
     return _assign(machine, asked, text, frame)
+
+
+def _put_element(
+    machine: Machine, variables: MachineVariables, element: re.Match[str], text: str
+) -> str:
+    """Give an element of an array a value, such as `SIDES[1]` or `GRID[0,R1]`."""
+    name = element[1].upper()
+    array = elements = _lists(variables.named[name])
+    *rows, last = (int(_number(machine, index) or 0) for index in element[2].split(","))
+    try:
+        for row in rows:
+            elements = elements[_counted(row)]
+        if isinstance(held := elements[_counted(last)], list):
+            raise IndexError(last)
+        elements[last] = _typed(machine, text, held)
+    except (IndexError, TypeError):
+        raise KeyError(f"{name} has no element {element[0]!r}") from None
+    variables.named[name] = array
+    return value_text(elements[last])
+
+
+def _lists(values: Any) -> Any:
+    """Return an array as lists that may be changed."""
+    return [*map(_lists, values)] if isinstance(values, list) else values
+
+
+def _counted(index: int) -> int:
+    """Return an index; a negative one is none of the control."""
+    if index < 0:
+        raise IndexError(index)
+    return index
 
 
 def _assign(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
@@ -114,10 +151,14 @@ def _assign(machine: Machine, name: str, text: str, frame: StackFrame) -> str:
     """
     try:
         evaluate(machine, name, frame)
+        is_constant = name[:1] in "+-.0123456789"
     except ValueError:
-        raise KeyError(f"{name!r} cannot be set: it is no variable, mode, axis or switch") from None
-    value = _number(machine, text) if text.strip()[:1] != '"' else None
-    written = text if value is None else f"{value:.10f}".rstrip("0").rstrip(".")
+        is_constant = True
+    if is_constant:
+        raise KeyError(f"{name!r} cannot be set: it is no variable, mode, axis or switch")
+    value = machine.evaluate(text) if text.strip()[:1] != '"' else None
+    is_number = isinstance(value, float)
+    written = f"{value:.10f}".rstrip("0").rstrip(".") if is_number else text
     tried = machine.copy()
     for each in (tried, machine):
         each.mdi(f"{name}={written}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.draft import NEAR, REACHED, Draft, coordinate, stands_at
+from cncsub.resume.draft import REACHED, Draft, coordinate, stands_at
 from cncsub.resume.errors import refused
 from cncsub.resume.frames import bend, polar
 from cncsub.resume.modes import texts_for
@@ -56,6 +56,21 @@ class Approach:
         if bends_first:
             bend(self._draft)
         self._go_across(aim, axes, order)
+
+    def stay_in_frame(self) -> None:
+        """Go with all axes to where the tool stands, in a frame that has come after the moves: an
+        increment counts from where an axis has gone in its frame.
+        """
+        if not (self._draft.frames and len(self._machine.moves)):
+            return
+        aim = {
+            axis: value
+            for axis in self._commanded
+            if (value := machine_coordinate(self._machine.moves[-1], axis)) is not None
+        }
+        if aim:
+            line = self._line_to(aim, "G00")
+            self._draft.add_where(self._draft.stands_still, line)
 
     def _go_across(self, aim: Any, axes: list[str], order: tuple[str, ...] | None) -> None:
         chosen = order or (("Z", "X") if self._draft.lathe else ())
@@ -158,7 +173,7 @@ class Approach:
         moves = self._machine.moves
         ends = np.asarray(moves[f"m{axis.lower()}"], float)
         starts = np.concatenate([[self._starts.machine_start(axis)], ends[:-1]])
-        return ~(np.abs(ends - starts) <= NEAR)
+        return ~(np.abs(ends - starts) <= self._draft.near)
 
     def _can_move(self, axis: str) -> bool:
         """Return whether the head can move an axis to the place: not where its place depends on
@@ -230,7 +245,7 @@ class Approach:
             step = self._before.last_executed(lambda block: _goes_home(block, axis))
             self._references[axis] = self._stays_since(axis, step)
         there = self._references[axis]
-        return there is not None and abs(there - value) < NEAR
+        return there is not None and abs(there - value) < self._draft.near
 
     def _stays_since(self, axis: str, step: int | None) -> float | None:
         moves = self._machine.moves
@@ -238,7 +253,7 @@ class Approach:
             return None
         here = coordinate(moves[-1], axis)
         for index in range(len(moves) - 1, -1, -1):
-            if abs(coordinate(moves[index], axis) - here) > NEAR:
+            if abs(coordinate(moves[index], axis) - here) > self._draft.near:
                 return None
             if moves[index].step <= step:
                 return here

@@ -10,10 +10,13 @@ from cncsub import _core
 from cncsub._core import Control
 from cncsub.resume.draft import Draft
 from cncsub.resume.errors import refused
+from cncsub.setup import AXES
 
 if TYPE_CHECKING:
     from cncsub.machine import Machine
 
+# The variables of the work offsets: 9 systems, 20 numbers apart. [gHn; LinuxCNC, System Parameters]
+_FIRST_OFFSET, _APART, _SYSTEMS = 5221, 20, 9
 _DATA = (10, 10.1, 10.9, 52, 92)  # the G codes that set data
 
 
@@ -36,6 +39,29 @@ def write_variables(draft: Draft, *, commons: bool) -> None:
     if lines and not draft.add(*lines):
         wrong = next(line for line in lines if not draft.add(line))
         raise refused(f"the control takes no block {wrong!r}", draft.state.block)
+
+
+def write_offsets(draft: Draft) -> None:
+    """Set by G10 the work offsets that the program has set, where no assignment does: grblHAL
+    writes none of its variables from 5061 on.
+    """
+    core = draft.machine.core
+    if not any(_sets_data(core, block) for block in draft.blocks()):
+        return
+    for system in range(_SYSTEMS):
+        numbers = {
+            axis: _FIRST_OFFSET + _APART * system + place
+            for place, axis in enumerate(AXES)
+            if axis in draft.state.position
+        }
+        values = {axis: _reads(draft.machine, number) for axis, number in numbers.items()}
+        apart = [
+            f"{axis}{draft.text(axis, value)}"
+            for axis, value in values.items()
+            if value is not None and value != _reads(draft.now, numbers[axis])
+        ]
+        if apart:
+            draft.add(f"G10 L2 P{system + 1} {' '.join(apart)}")
 
 
 def _numbers(draft: Draft) -> Iterator[int]:

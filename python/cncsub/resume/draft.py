@@ -6,14 +6,13 @@ from collections.abc import Callable, Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from cncsub.resume.history import Before
-from cncsub.resume.start import Starts, given_setup, machine_coordinate
+from cncsub.resume.start import Starts, given_setup, machine_coordinate, nearness
 from cncsub.resume.state import RestartState, group_of
 
 if TYPE_CHECKING:
     from cncsub.library import Library
     from cncsub.machine import Machine
 
-NEAR = 1e-9  # mm
 REACHED = 0.01  # mm: words of a head that have so many digits
 BENDING = ("scaling", "rotation", "polar", "mirror")  # modes that change where words lead
 PLANES = {"G17": "XY", "G18": "ZX", "G19": "YZ"}  # [ISO 6983-1]
@@ -41,6 +40,7 @@ class Draft:
         self.starts = starts
         self.before = before
         self.setup = given_setup(options)
+        self.near = nearness(library.control)  # mm
         self.options = {
             **options,
             "trace": "moves",
@@ -52,6 +52,7 @@ class Draft:
         self.notes: list[str] = []
         self.now = self.run([])
         self.power_on = self.modal
+        self.frames = machine.core.control_frames
         self.lathe = self.power_on.get("plane", "G18") == "G18"
 
     @property
@@ -111,10 +112,10 @@ class Draft:
     def stands_still(self, before: Machine) -> bool:
         """Return whether the tool stands where it stood, and went nowhere on the way."""
         here = before.position
-        if any(abs(self.now.position.get(a, 0.0) - value) > NEAR for a, value in here.items()):
+        if any(abs(self.now.position.get(a, 0.0) - value) > self.near for a, value in here.items()):
             return False
         moves = self.now.moves
-        return all(moves[i].length < NEAR for i in range(len(before.moves), len(moves)))
+        return all(moves[i].length < self.near for i in range(len(before.moves), len(moves)))
 
     def changed(self, mode: str) -> bool:
         """Return whether the run has changed a mode before the place."""
@@ -193,9 +194,10 @@ def coordinate(move: Any, axis: str) -> float:
     return machine_coordinate(move, axis) or 0.0
 
 
-def stands_at(machine: Machine, aim: dict[str, float], most: float = NEAR) -> bool:
-    """Return whether the tool stands at machine coordinates."""
+def stands_at(machine: Machine, aim: dict[str, float], most: float | None = None) -> bool:
+    """Return whether the tool stands at machine coordinates, exactly or within so many mm."""
+    near = nearness(machine.core.code.control) if most is None else most
     if not len(machine.moves):
         return False
     here = machine.moves[-1]
-    return all(abs(coordinate(here, axis) - value) < most for axis, value in aim.items())
+    return all(abs(coordinate(here, axis) - value) < near for axis, value in aim.items())

@@ -7,7 +7,7 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from cncsub.resume.draft import BENDING, NEAR, PLANES, REACHED, Draft, coordinate, stands_at
+from cncsub.resume.draft import BENDING, PLANES, REACHED, Draft, coordinate, stands_at
 
 if TYPE_CHECKING:
     from cncsub.machine import Machine
@@ -24,8 +24,35 @@ def bend(draft: Draft) -> None:
         asked = partial(_has_code_of, draft, name)
         for step in draft.before.steps_with(found[1] if found else 0, asked):
             draft.add_where(lambda _: True, *draft.before.flat_text(step))
+    _bend_by_frame(draft)
+
+
+def _bend_by_frame(draft: Draft) -> None:
+    """Make the frame of the program as the run has made it; where that gives another one, as after
+    a return that has restored it, by its value.
+    """
+    before = draft.lines, draft.now
     for step in draft.before.frame_steps():
         draft.add_where(lambda _: True, *draft.before.flat_text(step))
+    if _frames_apart(draft, "program"):
+        draft.lines, draft.now = before
+        write_frames(draft, "program")
+
+
+def write_frames(draft: Draft, *roles: str) -> None:
+    """Give the frames of the control of these roles, as variables, the values that they have in the
+    run.
+    """
+    for name in _frames_apart(draft, *roles):
+        _, value = draft.frames[name]
+        if value is None or not draft.add(f"{name}={value}"):
+            draft.lacks.append(f"{name} cannot be given the frame that it has")
+
+
+def _frames_apart(draft: Draft, *roles: str) -> list[str]:
+    """Return the frames of the control of these roles that are not as the run has them."""
+    here = draft.now.core.control_frames if draft.frames else {}
+    return [name for name, of in draft.frames.items() if of[0] in roles and here.get(name) != of]
 
 
 def _has_code_of(draft: Draft, group: str, block: Any) -> bool:
@@ -64,7 +91,7 @@ def shift_first(draft: Draft) -> set[str]:
         line = f"G{code} {words}"
         if draft.writes(code) and draft.add_where(
             lambda _: all(
-                abs(draft.now.position[a] - starts.start_in_work(a)) < NEAR for a in axes
+                abs(draft.now.position[a] - starts.start_in_work(a)) < draft.near for a in axes
             ),
             line,
         ):
@@ -78,9 +105,9 @@ def shift(draft: Draft) -> None:
     wanted = draft.state.position
     here = draft.now.position
     off = {axis: here[axis] - wanted[axis] for axis in wanted if axis in here}
-    if all(abs(each) < NEAR for each in off.values()) or draft.used("rotation"):
+    if all(abs(each) < draft.near for each in off.values()) or draft.used("rotation"):
         return
-    shifted = [axis for axis, value in off.items() if abs(value) > NEAR]
+    shifted = [axis for axis, value in off.items() if abs(value) > draft.near]
     by = " ".join(f"{axis}{draft.text(axis, off[axis])}" for axis in shifted)
     to = " ".join(f"{axis}{draft.text(axis, wanted[axis])}" for axis in shifted)
     used = [code for code in (52, 92, 50) if draft.writes(code)]
@@ -96,6 +123,6 @@ def _shifts(draft: Draft, line: str) -> bool:
     def right(before: Machine) -> bool:
         here = draft.now.position
         unmoved = len(draft.now.moves) == len(before.moves)
-        return unmoved and all(abs(here[axis] - wanted[axis]) < NEAR for axis in wanted)
+        return unmoved and all(abs(here[axis] - wanted[axis]) < draft.near for axis in wanted)
 
     return draft.add_where(right, line)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from cncsub.resume.approach import Approach
-from cncsub.resume.data import write_variables
+from cncsub.resume.data import write_offsets, write_variables
 from cncsub.resume.draft import Draft
 from cncsub.resume.frames import bend, shift, shift_first
 from cncsub.resume.modes import write_modes_first, write_modes_last
@@ -17,7 +17,9 @@ class Manner(NamedTuple):
     `bends_first`: rotation and the like come before the head moves across. `units_late`: the head
     moves in the units of power-on: the run may have come to the place in them. `mixes_units`: each
     axis moves in the units that lead to its place exactly. `is_empty`: at the first block of a run
-    nothing need come before, and a control may want that block first.
+    nothing need come before, and a control may want that block first. `says_motion`: the first
+    block of the rest that moves says the code of its motion, which a control may take with axes
+    only.
     """
 
     repeats: bool = False
@@ -25,6 +27,7 @@ class Manner(NamedTuple):
     units_late: bool = False
     mixes_units: bool = False
     is_empty: bool = False
+    says_motion: bool = False
 
 
 def write_head(
@@ -43,6 +46,7 @@ def write_head(
         return
     write_modes_first(draft, units_late=manner.units_late)
     write_variables(draft, commons=commons)
+    write_offsets(draft)
     change_tool(draft)
     clamp_speed(draft)  # before the surface speed turns the spindle
     turn_spindle(draft)
@@ -52,4 +56,5 @@ def write_head(
     shift(draft)
     if not manner.bends_first:
         bend(draft)
-    write_modes_last(draft)
+        approach.stay_in_frame()
+    write_modes_last(draft, but_motion=manner.says_motion)

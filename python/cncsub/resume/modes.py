@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import re
+from collections.abc import Iterable, Iterator
 from functools import partial
 from typing import Any
 
 from cncsub.resume.draft import BENDING, PLANES, Draft
 from cncsub.resume.errors import ResumeError, place_text, refused
+from cncsub.resume.frames import write_frames
 from cncsub.resume.state import roles_of
+from cncsub.setup import AXES
 
 _DIGITS = 10  # of a value of `modal`: one that has as many may have more
 # Modes that a head cancels before it moves, by their codes at power-on; and those that it writes.
@@ -19,6 +22,7 @@ _WRITTEN = ("units", "plane", "feed_mode")
 _WORDS = ("F", "S", "T", "H", "D")
 # Modes that a block may have to say itself: where the head cannot, the proof shows whether it has.
 _SOFT = ("motion", "cycle")
+_N = re.compile(r"\s*(?:N\d+\s*)?", re.IGNORECASE)
 
 
 def write_modes_first(draft: Draft, *, units_late: bool) -> None:
@@ -40,8 +44,10 @@ def write_modes_first(draft: Draft, *, units_late: bool) -> None:
     for code in codes:
         _add_if_right(draft, code)
     _join(draft, codes)
+    write_frames(draft, "stored", "basic")
     if "work" in modal and not draft.add(modal["work"]):
         raise refused(f"the control takes no block '{modal['work']}' here", draft.state.block)
+    write_frames(draft, "settable")
     _modes_left(draft)
 
 
@@ -73,7 +79,7 @@ def _join(draft: Draft, codes: list[str]) -> None:
         draft.now = joined
 
 
-def write_modes_last(draft: Draft) -> None:
+def write_modes_last(draft: Draft, *, but_motion: bool = False) -> None:
     """Put in force what the run has in force; raise `ResumeError` where that cannot be."""
     modal = draft.state.modal
     last = ("motion", "distance", "cycle")
@@ -82,13 +88,42 @@ def write_modes_last(draft: Draft) -> None:
     if draft.used("cycle"):  # a code of motion would end the cycle
         order = (*late, "motion", "cycle", *_WORDS, "distance")
     for name in order:
-        if name not in modal or draft.in_force(name):
+        if name not in modal or draft.in_force(name) or (but_motion and name in _SOFT):
             continue
         if not draft.add_mode(name, texts_for(draft, name)):
             lacking = _lacking(draft, name)
             if name not in _SOFT:
                 raise lacking
             draft.lacks.append(lacking.reason)
+
+
+def with_motion(draft: Draft, lines: Iterable[str]) -> list[str]:
+    """Return blocks of which the first that moves says the code of the motion in force, as `G2 X5
+    I3`, or the cycle with its data: some controls take them in no other block. Where one says
+    another motion before, they stay as they are.
+    """
+    said, motion = list(lines), _motion_words(draft)
+    for index, line in enumerate(said):
+        words = list(draft.words(line))
+        if any(draft.is_of_group(word, "motion") for word in words):
+            break
+        if any(word.address in AXES for word in words):
+            own = {word.address for word in words}
+            missing = [text for address, text in motion if address == "G" or address not in own]
+            said[index] = _N.sub(rf"\g<0>{' '.join(missing)} ", line, count=1)
+            break
+    return said
+
+
+def _motion_words(draft: Draft) -> list[tuple[str, str]]:
+    """Return the words that a block needs to move as the run does: the code of its motion, or the
+    cycle with its data; each with its address.
+    """
+    found = draft.before.block_that_changed("cycle") if draft.used("cycle") else None
+    if found is None:
+        return [("G", draft.state.modal["motion"])]
+    data = _cycle_data(draft, draft.before.flat_text(found[1], draft.state.step))
+    return [(word.address, word.text) for word in draft.words(data)]
 
 
 def texts_for(draft: Draft, name: str) -> Iterator[str]:

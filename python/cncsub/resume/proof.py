@@ -62,9 +62,10 @@ def _of_moves(whole: Part, rest: Part) -> str | None:
     first = whole.moves_from(), rest.moves_from()
     names = dict.fromkeys([*whole.run.moves.columns, *rest.run.moves.columns])
     apart: dict[str, int] = {}
+    precision = whole.run.recorded.control.precision
     for name in (*(n for n in names if n not in _NOT_COMPARED), "length"):
         pair = _column(whole.run, name, first[0]), _column(rest.run, name, first[1])
-        if (at := tables.first_difference([pair])) is not None:
+        if (at := tables.first_difference([pair], precision)) is not None:
             apart[name] = at
     at_time = _time_apart(whole.run, rest.run, first)
     if at_time is not None:
@@ -84,7 +85,8 @@ def _column(run: Run, name: str, first: int) -> Column:
 def _time_apart(whole: Run, rest: Run, first: tuple[int, int]) -> int | None:
     a, b = whole.moves.time[first[0] :], rest.moves.time[first[1] :]
     count = min(len(a), len(b))
-    apart = abs(a[:count] - b[:count]) > _NEAR_TIME
+    coarse = whole.recorded.control.precision * (1 + abs(a[:count]))
+    apart = abs(a[:count] - b[:count]) > _NEAR_TIME + coarse
     return int(apart.argmax()) if apart.any() else None
 
 

@@ -6,6 +6,7 @@ import errno
 import itertools
 import os
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Unpack
 
@@ -15,6 +16,7 @@ from cncsub.resume.draft import Draft
 from cncsub.resume.errors import place_text, refused
 from cncsub.resume.head import Manner
 from cncsub.resume.history import FlatLines
+from cncsub.resume.modes import with_motion
 from cncsub.resume.place import Place, as_place, length
 from cncsub.resume.start import given_setup
 from cncsub.resume.state import RestartState
@@ -115,6 +117,8 @@ def _of_calls(work: Work, order: Any, manner: Manner) -> Resume:
     """Return the rest as programs that are called, or raise the reason why there is none."""
     tails = Tails(work.library, work.machine, starts_over=work.whole.stop == "cycles")
     head = work.head(order, manner, data=False)
+    if manner.says_motion:
+        tails.change = partial(with_motion, head)
     headed = tails.number is not None or work.sign == "%"
     form = f"{work.sign}{{}}" if headed else "RESTART{}"
     name = f"O{tails.number}" if tails.number else _free_name(work.library, form)
@@ -151,7 +155,7 @@ def _flat(work: Work, order: Any, manner: Manner) -> Resume:
     rest = FlatLines(work.machine.core.copy())
     if rest.refusal is not None or not rest.ends:
         raise NoTailsError(rest.refusal[0] if rest.refusal else "the run does not end")
-    lines = [*head.lines, *rest.lines]
+    lines = [*head.lines, *(with_motion(head, rest.lines) if manner.says_motion else rest.lines)]
     if work.whole.stop == "cycles" and lines[-1].strip() == "M99":
         lines[-1] = "M30"
     told = work.told(head)
@@ -320,4 +324,5 @@ _MANNERS = (
     Manner(units_late=True),
     Manner(mixes_units=True),
     Manner(is_empty=True),
+    Manner(says_motion=True),
 )

@@ -21,6 +21,14 @@ if TYPE_CHECKING:
 
 _SHIFT = 0.005  # mm: small enough for the ends of an arc to agree still
 _NEAR = 1e-9  # mm
+_COARSE = 1e-4  # mm: the same where numbers have 32 bits
+
+
+def nearness(control: Control) -> float:
+    """Return within how many mm two coordinates of a control are the same."""
+    return _COARSE if control.precision else _NEAR
+
+
 _SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59")
 
 
@@ -93,6 +101,7 @@ class Starts:
         machine: Machine,
         chosen: str = "",
     ) -> None:
+        self._near = nearness(library.control)
         self._chosen = chosen  # axes whose start is the place that a head gives them
         self._library, self._main, self._options = library, main, options
         self._whole, self._machine = whole, machine
@@ -130,7 +139,7 @@ class Starts:
             return True
         here = machine_coordinate(self._machine.moves[count - 1], axis)
         there = machine_coordinate(other.moves[count - 1], axis)
-        return here is None or there is None or abs(here - there) > _NEAR
+        return here is None or there is None or abs(here - there) > self._near
 
     def work_depends(self, axis: str) -> bool:
         """Return whether its work coordinate does."""
@@ -139,7 +148,7 @@ class Starts:
         if (other := self._others[axis]) is None:
             return True
         here: float = self._machine.position[axis]
-        return abs(_position_at(other, self._machine.blocks, axis) - here) > _NEAR
+        return abs(_position_at(other, self._machine.blocks, axis) - here) > self._near
 
     def says_where(self, axis: str) -> bool:
         """Return whether a block of the run says where an axis stands, and only the start of the
@@ -171,7 +180,7 @@ class Starts:
             return False
         first = self.machine_start(axis)
         last = machine_coordinate(moves[-1], axis)
-        return first is None or last is None or abs(first - last) > _NEAR
+        return first is None or last is None or abs(first - last) > self._near
 
     def highest(self) -> float | None:
         """Return the highest machine Z of the run that is known; `None` where none is. Offsets that
@@ -193,7 +202,7 @@ class Starts:
             return None if self.machine_depends("Z") else place
         apart = np.asarray(other.moves.mz, float) - values
         of_place = 0.0 if self.stands_at_start("Z") else apart[count - 1]
-        known = np.abs(apart - of_place) < _NEAR
+        known = np.abs(apart - of_place) < self._near
         return float(values[known].max()) if known.any() else None
 
     def offsets(self, axis: str) -> Known:
@@ -212,11 +221,11 @@ class Starts:
         there = machine_coordinate(other.moves[count - 1], axis) or 0.0
         of_machine = there - here
         of_work = _position_at(other, self._machine.blocks, axis) - self._machine.position[axis]
-        if abs(of_machine - of_work) < _NEAR and self._names_system():
+        if abs(of_machine - of_work) < self._near and self._names_system():
             return Known.BOTH
-        if abs(of_work) < _NEAR:
+        if abs(of_work) < self._near:
             return Known.WORK
-        return Known.MACHINE if abs(of_machine) < _NEAR else Known.NEITHER
+        return Known.MACHINE if abs(of_machine) < self._near else Known.NEITHER
 
     def _names_system(self) -> bool:
         """Return whether a setup can give the work offset in force at the place, such as not G59.1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from cncsub.controls import first_made_number, rule_value
@@ -25,10 +25,12 @@ class NoTailsError(Exception):
 class Tails:
     """The rest of the programs that are open where a machine stands: `main`, the blocks of the main
     program after the head, and `programs`, the texts of those that it calls, by name. `number`: of
-    the main program, `None` where it has its name from its file.
+    the main program, `None` where it has its name from its file. `change`, which may be set later,
+    is what is done to the blocks that come first.
     """
 
     def __init__(self, library: Library, machine: Machine, *, starts_over: bool) -> None:
+        self.change: Callable[[Iterable[str]], Iterable[str]] = iter
         self._starts_over = starts_over
         self._library = library
         self._machine = machine
@@ -37,8 +39,14 @@ class Tails:
         free = free_numbers(library)
         self._numbers = [next(free) for _ in self._frames]
         self.number = self._numbers[0] if _number(self._program_of(self._frames[0]).name) else None
-        self.main = self._rest(0)
-        self.programs = {f"O{self._numbers[i]}": self._program(i) for i in self._deeper()}
+
+    @property
+    def main(self) -> list[str]:
+        return self._rest(0)
+
+    @property
+    def programs(self) -> dict[str, str]:
+        return {f"O{self._numbers[i]}": self._program(i) for i in self._deeper()}
 
     def _deeper(self) -> range:
         return range(1, len(self._frames))
@@ -83,7 +91,8 @@ class Tails:
         lines = [] if inner is None else self._calls(index + 1)
         at = self._index(frame, address)
         pieces, contiguous = self._pieces(frame, at, blocks)
-        lines += [block.text for block in pieces]
+        texts = (block.text for block in pieces)
+        lines += self.change(texts) if inner is None else texts
         if not pieces or not _ends(pieces[-1]):
             lines.append("M99" if index else "M30")
         elif index == 0 and self._starts_over and _ends(pieces[-1], 99):

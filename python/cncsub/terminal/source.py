@@ -92,6 +92,7 @@ class SourceView(ScrollView, can_focus=True):
         self.running: Mapping[int, bool] = {}  # the lines that run, and whether each is a caller
         self.points: Mapping[int, str] = {}
         self.alarm: AlarmPlace | None = None
+        self._named = "", ""  # the program and its file
 
     # ---- what is shown ----
 
@@ -114,8 +115,16 @@ class SourceView(ScrollView, can_focus=True):
         self.refresh()
 
     def show_title(self, program: Program) -> None:
-        where = f"{program.name}  {program.file}" if program.file else program.name
-        self.border_title = Content(shown(where))
+        self._named = shown(program.name), shown(program.file or "")
+        self._fit_title()
+
+    def _fit_title(self) -> None:
+        """Write the program and its file over the source: of a path that is too long, the end."""
+        name, file = self._named
+        room = self.size.width - cell_len(name) - 6  # two blanks, and what frames a title
+        if room > 0 and cell_len(file) > room:
+            file = "…" + right_crop(file, room - 1)
+        self.border_title = Content(f"{name}  {file}".rstrip())
 
     def go(self, line: int) -> None:
         """Put the cursor on a line, and show it."""
@@ -137,6 +146,7 @@ class SourceView(ScrollView, can_focus=True):
             self.scroll_to(y=max(0, line - height // 2), animate=False, immediate=True)
 
     def on_resize(self) -> None:
+        self._fit_title()
         self._see_cursor()
 
     def action_cursor(self, lines: int) -> None:
@@ -175,9 +185,12 @@ class SourceView(ScrollView, can_focus=True):
         elif line == self.cursor and self.has_focus:
             background = self.get_component_rich_style("source--cursor")
         code = Strip(text.render(self.app.console), text.cell_len)
-        code = code.crop_extend(
-            self.scroll_offset.x, max(0, self.scroll_offset.x + width - self._gutter), None
-        )
+        end = max(0, self.scroll_offset.x + width - self._gutter)
+        if text.cell_len > end > self.scroll_offset.x:  # it goes on to the right
+            more = Segment("…", self._style("source--number"))
+            code = Strip([*code.crop_extend(self.scroll_offset.x, end - 1, None), more])
+        else:
+            code = code.crop_extend(self.scroll_offset.x, end, None)
         return Strip([*self._marks(line), *code]).apply_style(background).simplify()
 
     def _marks(self, line: int) -> list[Segment]:
@@ -214,6 +227,13 @@ class SourceView(ScrollView, can_focus=True):
         return Style(
             color=whole.color, bgcolor=background, bold=whole.bold, underline=whole.underline
         )
+
+
+def right_crop(text: str, width: int) -> str:
+    """Return the end of a text that fits into so many columns."""
+    while text and cell_len(text) > width:
+        text = text[1:]
+    return text
 
 
 def _width(line: str) -> int:

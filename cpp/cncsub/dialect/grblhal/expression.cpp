@@ -12,8 +12,8 @@ namespace {
 
 constexpr int kDeepest = 100;  // nested values, more than a line has room for
 
-/// Return a written number as the control has it. It reads nine digits as a whole number, and
-/// scales that by steps of 32 bits. [gHn, read_float]
+}  // namespace
+
 double single_of(std::string_view digits) {
   constexpr int kMostDigits = 9;
   std::uint32_t whole = 0;
@@ -39,8 +39,6 @@ double single_of(std::string_view digits) {
   for (; exponent > 0; --exponent) value *= 10.0F;
   return value;
 }
-
-}  // namespace
 
 bool ExpressionReader::wrong(Cause cause, std::string detail, std::size_t place, Kind kind) {
   const std::uint32_t at = line_.offset(place);

@@ -12,6 +12,10 @@ namespace cncsub::grblhal {
 /// The last variable that programs write, and the last number that a variable has. [gHp]
 inline constexpr std::int64_t kLastWritten = 5060, kLastVariable = 5599;
 
+/// Return a written number as the control has it. It reads nine digits as a whole number, and
+/// scales that by steps of 32 bits. [gHn, read_float]
+double single_of(std::string_view digits);
+
 using Value = ValueRead;
 
 /// Marks of faults of one cause that have different numbers on the control: Fault::kind.

@@ -1,5 +1,6 @@
 // The language of grblHAL as others see it: its words, its spelling and the rules that it asks.
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/grblhal/expression.hpp"
 #include "cncsub/dialect/ngc_values.hpp"
 #include "cncsub/dialect/ngc_words.hpp"
 
@@ -22,6 +23,7 @@ const std::string_view grblhal_rules =
 // A number has 32 bits, and comes to its decimals in a few steps, each with a rounding of its own.
 // [gHn, read_float]
 const double grblhal_precision = 0x1p-20;
+double (*const grblhal_read_number)(std::string_view) = grblhal::single_of;
 
 const Spelling grblhal_spelling{.comment = {";", ""},
                                 .value = {"[", "]"},

@@ -170,6 +170,7 @@ constexpr std::string_view kFolders[] = {"MPF.DIR", "SPF.DIR", "WKS.DIR", "CUS.D
 }  // namespace sinumerik
 
 const double sinumerik_precision = 0;  // a number has 64 bits
+double (*const sinumerik_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> sinumerik_word_uses;
 // The feed of POS[X] stands where the centre of an arc along X does.

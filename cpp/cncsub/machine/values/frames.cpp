@@ -61,13 +61,13 @@ static std::optional<std::string> written(const FrameValue& frame, FramePart par
   return values;
 }
 
-std::string written(const FrameValue& frame) {
+std::optional<std::string> written(const FrameValue& frame) {
   static constexpr std::array<std::string_view, 5> kMakers{"CTRANS", "CFINE", "CROT", "CSCALE",
                                                            "CMIRROR"};
   std::string all;
   for (std::size_t part = 0; part < kMakers.size(); ++part) {
     const auto values = written(frame, static_cast<FramePart>(part));
-    if (!values) return "a frame that shears or turns inside out";
+    if (!values) return std::nullopt;
     if (values->empty()) continue;
     all += all.empty() ? "" : ":";
     all += std::string(kMakers[part]) + "(" + *values + ")";

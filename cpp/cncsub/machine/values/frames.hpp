@@ -11,8 +11,9 @@ namespace cncsub {
 
 /// Return the frame that a value stands for. 0, and a value that is none, change nothing.
 FrameValue frame_of(const Run& run, double value);
-/// Return a frame as the functions write it that make it: CTRANS(X,10):CROT(Z,30).
-std::string written(const FrameValue& frame);
+/// Return a frame as the functions write it that make it: CTRANS(X,10):CROT(Z,30). Nothing where
+/// none of them make it: it shears or turns inside out.
+std::optional<std::string> written(const FrameValue& frame);
 /// Return the value that stands for a frame.
 double keep_frame(Run& run, const FrameValue& frame);
 /// Return the value that stands for one entry of a frame, and the entry.
