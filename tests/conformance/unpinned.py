@@ -306,8 +306,7 @@ _TABLE = _joined(
     _sets(
         OKUMA,
         "refuses roles power_on reset_clears",
-        "power_on:G91 power_on:G18 power_on:G19 power_on:G20 refuses:no-radius"
-        " roles:M30=end roles:M98=none roles:M99=none roles:M198=none",
+        "power_on:G91 power_on:G18 power_on:G19 refuses:no-radius roles:M30=end",
         NO_SUCH_ENTRY,
     ),
     _sets(

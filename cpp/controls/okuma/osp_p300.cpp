@@ -48,28 +48,21 @@ void calls(Control& c) {
 void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, "of machining centers", Inferred);
   c.motion.g_meanings = {
-      "10=neutral 11=not-computed 14=not-computed 15=extra-system 16=not-computed "
-      "20=not-computed 21=neutral 22=not-computed 23=neutral 30=not-computed 31=not-computed "
-      "43=not-computed 44=not-computed 50=neutral 51=not-computed "
-      "53=length-off 54=not-computed 55=not-computed 56=length 57=not-computed 58=not-computed "
-      "59=not-computed 60=not-computed 62=not-computed 71=not-computed 73=not-computed "
+      "10=neutral 11=not-computed 15=extra-system 16=not-computed 20=not-computed "
+      "22=not-computed 30=not-computed 31=not-computed 43=not-computed 44=not-computed "
+      "51=not-computed 53=length-off 54=not-computed 55=not-computed 56=length 57=not-computed "
+      "58=not-computed 59=not-computed 60=not-computed 62=not-computed 73=not-computed "
       "74=not-computed 76=not-computed 81=not-computed 82=not-computed 83=not-computed "
       "84=not-computed 85=not-computed 86=not-computed 87=not-computed 89=not-computed "
-      "92=not-computed 101=not-computed 102=not-computed 103=not-computed "
-      "104=not-computed 105=not-computed 106=not-computed 107=not-computed 108=not-computed "
-      "109=not-computed 110=not-computed 111=not-computed 116=not-computed 130=not-computed "
-      "131=not-computed 132=not-computed 169=not-computed 170=not-computed 273=not-computed "
-      "274=not-computed 283=not-computed 284=not-computed",
+      "92=not-computed",
       kOsp, Inferred};
-  for (const char* entry :
-       {"10=neutral", "11=not-computed", "14=not-computed", "15=extra-system", "16=not-computed",
-        "20=not-computed", "21=neutral", "22=not-computed", "23=neutral"})
+  for (const char* entry : {"10=neutral", "11=not-computed", "15=extra-system", "16=not-computed",
+                            "20=not-computed", "22=not-computed"})
     c.motion.g_meanings.tell(entry, kTable, Secondary);
   for (const char* entry :
-       {"56=length", "71=not-computed", "73=not-computed", "74=not-computed", "76=not-computed",
-        "81=not-computed", "82=not-computed", "83=not-computed", "84=not-computed",
-        "85=not-computed", "86=not-computed", "87=not-computed", "89=not-computed",
-        "111=not-computed"})
+       {"56=length", "73=not-computed", "74=not-computed", "76=not-computed", "81=not-computed",
+        "82=not-computed", "83=not-computed", "84=not-computed", "85=not-computed",
+        "86=not-computed", "87=not-computed", "89=not-computed"})
     c.motion.g_meanings.tell(entry, kPost, Secondary);
   c.motion.max_extra_systems = {200, kOsp, Inferred};
   c.motion.max_offset_number = {300, "OKP: length offsets up to 300", Secondary};

@@ -65,7 +65,7 @@ for letter in "XYZ":
 case("the index may be an expression", **MACROS,
      program="O1\nN10 PH=1 PP=2\nN15 VZOFX[PH]=3\nN20 VZOFX[PP+1]=VZOFX[PH]+1\nN30 G15 H=PP+1\nN40 G0 X1\nN50 M02", final_machine="X5")
 case("VZOFV is none", **RUN, program="O1\nN10 VZOFV=40\nN20 M02", runs="", alarm="illegal-variable", number="2203", at="O1 N10", word="VZOFV")
-case("there is no work system 201", pins="max_extra_systems", **KNOWN,
+case("there is no work system 201", **KNOWN,
      program="O1\nN10 VZOFX[201]=1\nN20 M02", runs="", alarm="illegal-variable", number="2202", at="O1 N10")
 case("VTOFH is the length of a tool", **KNOWN,
      program="O1\nN10 VTOFH[3]=20\nN20 G56 H3\nN30 G0 Z1\nN40 V1=VTOFH[3]\nN50 M02", final_machine="Z21", vars={1: 20})
