@@ -18,6 +18,7 @@ void reading(Control& c) {
   c.reading.max_program_number = {99999, "HNGC p.132: five digits", Manual};
   c.reading.max_sequence_number = {99999, kHaas, Inferred};
   c.reading.block_skip = {BlockSkip::Anywhere, kHaas, Inferred};
+  c.reading.m_codes_per_block = {1, "HNGC p.345: one M code a block", Manual};
   c.reading.extra_m_codes = {ExtraMCodes::Alarm, "HNGC p.345: one M code a block", Manual};
   c.reading.whole_numbers = {WholeNumbers::Increments, "HNGC p.393, setting 162", Manual};
   c.reading.missing_end = {MissingEnd::Alarm, "HNGC p.134: without M99 it is alarm 312", Manual};
@@ -27,7 +28,29 @@ void reading(Control& c) {
       "92 93 94 95 98 99 100 101 102 103 107 110 111 112 113 114 115 116 117 118 119 120 121 122 "
       "123 124 125 126 127 128 129 136 141 143 150 153 154 155 161 162 163 164 165 166 169 174 184 "
       "187 188 234 253 254 255 268 269",
-      kHaas, Inferred};
+      "HNGC p.237 to 242, list of G codes", Manual};
+  for (const char* code : {"87", "88", "102", "253", "268", "269"})
+    c.reading.g_codes.tell(code, kHaas, Inferred);
+}
+
+/// Take over what the manual's list of M codes says. M29 turns on a relay, and taps nothing.
+void roles_of_codes(Control& c) {
+  constexpr const char* kList = "HNGC p.345 to 347, list of M codes";
+  const std::pair<CodeName, Role> rows[] = {{"M00", Role::Stop},
+                                            {"M01", Role::OptionalStop},
+                                            {"M02", Role::End},
+                                            {"M03", Role::SpindleForward},
+                                            {"M04", Role::SpindleBackward},
+                                            {"M05", Role::SpindleStop},
+                                            {"M06", Role::ToolChange},
+                                            {"M30", Role::End},
+                                            {"M98", Role::Call},
+                                            {"M99", Role::Return}};
+  for (const auto& [code, role] : rows) give_role(c.calls.roles, code, role, kList, Manual);
+  no_role(c.calls.roles, {"M29"}, "HNGC p.352, M29", Manual);
+  give_role(c.calls.roles, "G65", Role::MacroCall, "HNGC p.232, G65", Manual);
+  give_role(c.calls.roles, "M97", Role::LocalCall, "HNGC p.358, M97", Manual);
+  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "HNGC p.357, M96", Manual);
 }
 
 void calls_and_returns(Control& c) {
@@ -41,8 +64,7 @@ void calls_and_returns(Control& c) {
   c.calls.return_with_p = {ReturnWithP::OwnProgram,
                            "HNGC p.224, M99 P: it does not return to the caller", Manual};
   c.calls.main_return = {MainReturn::Restarts, "HNGC p.360, M99 in the main program", Manual};
-  give_role(c.calls.roles, "M97", Role::LocalCall, "HNGC p.358, M97", Manual);
-  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "HNGC p.357, M96", Manual);
+  roles_of_codes(c);
   c.calls.conditional_return = {true, "HNGC p.227, [#1EQ#2] M99 P5", Manual};
 }
 
@@ -78,6 +100,7 @@ void macros(Control& c) {
 
 void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, "HNGC p.237", Manual);  // of mills
+  c.motion.machine = {MachineType::Mill, "HNGC p.237, the codes of mills", Manual};
   c.motion.g_meanings = {
       "47=not-computed 87=not-computed 88=not-computed "
       "103=look-ahead-limit "
