@@ -36,16 +36,20 @@ void reading(Control& c) {
 /// Take over what the manual's list of M codes says. M29 turns on a relay, and taps nothing.
 void roles_of_codes(Control& c) {
   constexpr const char* kList = "HNGC p.345 to 347, list of M codes";
-  const std::pair<CodeName, Role> rows[] = {{"M00", Role::Stop},
-                                            {"M01", Role::OptionalStop},
-                                            {"M02", Role::End},
-                                            {"M03", Role::SpindleForward},
-                                            {"M04", Role::SpindleBackward},
-                                            {"M05", Role::SpindleStop},
-                                            {"M06", Role::ToolChange},
-                                            {"M30", Role::End},
-                                            {"M98", Role::Call},
-                                            {"M99", Role::Return}};
+  struct Row {
+    CodeName code;
+    Role role;
+  };
+  constexpr Row rows[] = {{"M00", Role::Stop},
+                          {"M01", Role::OptionalStop},
+                          {"M02", Role::End},
+                          {"M03", Role::SpindleForward},
+                          {"M04", Role::SpindleBackward},
+                          {"M05", Role::SpindleStop},
+                          {"M06", Role::ToolChange},
+                          {"M30", Role::End},
+                          {"M98", Role::Call},
+                          {"M99", Role::Return}};
   for (const auto& [code, role] : rows) give_role(c.calls.roles, code, role, kList, Manual);
   no_role(c.calls.roles, {"M29"}, "HNGC p.352, M29", Manual);
   give_role(c.calls.roles, "G65", Role::MacroCall, "HNGC p.232, G65", Manual);
@@ -72,6 +76,9 @@ void macros(Control& c) {
   c.macros.commons = {"10000-10999", "HNGC p.199, global variables", Manual};
   c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS",
                          "HNGC p.226 to 230; POPEN and PCLOS are general knowledge", Inferred};
+  c.macros.loop_form = {LoopForm::DoEnd, "HNGC p.229: WHILE, DO and END", Manual};
+  c.macros.prints_leading_blanks = {true, "HNGC p.230: leading spaces", Manual};
+  c.macros.angle_unit = {AngleUnit::Degrees, "HNGC p.221, functions", Manual};
   c.macros.max_loop_number = {3, "HNGC p.229: DO 1 to 3", Manual};
   c.macros.max_loops = {3, "HNGC p.229: three nested loops", Manual};
   c.macros.loops_count_across_calls = {false, "HNGC p.229: three levels in each subprogram",
@@ -112,6 +119,12 @@ void motion(Control& c) {
       "150=not-computed 154=extra-system 187=neutral",
       "HNGC p.308, 323: G110 to G129, G154; the others general knowledge of the Haas mill",
       Inferred};
+  c.motion.rapid_way = {RapidWay::OwnRates, "HNGC p.248: each axis at its own speed", Manual};
+  c.motion.negative_radius = {NegativeRadius::LongWay, "HNGC p.252: R below zero", Manual};
+  c.motion.helix = {Helix::Everywhere, "HNGC p.254: helical interpolation", Manual};
+  c.motion.chamfer_words = {",C", "HNGC p.249: ,C", Manual};
+  c.motion.round_words = {",R", "HNGC p.249: ,R", Manual};
+  c.motion.rotation_words = {"R", "HNGC p.282: R is the angle", Manual};
   c.motion.max_extra_systems = {99, "HNGC p.323, G154 P1 to P99", Manual};
   c.motion.max_offset_number = {200, "HNGC p.220: D is 0 to 200", Manual};
   c.motion.dwell_words = {"P", "HNGC p.258, G04", Manual};
