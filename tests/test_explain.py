@@ -78,6 +78,7 @@ def test_a_code_may_be_written_as_in_programs(written: str) -> None:
         ("G68.2", CONTROL, "not-computed"),
         ("G90", "gsk-928te", "not-known"),
         ("M8", CONTROL, "passed-over"),
+        ("M29", "haas-ngc", "passed-over"),  # a relay, no rigid tapping
     ],
 )
 def test_what_becomes_of_a_code_is_said(code: str, control: str, treatment: str) -> None:

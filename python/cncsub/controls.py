@@ -179,13 +179,14 @@ def inferred_rules(control: Control) -> int:
 
 def evidence_of(rule: _core.Rule) -> str:
     """Return how far a rule may be trusted: a list as far as the weakest of the entries that it
-    has, where each of them has a source of its own.
+    has. An entry without a source of its own may be trusted as far as the rule says.
     """
-    entries = (entry.partition("=")[0] for entry in str(rule.value).split())
-    told = [rule.sources.get(entry) for entry in entries]
-    if not told or None in told:
-        return rule.evidence
-    return max((how for _, how in filter(None, told)), key=EVIDENCE.index)
+    told = (
+        rule.sources.get(entry) or rule.sources.get(entry.partition("=")[0])
+        for entry in str(rule.value).split()
+    )
+    how = [entry[1] if entry else rule.evidence for entry in told]
+    return max(how or [rule.evidence], key=EVIDENCE.index)
 
 
 def evidence_words(control: Control) -> str:

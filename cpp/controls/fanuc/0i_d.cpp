@@ -41,8 +41,8 @@ const Parameter kParameters[] = {
     {"6005#0",
      0,
      "SQC: 1 = M98 Q starts at a sequence number; without P in the own program",
-     kKnown,
-     Inferred,
+     kWup,
+     Secondary,
      {bit(rule::start_word, StartWord::None, StartWord::Q),
       bit(rule::omitted_program, OmittedProgram::Alarm, OmittedProgram::OwnFromStart)}},
     {"6006#0",
@@ -82,8 +82,8 @@ Control fanuc_0i_d() {
                               Inferred};
   c.calls.max_total_nesting = {15, cite({kKnown, "ALM PS0077 speaks of the total number"}),
                                Inferred};
-  c.calls.start_word = {StartWord::None, cite({kKnown, "Q with 6005#0 SQC, GED for its meaning"}),
-                        Inferred};
+  c.calls.start_word = {StartWord::None,
+                        cite({kWup, "M98 Q needs 6005#0 SQC", kGed, "its meaning"}), Secondary};
   c.calls.omitted_program = {OmittedProgram::Alarm, cite({kKnown, "M98 Q with 6005#0 SQC"}),
                              Inferred};
   c.calls.return_with_l = {ReturnWithL::ReplacesCount,

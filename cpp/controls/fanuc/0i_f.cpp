@@ -18,7 +18,8 @@ constexpr const char* kMoreCodes =
 Control fanuc_0i_f() {
   Control c = fanuc_0i_d();
   c.title = "FANUC Series 0i-F";
-  has(c.reading.program_heads, {ProgramHead::Name}, kKnown, Inferred);
+  has(c.reading.program_heads, {ProgramHead::Name}, cite({kAlm, "PS0310, PS0311: calls by name"}),
+      Secondary);
   c.reading.max_program_number = {99999999, kKnown, Inferred};
   c.reading.max_sequence_number = {99999999, cite({kAlm, "PS1128; that the 0i-F has it is unsure"}),
                                    Inferred};
@@ -29,7 +30,7 @@ Control fanuc_0i_f() {
                        cite({k0iMd, kReg, kCncs, "the rest general knowledge"}), Inferred};
   c.macros.functions = {
       "SIN COS TAN ASIN ACOS ATAN SQRT ABS ROUND FIX FUP LN EXP POW BIN BCD ADP PRM MOD",
-      cite({kAli, "four more than it names: general knowledge"}), Inferred};
+      cite({kAli, "CSH", "MOD, POW and ADP", kWup, "PRM"}), Secondary};
   c.macros.functions.tell("POW", cite({kAlm, "1120 names it"}), Secondary);
   domain_alarms(c, Cause::ArgumentOutOfRange);
 

@@ -29,9 +29,10 @@ void reading(Control& c) {
                           Inferred};
   c.reading.repeated_address = {RepeatedAddress::LastWins, cite({kKnown, "3403#6 AD2"}), Inferred};
   c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.reading.point_addresses = {"ABCEFIJKQRUVWXYZ",
-                               cite({kSin, kAlm, "the list, and E of threads, general knowledge"}),
-                               Inferred};
+  c.reading.point_addresses = {
+      "ABCEFIJKQRUVWXYZ",
+      cite({kGed, "whole numbers at O N G M T H D P L, threads at E", kSin, "whole numbers at S"}),
+      Secondary};
   c.reading.computed_whole = {"PS", cite({kSin, "of all addresses of whole numbers"}), Secondary};
   c.reading.minus_addresses = {"ABCEFHIJKQRSUVWXYZ",
                                cite({kKnown, "alarm 006 for M and P from ALM"}), Inferred};
@@ -56,6 +57,7 @@ void roles_of_codes(Control& c) {
   give_role(c.calls.roles, "M02", Role::End, kIsoM, Secondary);
   give_role(c.calls.roles, "M04", Role::SpindleBackward, kIsoM, Secondary);
   give_role(c.calls.roles, "M06", Role::ToolChange, kIsoM, Secondary);
+  give_role(c.calls.roles, "M29", Role::RigidTapping, "0iB p.540: M29 S1000 before G84", Manual);
 }
 
 void calls_and_returns(Control& c) {

@@ -45,6 +45,7 @@ inline constexpr const char* k0iMd = "0iMD";
 inline constexpr const char* kCncs = "CNCS";
 inline constexpr const char* kRw = "RW";
 inline constexpr const char* kNct = "NCT";
+inline constexpr const char* kWup = "WUP";
 inline constexpr const char* kM7v = "M7V";
 inline constexpr const char* kPolicy = "policy, nobody says";
 

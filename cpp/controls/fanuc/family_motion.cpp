@@ -211,7 +211,8 @@ void skip_parameters(Control& c) {
 }  // namespace
 
 void add_family_motion(Control& c) {
-  c.motion.machine = {MachineType::Mill, "policy: the setup tells a lathe", Inferred};
+  c.motion.machine = {MachineType::Mill, "source 003 is of a mill; the setup tells a lathe",
+                      SourceDocument};
   c.motion.negative_radius = {NegativeRadius::LongWay, "source 003, example 5", SourceDocument};
   c.motion.machine_move = {MachineMove::Rapid, "source 003, G53; 0iMB p.228", SourceDocument};
   has(c.common.refuses,

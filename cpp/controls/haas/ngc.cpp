@@ -2,6 +2,7 @@
 // The keys of the sources stand in sources.def. HNGC is the operator's manual. What no source says
 // is as in the family.
 #include "controls/facts.hpp"
+#include "controls/haas/family.hpp"
 #include "controls/settings.hpp"
 
 namespace cncsub {
@@ -10,7 +11,6 @@ namespace {
 using enum Evidence;
 
 constexpr const char* kHaas = "general knowledge of the Haas mill";
-constexpr const char* kUnsure = "general knowledge of the Haas mill, unsure";
 constexpr const char* kPolicy = "policy, nobody says";
 constexpr const char* kAlarms = "general knowledge of the Haas alarm list";
 
@@ -18,6 +18,7 @@ void reading(Control& c) {
   c.reading.max_program_number = {99999, "HNGC p.132: five digits", Manual};
   c.reading.max_sequence_number = {99999, kHaas, Inferred};
   c.reading.block_skip = {BlockSkip::Anywhere, kHaas, Inferred};
+  c.reading.m_codes_per_block = {1, "HNGC p.345: one M code a block", Manual};
   c.reading.extra_m_codes = {ExtraMCodes::Alarm, "HNGC p.345: one M code a block", Manual};
   c.reading.whole_numbers = {WholeNumbers::Increments, "HNGC p.393, setting 162", Manual};
   c.reading.missing_end = {MissingEnd::Alarm, "HNGC p.134: without M99 it is alarm 312", Manual};
@@ -27,7 +28,33 @@ void reading(Control& c) {
       "92 93 94 95 98 99 100 101 102 103 107 110 111 112 113 114 115 116 117 118 119 120 121 122 "
       "123 124 125 126 127 128 129 136 141 143 150 153 154 155 161 162 163 164 165 166 169 174 184 "
       "187 188 234 253 254 255 268 269",
-      kHaas, Inferred};
+      "HNGC p.237 to 242, list of G codes", Manual};
+  for (const char* code : {"87", "88", "102", "253", "268", "269"})
+    c.reading.g_codes.tell(code, kHaas, Inferred);
+}
+
+/// Take over what the manual's list of M codes says. M29 turns on a relay, and taps nothing.
+void roles_of_codes(Control& c) {
+  constexpr const char* kList = "HNGC p.345 to 347, list of M codes";
+  struct Row {
+    CodeName code;
+    Role role;
+  };
+  constexpr Row rows[] = {{"M00", Role::Stop},
+                          {"M01", Role::OptionalStop},
+                          {"M02", Role::End},
+                          {"M03", Role::SpindleForward},
+                          {"M04", Role::SpindleBackward},
+                          {"M05", Role::SpindleStop},
+                          {"M06", Role::ToolChange},
+                          {"M30", Role::End},
+                          {"M98", Role::Call},
+                          {"M99", Role::Return}};
+  for (const auto& [code, role] : rows) give_role(c.calls.roles, code, role, kList, Manual);
+  no_role(c.calls.roles, {"M29"}, "HNGC p.352, M29", Manual);
+  give_role(c.calls.roles, "G65", Role::MacroCall, "HNGC p.232, G65", Manual);
+  give_role(c.calls.roles, "M97", Role::LocalCall, "HNGC p.358, M97", Manual);
+  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "HNGC p.357, M96", Manual);
 }
 
 void calls_and_returns(Control& c) {
@@ -41,8 +68,7 @@ void calls_and_returns(Control& c) {
   c.calls.return_with_p = {ReturnWithP::OwnProgram,
                            "HNGC p.224, M99 P: it does not return to the caller", Manual};
   c.calls.main_return = {MainReturn::Restarts, "HNGC p.360, M99 in the main program", Manual};
-  give_role(c.calls.roles, "M97", Role::LocalCall, "HNGC p.358, M97", Manual);
-  give_role(c.calls.roles, "M96", Role::JumpUnlessInput, "HNGC p.357, M96", Manual);
+  roles_of_codes(c);
   c.calls.conditional_return = {true, "HNGC p.227, [#1EQ#2] M99 P5", Manual};
 }
 
@@ -50,6 +76,9 @@ void macros(Control& c) {
   c.macros.commons = {"10000-10999", "HNGC p.199, global variables", Manual};
   c.macros.statements = {"# [ IF WHILE DO GOTO DPRNT BPRNT? POPEN PCLOS",
                          "HNGC p.226 to 230; POPEN and PCLOS are general knowledge", Inferred};
+  c.macros.loop_form = {LoopForm::DoEnd, "HNGC p.229: WHILE, DO and END", Manual};
+  c.macros.prints_leading_blanks = {true, "HNGC p.230: leading spaces", Manual};
+  c.macros.angle_unit = {AngleUnit::Degrees, "HNGC p.221, functions", Manual};
   c.macros.max_loop_number = {3, "HNGC p.229: DO 1 to 3", Manual};
   c.macros.max_loops = {3, "HNGC p.229: three nested loops", Manual};
   c.macros.loops_count_across_calls = {false, "HNGC p.229: three levels in each subprogram",
@@ -78,6 +107,7 @@ void macros(Control& c) {
 
 void motion(Control& c) {
   leave_out(c, RuleGroup::TurningRules, "HNGC p.237", Manual);  // of mills
+  c.motion.machine = {MachineType::Mill, "HNGC p.237, the codes of mills", Manual};
   c.motion.g_meanings = {
       "47=not-computed 87=not-computed 88=not-computed "
       "103=look-ahead-limit "
@@ -89,6 +119,12 @@ void motion(Control& c) {
       "150=not-computed 154=extra-system 187=neutral",
       "HNGC p.308, 323: G110 to G129, G154; the others general knowledge of the Haas mill",
       Inferred};
+  c.motion.rapid_way = {RapidWay::OwnRates, "HNGC p.248: each axis at its own speed", Manual};
+  c.motion.negative_radius = {NegativeRadius::LongWay, "HNGC p.252: R below zero", Manual};
+  c.motion.helix = {Helix::Everywhere, "HNGC p.254: helical interpolation", Manual};
+  c.motion.chamfer_words = {",C", "HNGC p.249: ,C", Manual};
+  c.motion.round_words = {",R", "HNGC p.249: ,R", Manual};
+  c.motion.rotation_words = {"R", "HNGC p.282: R is the angle", Manual};
   c.motion.max_extra_systems = {99, "HNGC p.323, G154 P1 to P99", Manual};
   c.motion.max_offset_number = {200, "HNGC p.220: D is 0 to 200", Manual};
   c.motion.dwell_words = {"P", "HNGC p.258, G04", Manual};
@@ -103,125 +139,6 @@ void motion(Control& c) {
   c.motion.scale_unit = {ScaleUnit::AsWritten,
                          "HML p.136: G51 P2. and G51 P2; H96 p.159: G51 P [ #5 * 1000 ]",
                          Secondary};
-}
-
-using Kind = VariableKind;
-constexpr Access kReadWrite = Access::ReadWrite;
-constexpr Access kReadOnly = Access::ReadOnly;
-constexpr Access kWriteOnly = Access::WriteOnly;
-constexpr const char* kTable = "HNGC p.200 to 208, macro variables";
-
-/// Add the inputs, the outputs, and what the machine counts.
-void signals(Control& c) {
-  const std::string table = kTable;
-  c.variables.insert(
-      c.variables.end(),
-      {
-          // The numbers of older controls: the manual's example of a computed jump reads them.
-          {1000, 1063, Kind::InputWord, kReadOnly, 0, "HNGC p.227, #1030", Secondary},
-          // Loads, analog inputs, flutes, vibrations and timers: the machine supplies their values.
-          {1064, 1068, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {1080, 1087, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {1090, 1098, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {1100, 1139, Kind::Output, kReadWrite, 0, kHaas, Inferred},
-          {1264, 1268, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {1601, 2000, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3020, 3025, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3027, 3028, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3030, 3030, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3032, 3033, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3196, 3196, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3201, 3600, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {3901, 3902, Kind::PartsCount, kReadWrite, 0, table, Manual},
-          {5401, 5600, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {5601, 5699, Kind::PartsCount, kReadWrite, 0, table, Manual},
-          {5701, 5800, Kind::PartsCount, kReadWrite, 0, table, Manual},
-          {5801, 5900, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {5901, 6000, Kind::PartsCount, kReadWrite, 0, table, Manual},
-          {11000, 11255, Kind::Input, kReadOnly, 0, "HNGC p.208, discrete inputs", Manual},
-          {12000, 12255, Kind::Output, kReadWrite, 0, "HNGC p.218, discrete outputs", Manual},
-          {13000, 13063, Kind::InputWord, kReadOnly, 0, "HNGC p.205, analog inputs", Manual},
-      });
-}
-
-/// Add the tools, what stops and what is told, and the settings.
-void system_variables(Control& c) {
-  const std::string table = kTable;
-  c.variables.insert(
-      c.variables.end(),
-      {
-          {2001, 2200, Kind::LengthGeometry, kReadWrite, 0, table, Manual},
-          {2201, 2400, Kind::LengthWear, kReadWrite, 0, table, Manual},
-          {2401, 2600, Kind::RadiusGeometry, kReadWrite, 0, table, Manual},
-          {2601, 2800, Kind::RadiusWear, kReadWrite, 0, table, Manual},
-          {3000, 3000, Kind::UserAlarm, kWriteOnly, 0, "HNGC p.210, #3000", Manual},
-          {3001, 3001, Kind::Milliseconds, kReadWrite, 0, "HNGC p.211, #3001", Manual},
-          {3002, 3002, Kind::Hours, kReadWrite, 0, "HNGC p.211, #3002", Manual},
-          {3003, 3004, Kind::Control1, kReadWrite, 0, "HNGC p.211, #3003, #3004", Manual},
-          {3006, 3006, Kind::Message, kWriteOnly, 0, "HNGC p.212, #3006", Manual},
-          {3011, 3011, Kind::Date, kReadOnly, 0, table, Manual},
-          {3012, 3012, Kind::Time, kReadOnly, 0, table, Manual},
-          {3026, 3026, Kind::ActiveWord, kReadOnly, 'T', table, Manual},
-          {7501, 7506, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
-          {7601, 7606, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
-          {7701, 7706, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
-          {7801, 7806, Kind::InputWord, kReadOnly, 0, "HNGC p.216, pallets", Manual},
-          // A program writes the number of a group or a tool, and reads what the machine knows.
-          {8500, 8500, Kind::OutputWord, kReadWrite, 0, "HNGC p.216, tool management", Manual},
-          {8501, 8515, Kind::InputWord, kReadOnly, 0, "HNGC p.216, tool management", Manual},
-          {8550, 8550, Kind::OutputWord, kReadWrite, 0, "HNGC p.217, tool management", Manual},
-          {8551, 8567, Kind::InputWord, kReadOnly, 0, "HNGC p.217, tool management", Manual},
-          {9000, 9031, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {30000, 39999, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {50001, 50400, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {50601, 51000, Kind::InputWord, kReadOnly, 0, table, Manual},
-          {51301, 52800, Kind::InputWord, kReadOnly, 0, table, Manual},
-      });
-}
-
-/// Add the modal codes, positions and work offsets.
-void system_positions(Control& c) {
-  const std::string table = kTable;
-  const char* const offsets = "HNGC p.214, work offsets";
-  c.variables.insert(
-      c.variables.end(),
-      {
-          {4001, 4021, Kind::ModalCode, kReadOnly, 0, "HNGC p.212, #4001 to #4021", Manual},
-          {5001, 5006, Kind::BlockEnd, kReadOnly, 0, "HNGC p.213, #5001 to #5006", Manual},
-          {5021, 5026, Kind::MachinePosition, kReadOnly, 0, "HNGC p.213, #5021", Manual},
-          {5041, 5046, Kind::WorkPosition, kReadOnly, 0, "HNGC p.213, #5041", Manual},
-          {5061, 5069, Kind::SkipPosition, kReadOnly, 0, "HNGC p.214, #5061 to #5069", Manual},
-          {5081, 5086, Kind::ActiveLength, kReadOnly, 0, "HNGC p.214, #5081", Manual},
-          // #5201 to #5206, the offset of G52, is no external offset and is not held here.
-          {5221, 5326, Kind::WorkOffset, kReadWrite, 0, offsets, Manual, 20},
-          {7001, 7386, Kind::ExtraWorkOffset, kReadWrite, 0, offsets, Manual},
-          {14001, 15966, Kind::ExtraWorkOffset, kReadWrite, 0, table, Manual},
-      });
-}
-
-void variables(Control& c) {
-  const std::string table = kTable;
-  c.variables = {
-      {0, 0, Kind::Vacant, kReadOnly, 0, table, Manual},
-      {1, 33, Kind::Local, kReadWrite, 0, "HNGC p.198, local variables", Manual},
-      {700, 749, Kind::Kept, kReadWrite, 0, table, Manual},  // of the control's own programs
-  };
-  signals(c);
-  system_variables(c);
-  system_positions(c);
-  // The numbers of older Haas controls are other names of these.
-  for (const auto& [first, last] : {std::pair{100, 199}, {500, 699}, {800, 999}})
-    c.variables.push_back({first, last, Kind::Kept, kReadWrite, 0, "HNGC p.199, legacy ranges",
-                           Manual, 10000 + first});
-  for (const char address : {'B', 'D', 'F', 'H', 'M', 'S', 'T'}) {
-    const std::int32_t number = modal_word_number(address);
-    c.variables.push_back({number, number, Kind::ModalWord, kReadOnly, address,
-                           "HNGC p.213, #4101 to #4126", Manual});
-  }
-  for (const char address : {'N', 'O'}) {
-    const std::int32_t number = modal_word_number(address);
-    c.variables.push_back({number, number, Kind::ModalWord, kReadOnly, address, kUnsure, Inferred});
-  }
 }
 
 /// Add settings by their numbers.
@@ -320,7 +237,7 @@ Control haas_ngc() {
   calls_and_returns(c);
   macros(c);
   motion(c);
-  variables(c);
+  haas::add_family_variables(c);
   settings(c);
   aliases(c);
   alarms(c);

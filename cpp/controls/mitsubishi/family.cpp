@@ -40,8 +40,8 @@ void reading(Control& c) {
   c.reading.repeated_address = {RepeatedAddress::LastWins, kGeneral + "; a parameter may change it",
                                 Inferred};
   c.reading.open_comment = {OpenComment::RestOfBlock, kPolicy, Inferred};
-  c.reading.point_addresses = {"ABCEFIJKQRUVWXYZ",
-                               kGeneral + ": P, H, L, N, O and D are whole numbers", Inferred};
+  c.reading.point_addresses = {"ABCEFIJKQRUVWXYZ", kM7 + "p.40 (3); P has a point in scaling only",
+                               Manual};
   c.reading.minus_addresses = {"ABCDEFHIJKLQRSUVWXYZ",
                                kGeneral + "; a negative L is a value out of range", Inferred};
   c.reading.whole_numbers = {WholeNumbers::Millimetres,
@@ -67,7 +67,7 @@ void calling(Control& c) {
   c.calls.omitted_program = {OmittedProgram::Own,
                              kIMD + "P omitted: subroutine of the same program", Secondary};
   c.calls.start_word = {StartWord::H, k004 + "H", SourceDocument};
-  c.calls.self_call = {SelfCall::Allowed, "inferred from IMD, P omitted", Inferred};
+  c.calls.self_call = {SelfCall::Allowed, kIMD + "P omitted: a program calls itself", Secondary};
   c.calls.caller_call = {CallerCall::Allowed, kGeneral + ": only the levels count", Inferred};
   c.calls.max_repeats = {9999, k004 + "at most 9999 times", SourceDocument};
   c.calls.zero_repeats = {ZeroRepeats::Skip, k004 + "note 3, L0", SourceDocument};

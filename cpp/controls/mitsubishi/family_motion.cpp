@@ -36,6 +36,7 @@ const Parameter kParameters[] = {
 }  // namespace
 
 void add_family_motion(Control& c) {
+  c.motion.machine = {MachineType::Mill, "M7 p.31: the G codes of a machining centre", Manual};
   c.motion.longer_words = {"DH", "M7 p.241", Manual};
   c.motion.max_rotation = {0, "M7 p.460 (4): beyond 360 degrees the remainder counts", Manual};
   c.motion.rotation_words = {"R", "M7 p.460", Manual};

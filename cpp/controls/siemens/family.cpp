@@ -132,8 +132,12 @@ void motion(Control& c) {
       "840Dv p.2-9: 10900 and 14800", Secondary);
   has(c.common.refuses, {Cause::NoArcTravel}, "HSA 14040: an arc by its radius", Secondary);
   has(c.common.refuses, {Cause::ValueOutOfRange}, kKnown, Inferred);
-  c.motion.dwell_words = {"F", kKnown, Inferred};
-  c.motion.dwell_turn_words = {"S", kKnown, Inferred};
+  c.motion.machine = {MachineType::Mill,
+                      "NCI, ggroups.json: G90 and G91 are modes; MD840, MD 20150: DIAMOF",
+                      Secondary};
+  c.motion.dwell_words = {"F", "NCI, CHANGELOG.md: F of G4 is its seconds", Secondary};
+  c.motion.dwell_turn_words = {"S", "NCI, CHANGELOG.md: S of G4 is turns of the spindle",
+                               Secondary};
   c.motion.computed_lengths = {ComputedLengths::Rounded,
                                "840Di p.281: MD 10200, lengths count a thousand increments a mm",
                                Secondary};

@@ -4,6 +4,7 @@ from conformance import case
 
 ONE = "siemens-one"
 GROUPS = {"control": ONE, "source": "NCI, ggroups.json: the G groups of the manual", "evidence": "secondary"}
+DWELL = {"control": ONE, "source": "NCI, CHANGELOG.md: F and S of G4", "evidence": "secondary"}
 KNOWN = {"control": ONE, "source": "general knowledge of the SINUMERIK 840D", "evidence": "inferred"}
 POLICY = {"control": ONE, "source": "policy, nobody says", "evidence": "inferred"}
 
@@ -76,7 +77,7 @@ case(
     "G71 and G70 are the units", pins="unit_change", **GROUPS, program="N10 G70 G0 X1\nN20 G71 X1\nN30 M30", moves="R X25.4\nR X1",
 )
 case(
-    "F of G4 is its seconds", pins="dwell_words", **KNOWN, program="N10 G4 F2.5\nN20 M30", time=2.5,
+    "F of G4 is its seconds", pins="dwell_words", **DWELL, program="N10 G4 F2.5\nN20 M30", time=2.5,
 )
 case(
     "G1 ends rapid traverse", **GROUPS, program="N10 G0 X1\nN20 G1 X5 F100\nN30 M30", moves="R X1\nF X5",
@@ -132,7 +133,7 @@ case(
 LIMITS = {"limits": {"X": (-1000, 1000)}}
 for told, setup in (("", {}), (", with limits too", LIMITS)):
     case(
-        f"F of G4 is no feed{told}", setup=setup, **KNOWN,
+        f"F of G4 is no feed{told}", setup=setup, **DWELL,
         program="N10 G1 X10 F100\nN20 G4 F6\nN30 X20\nN40 M30", time=18,
     )
     case(
@@ -140,7 +141,7 @@ for told, setup in (("", {}), (", with limits too", LIMITS)):
         program="N10 G1 X10 F100\nN20 G4 F6 M8\nN30 X20\nN40 M30", time=18,
     )
     case(
-        f"S of G4 counts turns and sets no speed{told}", pins="dwell_turn_words", setup=setup, **KNOWN,
+        f"S of G4 counts turns and sets no speed{told}", pins="dwell_turn_words", setup=setup, **DWELL,
         program="N10 G95 G1 X10 F1 S600 M3\nN20 G4 S30\nN30 X20\nN40 M30", time=5,
     )
     case(

@@ -311,7 +311,7 @@ taken(
     "offset-without-move", RADIUS,
 )
 taken(
-    "M29 may stand in the block of its tapping cycle", [*LIKE_FANUC, HAAS, HNC, TDI, *T_TA],
+    "M29 may stand in the block of its tapping cycle", [*LIKE_FANUC, HNC, TDI, *T_TA],
     "G0 Z10.", "M29 S500 G84 X10. Z-5. R2. F500", "rigid-tap-code-in-cycle",
 )
 taken(
@@ -319,7 +319,7 @@ taken(
     "rigid-tap-word-twice",
 )
 taken(
-    "a move may stand after M29", [TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC], "M29 S500", "G0 X20.",
+    "a move may stand after M29", [TE, TDI, HNC, *MITSUBISHI, SYNTEC], "M29 S500", "G0 X20.",
     "move-before-rigid-tap",
 )
 taken(
@@ -363,7 +363,7 @@ taken(
 
 NO_WAIT = "M29 is nothing to the blocks after it where a move there is not refused"
 NO_RUN_OUT = "J and K are no run-out of its threads"
-for _control in (TE, TDI, HAAS, HNC, *MITSUBISHI, SYNTEC):
+for _control in (TE, TDI, HNC, *MITSUBISHI, SYNTEC):
     inert("refuses:rigid-tap-word-twice refuses:rigid-tap-without-speed", control=_control, reason=NO_WAIT)
 for _control in (*FANUC, *MITSUBISHI, SYNTEC, MDI, HAAS, HNC, TE):
     inert("refuses:thread-run-out-across refuses:thread-run-out-sign", control=_control, reason=NO_RUN_OUT)
@@ -374,6 +374,11 @@ for _control in (TE,):
         "refuses:tap-in-surface-speed refuses:tap-without-speed",
         control=_control, reason="no source says which codes of the control this is about",
     )
+inert(
+    "refuses:rigid-tap-word-twice refuses:rigid-tap-without-speed refuses:move-before-rigid-tap "
+    "refuses:rigid-tap-code-in-cycle",
+    control=HAAS, reason="its M29 turns on a relay",
+)
 for _control in (HAAS, HNC):
     inert("refuses:tap-in-surface-speed", control=_control, reason="the control has no G96")
     inert("refuses:g11-before-g10", control=_control, reason="its G10 is none that G11 ends")

@@ -6,6 +6,7 @@ TA, T = GSK_988 = ["gsk-988ta", "gsk-988t"]
 TDI, MDI = GSK_980 = ["gsk-980tdi", "gsk-980mdi"]
 GSK = GSK_988 + GSK_980
 MELDAS, M700, M800 = MITSUBISHI = ["mitsubishi-meldas", "mitsubishi-m700", "mitsubishi-m800"]
+UP_TO_99999 = [MELDAS, M800]
 F16, F0D, F0F, F30 = FANUC = ["fanuc-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-30i"]
 FANUC_PS = FANUC[1:]
 HNC, TE = "hnc-21m", "gsk-928te"
@@ -42,7 +43,7 @@ case(
 case(
     "a sequence number has five digits and not six",
     pins="max_sequence_number max_block_length m_codes_per_block",
-    control=[*GSK, *MITSUBISHI, F16, F0D],
+    control=[*GSK, *UP_TO_99999, F16, F0D],
     source="PB155; Talm 003; MDia 006; SK P35; general knowledge", evidence="inferred",
     program="""
         O1
@@ -51,8 +52,20 @@ case(
         N30 M30
     """,
     runs="N99999", alarm="illegal-sequence-number",
-    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "0006"), **dict.fromkeys(MITSUBISHI, "P35"), F16: None, F0D: "PS1014"},
+    number={**dict.fromkeys(GSK_988, "003"), **dict.fromkeys(GSK_980, "0006"), **dict.fromkeys(UP_TO_99999, "P35"), F16: None, F0D: "PS1014"},
     m=[8],
+)
+case(
+    "a sequence number has six digits and not seven on an M700",
+    pins="max_sequence_number",
+    control="mitsubishi-m700", source="M7 p.23: N6", evidence="maker's manual",
+    program="""
+        O1
+        N999999 M8
+        N1000000 M9
+        N30 M30
+    """,
+    runs="N999999", alarm="illegal-sequence-number", number="P35", m=[8],
 )
 case(
     "N0 names a block as any number does",
