@@ -56,7 +56,7 @@ for code in ("G97", "G973"):
 
 # ---- F and the codes of units ----
 
-UNITS = {"control": ONE, "source": "808Dm p.54: G70, G71, G700, G710", "evidence": "secondary", "setup": ZERO}
+UNITS = {"control": [ONE, "siemens-828d", "siemens-840d-sl"], "source": "808Dm p.54: G70, G71, G700, G710", "evidence": "secondary", "setup": ZERO}
 case(
     "G70 is about lengths: F stays millimetres", pins="g_meanings:70=inch-lengths", **UNITS,
     program="N10 G1 X25.4 F254\nN20 G70 X2\nN30 X3 F127\nN40 M30", time=6 + 6 + 12, moves="F X25.4\nF X50.8\nF X76.2",

@@ -130,6 +130,7 @@ const std::string_view okuma_rules =
     "length_type computed_lengths angle_unit";
 
 const double okuma_precision = 0;  // a number has 64 bits
+double (*const okuma_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> okuma_word_uses;
 const Spelling okuma_spelling{.comment = {"(", ")"},

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cncsub/dialect/sinumerik/declarations.hpp"
+#include "cncsub/dialect/sinumerik/keywords.hpp"
 
 namespace cncsub::sinumerik {
 
