@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include "cncsub/code/number_reader.hpp"
 #include "cncsub/code/parameters.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"
@@ -37,6 +38,11 @@ const Dialect* find_dialect(std::string_view name) {
   for (const Dialect& dialect : kDialects)
     if (dialect.name == name) return &dialect;
   return nullptr;
+}
+
+NumberReader number_reader(std::string_view dialect) {
+  const Dialect* const found = find_dialect(dialect);
+  return found == nullptr ? nullptr : found->read_number;
 }
 
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cncsub/code/number_reader.hpp"
 #include "cncsub/control/code_calls.hpp"
 #include "cncsub/control/g_codes.hpp"
-#include "cncsub/dialect/dialect.hpp"
 #include "cncsub/motion/block/block.hpp"
 #include "cncsub/motion/query.hpp"
 #include "cncsub/motion/state/facts.hpp"
@@ -37,7 +37,7 @@ bool needs_equals(std::string_view address) { return address.size() > 1 && addre
 
 /// Return the text with the fewest digits that a language reads as a number, of those that lie
 /// nearest to it; empty where it reads none of them so.
-std::string text_as_read(double value, double (*read)(std::string_view digits)) {
+std::string text_as_read(double value, NumberReader read) {
   constexpr int kMostDigits = 9, kNear = 64;
   const double size = std::fabs(value);
   if (size == 0) return "0";
@@ -55,10 +55,9 @@ std::string text_as_read(double value, double (*read)(std::string_view digits)) 
 }
 
 std::string text_on(double value, const Control& control) {
-  const Dialect* const dialect = find_dialect(control.dialect);
+  const NumberReader read = number_reader(control.dialect);
   std::string text;
-  if (dialect != nullptr && dialect->read_number != nullptr && std::isfinite(value))
-    text = text_as_read(value + 0.0, dialect->read_number);
+  if (read != nullptr && std::isfinite(value)) text = text_as_read(value + 0.0, read);
   return text.empty() ? system::shortest_fixed(value + 0.0) : text;
 }
 
