@@ -102,7 +102,7 @@ VacantCheck::Vacant VacantCheck::at_entry(const ProgramFlow& flow) const {
   if (computed_calls_ || flow.program() == c_.main) return entry;
   Bits always = locals_, sometimes = 0;
   for (const CallEdge* edge : callers) {
-    const Bits vacant = vacant_in(*edge) | uses_.named();
+    const Bits vacant = (vacant_in(*edge) | uses_.named()) & ~given(*edge);
     always &= vacant;
     sometimes |= vacant;
   }

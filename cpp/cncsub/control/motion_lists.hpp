@@ -66,6 +66,9 @@ inline constexpr std::int16_t kSkipOnLine = 4;
 /// The variant of units of lengths alone: F counts in those that hold at power-on.
 inline constexpr std::int16_t kLengthsAlone = 1;
 
+/// The variant of a code whose H names the extra work system, not its P.
+inline constexpr std::int16_t kNamedByH = -1;
+
 /// A meaning that a control may give to another code: the words of the rule g_meanings.
 struct MeaningWord {
   std::string_view word;
@@ -156,6 +159,7 @@ inline constexpr MeaningWord kMeaningWords[] = {
     {"three-points-absolute", Group::Motion, Meaning::ThreePointsAbsolute},
     {"three-points-by-mode", Group::Motion, Meaning::ThreePointsAbsolute, 1},
     {"extra-system", Group::Work, Meaning::WorkExtra},
+    {"extra-system-by-h", Group::Work, Meaning::WorkExtra, kNamedByH},
     {"extra-system-1", Group::Work, Meaning::WorkExtra, 1},
     {"extra-system-2", Group::Work, Meaning::WorkExtra, 2},
     {"extra-system-3", Group::Work, Meaning::WorkExtra, 3},

@@ -17,7 +17,6 @@ case("H may be an expression", source="OKM, G15 H=PP", control="okuma-osp-p300",
 case("G15 needs H", **KNOWN, program="O1\nN10 G15\nN20 M02", runs="", alarm="motion-word-missing", number=None, at="O1 N10", word="G15")
 case("machine coordinates by G15 H0 are told", **KNOWN,
      program="O1\nN10 G15 H0\nN20 M02", runs="", alarm="code-not-computed", at="O1 N10", word="H0")
-case("a P beside G15 is told", **KNOWN, program="O1\nN10 G15 H1 P2\nN20 M02", runs="", alarm="code-not-computed", at="O1 N10", word="P2")
 case("there are 200 of them", pins="max_extra_systems", **KNOWN,
      program="O1\nN10 G15 H200\nN20 G15 H201\nN30 M02", runs="N10", alarm="work-system", number=None, at="O1 N20", word="H201")
 case("G56 H adds the length of a tool along Z", pins="g_codes g_meanings", **POST,

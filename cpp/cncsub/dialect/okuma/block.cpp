@@ -256,19 +256,14 @@ bool BlockReader::assignment(Block& block, Words& words) {
   return true;
 }
 
-/// Let G15 H3 select the work system 3: the engine's codes name it by P.
-bool BlockReader::work_system(Block& block, Words& words) {
+/// G15 selects a work system by H. Machine coordinates, by H0, are not computed.
+bool BlockReader::work_system(Block& block, const Words& words) {
   if (!words.selects) return true;
-  constexpr std::uint32_t kH = 1U << ('H' - 'A'), kP = 1U << ('P' - 'A');
-  if ((words.given & kH) == 0)
+  if ((words.given & 1U << ('H' - 'A')) == 0)
     return refuse(block, Cause::MotionWordMissing, "G15 needs H: G15 H1", words.selects_at);
   const WordValue system = words.list.values['H' - 'A'];
-  const std::uint32_t at = words.at['H' - 'A'];
   if (!system.computed && system.value == 0)
-    return not_computed(block, "the machine coordinates of G15 H0", at);
-  if ((words.given & kP) != 0) return not_computed(block, "P beside G15", words.at['P' - 'A']);
-  words.list.mask &= ~kH;
-  words.list.set('P' - 'A', system, false);
+    return not_computed(block, "the machine coordinates of G15 H0", words.at['H' - 'A']);
   return true;
 }
 

@@ -61,7 +61,7 @@ class BlockReader {
   bool m_code(Block& block, Words& words, const Value& value);
   bool assignment(Block& block, Words& words);
   bool named(Block& block, Words& words, const std::string& name);
-  bool work_system(Block& block, Words& words);
+  bool work_system(Block& block, const Words& words);
   void write(Block& block, Words& words);
 
   bool statement(Block& block, Jump& jump, const std::string& word);

@@ -74,9 +74,10 @@ Result select_work(MotionContext& m, BlockWords& block) {
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
     const int own = block.code(Group::Work).variant;
-    const double p = own > 0 ? own : block.words.has('P') ? counted(m, block.words, 'P') : 1;
+    const char word = own == kNamedByH ? 'H' : 'P';
+    const double p = own > 0 ? own : block.words.has(word) ? counted(m, block.words, word) : 1;
     if (p < 1 || p > static_cast<double>(m.state.tables.extra->size()))
-      return fault_at('P', Cause::WorkSystem, block);
+      return fault_at(word, Cause::WorkSystem, block);
     m.state.extra_system = to_whole<int>(p);
     system = 0;
   }
