@@ -32,20 +32,12 @@ std::string outside_comments(const Spelling& spelling, std::string_view text,
   std::size_t quoted = 0;  // up to here a text between quotes in brackets goes
   for (std::size_t at = 0; at < text.size(); ++at) {
     const char c = text[at];
-    if (at < quoted) {
-      written += c;
-      continue;
-    }
-    if (end == ')' && c == '"' && text.find('"', at + 1) != std::string_view::npos) {
-      quoted = text.find('"', at + 1) + 1;
-      written += c;
-      continue;
-    }
     const bool outside = end == '\0';
-    if (!outside)
-      end = c == end ? '\0' : end;
-    else if (c == '"' || (c == '(' && spelling.comment.before == "("))
+    if (end == ')' && c == '"' && at >= quoted) quoted = text.find('"', at + 1) + 1;  // 0: none
+    if (outside && (c == '"' || (c == '(' && spelling.comment.before == "(")))
       end = c == '"' ? '"' : ')';
+    else if (c == end && at >= quoted)
+      end = '\0';
     if (outside && end == '\0')
       change(written, c);
     else

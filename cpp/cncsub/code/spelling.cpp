@@ -101,6 +101,16 @@ bool is_numbered(std::string_view written, const std::string& digits, std::strin
   return written == digits || written == '[' + digits + ']';
 }
 
+/// Return the common variable of this name; nothing where there is none.
+std::optional<std::int64_t> common_named(const Control& control, const Spelling& spelling,
+                                         std::string_view written) {
+  if (spelling.variable_name == nullptr || written.empty()) return std::nullopt;
+  for (const Span& commons : control.macros.commons.value)
+    for (std::int64_t number = commons.first; number <= commons.last; ++number)
+      if (capitals(spelling.variable_name(control, number)) == written) return number;
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
@@ -121,11 +131,7 @@ std::optional<std::int64_t> Spelling::number_of_variable(const Control& control,
       if (number >= range.first && number <= range.last &&
           capitals(name_of_variable(control, number)) == written)
         return number;
-  if (variable_name == nullptr || written.empty()) return std::nullopt;
-  for (const Span& commons : control.macros.commons.value)
-    for (std::int64_t number = commons.first; number <= commons.last; ++number)
-      if (capitals(variable_name(control, number)) == written) return number;
-  return std::nullopt;
+  return common_named(control, *this, written);
 }
 
 namespace {

@@ -236,7 +236,8 @@ bool keeps_modes(const BlockCodes& codes) {
 std::optional<std::string> assigned_frame(const Machine& machine) {
   if (g20(machine.motion().state())) return std::nullopt;
   for (const Machine::ControlFrame& of : machine.control_frames())
-    if (of.role == FrameInForce::Program && of.text) return of.name + "=" + *of.text;
+    if (of.role == FrameInForce::Program && of.text.has_value())
+      return of.name + "=" + of.text.value_or("");
   return std::nullopt;
 }
 

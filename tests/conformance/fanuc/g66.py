@@ -735,6 +735,7 @@ case(
 )
 case(
     "a user alarm in a modal macro stops the whole run",
+    pins="user_alarm_numbers",
     control=ALL, source="K-H general knowledge; GED", evidence="inferred",
     program="""
         O1

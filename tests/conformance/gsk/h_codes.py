@@ -330,6 +330,7 @@ case(
 )
 case(
     "GSK 980TDi: #3000=7 raises alarm 5907",
+    pins="user_alarm_numbers",
     control=TDI, source="TDi28, system variables", evidence=MANUAL,
     program="O1\nN10 G0 X1\nN20 #3000=7(NO BAR)\nN30 M30\n",
     runs="N10 N20", alarm="user-alarm", number="5907", at="O1 N20",

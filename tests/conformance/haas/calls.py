@@ -68,7 +68,8 @@ case(
     program="O1\nN10 G65 P77\nN20 M30", runs="", alarm="program-not-found", number="314", at="O1 N10",
 )
 case(
-    "M96 goes on where the input is 1", **manual("357, O00096"),
+    "M96 goes on where the input is 1",
+    pins="user_alarm_numbers", **manual("357, O00096"),
     inputs={"signals": {11018: 1}},
     program="O1\nN5 M96 P10 Q18\nN7 M99 P100\nN10 G04 P1.\nN20 M99 P5\nN100 #3000=10(M-FIN INPUT=1)\nN110 M30",
     runs="N5 N7 N100", alarm="user-alarm", number="1010", at="O1 N100",

@@ -80,6 +80,7 @@ case(
 )
 case(
     "HNC: I J K of the M98 block are #8 to #10 of the subprogram",
+    pins="call_words_not_computed",
     control=HNC, source="general knowledge, A to Z become #0 to #25", evidence="inferred",
     program="""
         %1

@@ -35,7 +35,6 @@ case(
 )
 case(
     "a plane change in a rotation", **listed("824"),
-    pins="refuses:rotation-plane",
     program="O1\nN10 G68 X0 Y0 R30.\nN20 G18\nN30 M30",
     runs="N10", alarm="rotation-plane", number="824", at="O1 N20", word="G18",
 )
@@ -63,7 +62,6 @@ case(
 )
 case(
     "G52 while G54.1 is in force", **listed("949"),
-    pins="refuses:local-in-extra-system",
     program="O1\nN10 G54.1 P1\nN20 G52 X5.\nN30 M30",
     runs="N10", alarm="local-in-extra-system", number="949", at="O1 N20", word="G52",
 )
@@ -116,13 +114,11 @@ case(
 )
 case(
     "a tap without a pitch", **listed("908"),
-    pins="refuses:tap-without-lead",
     program="O1\nN10 G0 X0 Y0 Z20.\nN20 S600 M3\nN30 G84 X1. Z-10. R5.\nN40 M30",
     runs="N10 N20", alarm="tap-without-lead", number="908", at="O1 N30", word="G84",
 )
 case(
     "a canned cycle in radius compensation", **listed("901"),
-    pins="refuses:cycle-in-offset",
     program="O1\nN10 G0 X0 Y0 Z20.\nN20 G41 D1 X5. F100\nN30 G81 X9. Z-10. R5.\nN40 M30",
     setup={"radius_offsets": {1: 2}}, runs="N10 N20", alarm="cycle-in-offset", number="901", at="O1 N30", word="G81",
 )

@@ -175,8 +175,8 @@ case(
     runs="N10 N99999 N20",
 )
 case(
-    "an H of six digits is over the range before the M800",
-    control=[MELDAS, M700], source="IMD, H 1 to 99999; SK P35", evidence="inferred",
+    "an H of six digits is over the range of the MELDAS",
+    control=MELDAS, source="IMD, H 1 to 99999; SK P35", evidence="inferred",
     program="""
         O1
         N10 M98 P200 H100000

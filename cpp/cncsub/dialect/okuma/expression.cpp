@@ -95,7 +95,7 @@ bool ExpressionReader::number(Value& value) {
     return wrong(Cause::AddressWithoutValue, "a number must stand here, or = and an expression",
                  at);
   if (!read_number()) return false;
-  if (sign == '-') constant_ = -*constant_;
+  if (sign == '-' && constant_) constant_ = -*constant_;
   return finish(value, at);
 }
 

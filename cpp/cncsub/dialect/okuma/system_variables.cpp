@@ -24,7 +24,7 @@ const SystemVariable* find_system_variable(std::string_view name) {
 }
 
 std::string name_of_variable(const Control& /*control*/, std::int64_t number) {
-  if (number > kCommonsC && number <= 2 * kCommonsC)
+  if (number > kCommonsC && number <= std::int64_t{2} * kCommonsC)
     return "VC" + std::to_string(number - kCommonsC);
   constexpr std::int64_t kApart = 100'000;  // from the variables of one name to those of the next
   for (const SystemVariable& of : kVariables) {

@@ -95,7 +95,7 @@ void pass_word(Line& line, WrittenWord& word) {
   const bool variable = line.begins_word() || name.starts_with('V');
   if (known != nullptr && known->treatment == Treatment::Statement) {
     line.pass(line.rest().size());
-  } else if (variable && !(name.starts_with('N') && name.size() > 1)) {
+  } else if (variable && (!name.starts_with('N') || name.size() <= 1)) {
     line.pass(name.size());
     if (line.ahead(0) == '[') pass_brackets(line);
     if (line.peek() == '=') pass_given(line, word);

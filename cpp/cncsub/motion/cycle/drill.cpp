@@ -212,6 +212,14 @@ Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool aw
   return move(m, block, MoveKind::Rapid, end, named);
 }
 
+/// Leave the hole of a tap: to R or on to the level, as the control does.
+Result tap_up(MotionContext& m, BlockWords& block, int axis, double r, double level) {
+  if (m.facts.control->motion.tap_return.value != TapReturn::R)
+    return feed_tap(m, block, axis, level);
+  if (auto wrong = feed_tap(m, block, axis, r)) return wrong;
+  return level == r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
+}
+
 Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
   const CycleData cycle = m.state.cycle;
   const bool below = goes_to_r_first(m.facts) && cycle.initial < r;
@@ -220,10 +228,7 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
   switch (cycle.cycle) {
     case Meaning::LeftTap:
     case Meaning::Tap:
-      if (m.facts.control->motion.tap_return.value != TapReturn::R)
-        return feed_tap(m, block, axis, level);
-      if (auto wrong = feed_tap(m, block, axis, r)) return wrong;
-      return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
+      return tap_up(m, block, axis, r, level);
     case Meaning::Bore:
     case Meaning::BoreDwell:
       if (cycle.cycle == Meaning::BoreDwell &&

@@ -64,6 +64,21 @@ void lose_written_shift(MotionState& state) {
   state.row_moves = nullptr;
 }
 
+namespace {
+
+/// Put the extra work system in force that a block names, by its code or by a word.
+Result select_extra(MotionContext& m, const BlockWords& block) {
+  const int own = block.code(Group::Work).variant;
+  const char word = own == kNamedByH ? 'H' : 'P';
+  const double p = own > 0 ? own : block.words.has(word) ? counted(m, block.words, word) : 1;
+  if (p < 1 || p > static_cast<double>(m.state.tables.extra->size()))
+    return fault_at(word, Cause::WorkSystem, block);
+  m.state.extra_system = to_whole<int>(p);
+  return std::nullopt;
+}
+
+}  // namespace
+
 Result select_work(MotionContext& m, BlockWords& block) {
   if (!block.has(Group::Work)) return std::nullopt;
   const Meaning meaning = block.meaning(Group::Work);
@@ -73,12 +88,7 @@ Result select_work(MotionContext& m, BlockWords& block) {
   const int before = system_in_force(m.state);
   int system = static_cast<int>(meaning) - static_cast<int>(Meaning::Work1) + 1;
   if (meaning == Meaning::WorkExtra) {
-    const int own = block.code(Group::Work).variant;
-    const char word = own == kNamedByH ? 'H' : 'P';
-    const double p = own > 0 ? own : block.words.has(word) ? counted(m, block.words, word) : 1;
-    if (p < 1 || p > static_cast<double>(m.state.tables.extra->size()))
-      return fault_at(word, Cause::WorkSystem, block);
-    m.state.extra_system = to_whole<int>(p);
+    if (auto wrong = select_extra(m, block)) return wrong;
     system = 0;
   }
   m.state.work_system = system;

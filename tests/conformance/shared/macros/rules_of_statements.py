@@ -548,7 +548,7 @@ case(
 )
 case(
     "a program may raise alarm 200",
-    pins="user_alarm_offset",
+    pins="user_alarm_offset user_alarm_numbers",
     control=[*GSK_988, *FANUC], source="general knowledge, #3000", evidence="inferred",
     program="""
         O1
@@ -561,7 +561,7 @@ case(
 )
 case(
     "a program may raise alarm 99 on the 980",
-    pins="user_alarm_offset user_alarm_last",
+    pins="user_alarm_offset user_alarm_last user_alarm_numbers",
     control=GSK_980, source="TDi28, #3000", evidence="inferred",
     program="""
         O1

@@ -81,7 +81,7 @@ case(
 )
 case(
     "a drilling cycle is repeated 99 times at the most", control=GSK_988, source="TA 24; Talm 181",
-    pins="cycle_repeats max_cycle_repeats",
+    pins="cycle_repeats max_cycle_repeats cycle_words_not_computed",
     evidence="maker's manual", setup=LATHE | _AT,
     program=lines("G99 M3 S500 F0.1", "G83 Z-5. R-2. K100"), alarm="cycle-repeats", number="181", word="K100",
 )
@@ -423,9 +423,15 @@ case(
     program=lines("G91 G98 G81 X10. Z-7. R-18. F100"), moves="R X10\nR Z2\nF Z-5\nR Z20",
 )
 case(
-    "K of a cycle counts for its block only", control=FANUC, **KNOWN, setup=_MILL,
+    "K of a cycle counts for its block only",
+    pins="cycle_words_not_computed", control=FANUC, **KNOWN, setup=_MILL,
     program=lines("G91 G98 G81 X10. Z-7. R-18. F100 K2", "X10."),
     moves="".join(f"R X{x}\nR Z2\nF Z-5\nR Z20\n" for x in (10, 20, 30)),
+)
+case(
+    "F of G84 is a feed in the mode that is in force, a minute here", control=[*FANUC, *MITSUBISHI, MDI, HNC], **KNOWN,
+    pins="tap_feed", setup=MILL | {"work_offsets": {"G54": {"X": 10, "Y": 20, "Z": 30}}, "start": {"X": 0, "Y": 0, "Z": 2}},
+    program=lines("M3 S500", "G94 G98 G84 X0 Y0 Z-5. R2. F100."), time=8.4,
 )
 case(
     "the sign of Q does not count in G83", control=FANUC, source="30iM p.73",

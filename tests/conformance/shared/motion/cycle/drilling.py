@@ -300,7 +300,7 @@ case(
 
 case(
     "G83 of the HNC-21 takes a negative Q and the clearance from K (M324)",
-    pins="peck_words",
+    pins="peck_words cycle_words_not_computed",
     control="hnc-21m",
     source="general knowledge",
     evidence="inferred",

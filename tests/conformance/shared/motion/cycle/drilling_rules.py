@@ -100,7 +100,7 @@ case(
 )
 case(
     "G73 draws back by half a millimetre where no parameter says otherwise, whatever K is",
-    pins="peck_words peck_retract drill_retract",
+    pins="peck_words peck_retract drill_retract cycle_words_not_computed",
     control=[MDI, *MITSUBISHI, *FANUC, HAAS], **POLICY, setup=MILL,
     program="O1\nN10 G90 G73 Z-10. R0 Q4. K1 F10.\nN20 M30",
     time=66.066,

@@ -357,7 +357,8 @@ case(
     moves="R X50\nF Z-5\nR Z-3\nF Z-10\nR Z-8\nF Z-12\nR Z0",
 )
 case(
-    "J1 of G83 of the 980TDi draws back to the start of the hole", control=TDI, source="TDi 23.9",
+    "J1 of G83 of the 980TDi draws back to the start of the hole",
+    pins="cycle_words_not_computed", control=TDI, source="TDi 23.9",
     evidence="maker's manual", setup=_DEEP,
     program="O1\nN10 G98 G83 X50 Z-12 Q5000 R2 J1 F100\nN20 M30",
     moves="R X50\nF Z-5\nR Z0\nR Z-3\nF Z-10\nR Z0\nR Z-8\nF Z-12\nR Z0",
