@@ -204,7 +204,7 @@ def printed(control: str, number: str) -> set[str]:
         for listed, text in re.findall(
             r'LISTED\("([^"]*)", "(.*?)"[,)]', file.read_text(encoding="utf-8")
         ):
-            found |= {text} if listed == number else set()
+            found |= {text.replace('\\"', '"')} if listed == number else set()
     return found
 
 

@@ -77,6 +77,12 @@ REASONS = [
         "91.1=centre-from-start",
         "it is so from power-on, and no code of the control changes it",
     ),
+    (
+        "g_meanings",
+        "mazak-smooth",
+        "37=not-computed 37.1=not-computed",
+        "no code of the control measures, whatever the list says",
+    ),
     ("codes_not_with_macro_call", None, "65 66", "two macro calls in a block are another fault"),
     ("codes_not_with_modal_call", None, "65 66", "two macro calls in a block are another fault"),
     ("modal_groups", None, "rotation=16", "the group has this number on every control"),

@@ -290,7 +290,11 @@ _TABLE = _joined(
         (HNC, *MITSUBISHI, "syntec-22ma"),
         "a user alarm has no number of its own",
     ),
-    _all("cycle_words_not_computed", (TE, "syntec-22ma"), "no letter is without a meaning in its cycles"),
+    _all(
+        "cycle_words_not_computed",
+        (TE, "syntec-22ma"),
+        "no letter is without a meaning in its cycles",
+    ),
     _all("peck_words", (MAZAK,), "K in the block of a cycle is not computed"),
     _all("parallel_axes", GSK_LATHES, A_LATHE),
     _all("return_to_line", (TE,), "nothing is known of a Q of its M99"),

@@ -34,6 +34,16 @@ case(
     runs="N10", alarm="radius-too-small", number="818", at="O1 N20", word="R4.",
 )
 case(
+    "F0 of an arc on a Mazak", **listed("827"),
+    program="O1\nN10 G0 X0 Y0\nN20 G2 X10. R5. F0\nN30 M30",
+    runs="N10", alarm="arc-feed-zero", number="827", at="O1 N20", word="F0",
+)
+case(
+    "a block after a chamfer that is shorter on a Mazak", **listed("914"),
+    program="O1\nN10 G0 X0 Y0\nN20 G1 X10. ,C5. F100\nN30 Y1.\nN40 M30",
+    runs="N10 N20", alarm="corner-next-short", number="914", at="O1 N30", word="Y1.",
+)
+case(
     "a plane change in a rotation", **listed("824"),
     program="O1\nN10 G68 X0 Y0 R30.\nN20 G18\nN30 M30",
     runs="N10", alarm="rotation-plane", number="824", at="O1 N20", word="G18",
