@@ -282,7 +282,7 @@ _TABLE = _joined(
     _all("tap_feed", GSK_LATHES, A_LATHE),
     _all(
         "call_words_not_computed",
-        tuple(name for name in EVERY if name != HNC) + ("syntec-22ma",),
+        (*(name for name in EVERY if name != HNC), "syntec-22ma"),
         "I, J and K say nothing in the block of M98",
     ),
     _all(
