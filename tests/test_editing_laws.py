@@ -124,7 +124,7 @@ def test_an_edited_example_does_the_same(maker: str, what: str) -> None:
     files = [
         file
         for file in sorted((EXAMPLES / maker).rglob("*"))
-        if file.suffix.lower() in (".nc", ".cnc", ".ngc", ".mpf", ".spf")
+        if file.suffix.lower() in (".nc", ".cnc", ".ngc", ".mpf", ".spf", ".min")
     ]
     assert files
     for file in files:

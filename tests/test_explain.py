@@ -205,7 +205,7 @@ _NO_WORDS = frozenset(
     re.split(
         " ",
         "CYCLE_ MPF SPF WPD DEF_ _N_ _MPF _SPF _DEF _X NCK CHAN SYNR SYNW SYNRW PHU APR APW APRP APWP"
-        " APRB APWB INIPO INIRE LLI ULI ACTBLOCNO PREPRO ICYCOF ICYCON AS N10 TEXT MILL_10"
+        " APRB APWB INIPO INIRE DCM LLI ULI ACTBLOCNO PREPRO ICYCOF ICYCON AS N10 TEXT MILL_10"
         " ABC BCDFEGSX MSTDHEQ NN NNN TC TT ABCDFIJKSTUVWXYZ ABCDEFGHIJKLMNOPQRSTUVWXYZ"
         " ABCIJKUVWXYZ DFST ABCFIJKRSTUVWXYZ",
     )
@@ -248,6 +248,8 @@ def _names_given(library: cncsub.Library) -> set[str]:
             given |= {
                 name for name in names if name.removesuffix("_SPF") in library or name[:3] == "_N_"
             }
+            if library.control.dialect == "okuma":  # names of locals and of blocks
+                given |= {name for name in names if len(name) <= 5}
             if {"DEF", "DEFINE", "PROC", "EXTERN", "SETVN", "GOTOC"} & set(
                 names
             ) or "P[" in block.text:
@@ -339,6 +341,8 @@ _ANY_CODE = (
     " named-program-not-found program-not-found one-shot-with-motion too-many-words user-alarm jump-in-mdi code-may-not-call idle-blocks-in-offset"
 )
 _OF_BLOCKS = frozenset(_ANY_CODE.split())
+# What the reader of an OSP says of a code before its meaning is looked at.
+_OF_AN_OSP = {("G15", "motion-word-missing"), ("G65", "code-not-known")}
 
 
 def _alarms_at_codes() -> Iterator[tuple[cncsub.Control, str, str, str]]:
@@ -363,7 +367,7 @@ def test_the_alarms_of_a_code_are_those_that_rows_raise_at_it() -> None:
     for control, code, cause, machine in _alarms_at_codes():
         told = _core.code_facts(control, code, machine)
         assert told is not None
-        if code[0] != "G" or cause in _OF_BLOCKS:
+        if code[0] != "G" or cause in _OF_BLOCKS or (code, cause) in _OF_AN_OSP:
             continue
         count += 1
         if cause not in told["causes"]:

@@ -116,10 +116,7 @@ def test_modes_that_a_call_keeps_are_no_part_of_a_flat_program() -> None:
 
 @pytest.mark.parametrize(
     ("block", "reason"),
-    [
-        ("$P_UIFR[1]=CTRANS(X,10)", "a frame of the control"),
-        ("POSA[X]=5", "code-not-computed, .*POSA: the axis moves on"),
-    ],
+    [("POSA[X]=5", "code-not-computed, .*POSA: the axis moves on")],
 )
 def test_a_refusal_names_the_block_and_the_reason(block: str, reason: str) -> None:
     library = cncsub.loads(f"N10 {block}\nN20 M30\n", control="siemens-one")

@@ -393,8 +393,12 @@ def test_no_cut_takes_no_time(control: str, machine: str, blocks: list[str]) -> 
 
 @given(
     control=st.sampled_from(
-        [name for name in MILLS if not name.startswith(("gsk-988", "gsk-980tdi", "grblhal"))]
-    ),  # mills that have rotary axes
+        [
+            name
+            for name in MILLS
+            if not name.startswith(("gsk-988", "gsk-980tdi", "grblhal", "okuma"))
+        ]
+    ),  # mills that have rotary axes, G20 and G21
     words=st.lists(
         st.builds(str.__add__, st.sampled_from("ABC"), st.sampled_from(["90.", "-3.", "0.5"])),
         min_size=1,

@@ -19,7 +19,9 @@ MITSUBISHI = "mitsubishi-m700"
 # The controls whose variables are #1, #100 ..., and whose programs may have a head O1.
 OTHERS = ("gsk-928te", "grblhal")
 WITH_MACROS = [
-    name for name in cncsub.controls if name not in OTHERS and not name.startswith("siemens")
+    name
+    for name in cncsub.controls
+    if name not in OTHERS and not name.startswith(("siemens", "okuma"))
 ]
 WITH_COMMONS = [
     name

@@ -28,7 +28,8 @@ case("G53 takes it back", pins="g_codes g_meanings", **KNOWN,
 case("there are 300 lengths", pins="max_offset_number", **POST,
      program="O1\nN10 G56 H300\nN20 G56 H301\nN30 M02", runs="N10", alarm="offset-number", number=None, at="O1 N20", word="H301")
 case("G90 and G91 are modes", pins="g_codes", **POST,
-     program=f"O1\n{SYSTEMS}N10 G15 H1\nN20 G90 G0 X5\nN30 G91 X2\nN40 G90 X2\nN50 M02", moves_x=[5, 7, 2])
+     program=f"O1\n{SYSTEMS}N10 G15 H1\nN20 G90 G0 X5\nN30 G91 X2\nN40 G90 X2\nN50 M02", moves_x=[5, 7, 2],
+     final_machine="X12.125 Y0 Z0")
 case("G1 goes at the feed", pins="g_codes", **TABLE, program=f"O1\n{SYSTEMS}N10 G15 H2\nN20 G1 X5 Y2 F100\nN30 M02", moves="F X5 Y2 Z-1.5", final_machine="X-15.375 Y2 Z0")
 case("a whole number is millimetres", **KNOWN, program="O1\nN10 G0 X10\nN20 X10.\nN30 M02", moves_x=[10, 10])
 case("lengths count thousandths of a millimetre", pins="computed_lengths", **KNOWN,

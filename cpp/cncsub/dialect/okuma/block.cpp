@@ -27,7 +27,7 @@ WordValue word_of(const Value& value) { return {value.computed, value.expression
 
 const KnownWord* find_word(std::string_view word) {
   for (const KnownWord& of : kWords)
-    if (of.word == word) return &of;
+    if (of.word == word && of.treatment != Treatment::Value) return &of;
   return nullptr;
 }
 

@@ -82,7 +82,8 @@ class BlockReader {
 };
 
 /// How a word of two letters or more is treated that is no variable.
-enum class Treatment : std::uint8_t { Statement, PassedOver, NotComputed };
+/// What becomes of a word. Those of `Value` stand in expressions, and begin nothing.
+enum class Treatment : std::uint8_t { Statement, PassedOver, NotComputed, Value };
 struct KnownWord {
   std::string_view word;
   Treatment treatment;

@@ -164,7 +164,7 @@ std::vector<Keyword> okuma_keywords(const Control& /*control*/) {
   using namespace okuma;
   std::vector<Keyword> all;
   for (const KnownWord& of : known_words()) {
-    const bool computed = of.treatment == Treatment::Statement;
+    const bool computed = of.treatment == Treatment::Statement || of.treatment == Treatment::Value;
     const bool passed = of.treatment == Treatment::PassedOver;
     all.push_back({std::string(of.word),
                    computed ? "computed"
