@@ -54,6 +54,20 @@ def test_the_contours_go_over_the_whole_ground(trials: Trials) -> None:
     assert any("R" in written.text for _, _, written in contours)
 
 
+@pytest.mark.parametrize("control", ["gsk-988ta", "gsk-980tdi", "fanuc-0i-f"])
+def test_a_block_without_a_move_after_the_smallest_step_changes_no_path(control: str) -> None:
+    """A step of an increment of a diameter counts as a move: two blocks without one are met nowhere."""
+    blocks = "G1 Z97.119 X-61.304\nG1 X-61.303\n{}G1 Z102.555 X-36.284\nG1 Z94.659 X0.562\n"
+    head = "O1\nT0101\nG0 Z98.315 X-106.946\nG98 G41 G1 Z99.83 X-105.672 F100.\n"
+    setup = {"machine": "lathe-a", "tools": {1: {"R": 0.4, "tip": 4}}}
+    paths = []
+    for between in ("", "M8\n"):
+        text = head + blocks.format(between) + "G40 G1 Z92. X0.6\nM30\n"
+        run = cncsub.loads(text, control=control).run(setup=setup)
+        paths.append({(round(move.mx, 6), round(move.mz, 6)) for move in run.moves})
+    assert paths[0] == paths[1]
+
+
 def test_the_distance_to_an_arc_is_that_to_its_nearest_point() -> None:
     arc = Curve(np.array([2.0, 0.0]), np.array([0.0, 2.0]), np.zeros(2), math.pi / 2)
     points = np.array([[3.0, 0.0], [0.0, 0.0], [1.0, 1.0], [-1.0, 2.0], [2.0, -2.0]])

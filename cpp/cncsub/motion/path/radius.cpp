@@ -257,9 +257,10 @@ Result flush_radius(MoveSink& sink) {
 /// Let a move without a path in the plane wait after the one that has one; without one, record it.
 static Result look_over(RadiusPath& path, const Piece& piece, const Axes& from) {
   LookaheadQueue& lookahead = path.sink.state.lookahead;
-  // A step of an increment has no direction, but its block counts as one with a move.
+  // A step of an increment has no direction, but its block counts as one with a move: on a diameter
+  // it is half an increment long.
   if (piece.kind != MoveKind::Dwell && lookahead.radius.size() < kReadAhead &&
-      size(path.view.point(piece.end) - path.view.point(from)) > path.least / 2)
+      size(path.view.point(piece.end) - path.view.point(from)) > path.least / 4)
     lookahead.moved = true;
   if (lookahead.radius.empty())
     return path.record_idle(piece, {lookahead.vector[0], lookahead.vector[1]});
