@@ -331,7 +331,7 @@ def header(file: Path) -> str:
     lines = cncsub.files.decode(file.read_bytes()).splitlines()
     head = []
     for line in lines:
-        if not re.match(r"\s*($|%|O\d|:\d|<|\(|;)", line):
+        if not re.match(r"\s*($|%|O\w+ *(\(|$)|O\d|:\d|<|\(|;)", line):
             break
         head.append(line)
     return "\n".join(head)

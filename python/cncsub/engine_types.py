@@ -74,6 +74,7 @@ _DOCS: Mapping[type, tuple[str, Mapping[str, str]]] = {
             "rules": "How it answers each question, a tuple of rules with their sources.",
             "parameters": "Its settings by name, such as `6005#0`, with what they mean.",
             "alarms": "Cause to number and text.",
+            "precision": "How exactly it reads a number, relative to it; 0: in 64 bits.",
         },
     ),
 }
