@@ -688,3 +688,11 @@ def test_a_time_that_counts_on_a_spindle_which_stands_still_is_told(
     file.write_text(f"O1\nG99 G0 X50. Z2.\n{cut}\nM30\n")
     out = CliRunner().invoke(app, ["run", str(file), "-c", "gsk-988ta"]).stdout
     assert ("(at one revolution per minute where the program gives no S)" in out) is told
+
+
+def test_variables_with_names_stand_beside_the_numbers(tmp_path: Path) -> None:
+    file = tmp_path / "part.mpf"
+    file.write_text('DEF INT SIDES[2]=SET(3,4)\nDEF STRING[8] WHO="A"\nR5=2\nM30\n')
+    done = Done("run", file, "-c", "siemens-one", "--format", "json")
+    assert done.json["variables"] == {"5": 2.0}
+    assert done.json["named_variables"] == {"SIDES": [3, 4], "WHO": "A"}

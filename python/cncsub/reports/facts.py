@@ -56,6 +56,7 @@ def run_facts(run: Run, title: str) -> dict[str, Any]:
         "t_codes": run.t_codes,
         "codes": [dict(record) for record in records(run.codes)],
         "variables": {str(number): value for number, value in run.variables.items()},
+        "named_variables": run.variables.named,
         "position": run.position,
         "modal": run.modal,
         "watch": watch_facts(run),
