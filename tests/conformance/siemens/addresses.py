@@ -264,3 +264,8 @@ case("FA needs =", **KNOWN, program="N10 FA[X] 500\nN20 M30", runs="", alarm="mi
 case("and closes its bracket", **KNOWN, program="N10 FA[X=500\nN20 M30", runs="", alarm="bracket-not-closed", number="12080", at="MAIN N10")
 case("RP needs =", **GRAMMAR, program="N10 G0 RP 10\nN20 M30", runs="", alarm="missing-equals", number="12080", at="MAIN N10")
 case("AP twice", **KNOWN, program="N10 G0 AP=10 AP=20\nN20 M30", runs="", alarm="address-given-twice", number="12000", at="MAIN N10", word="AP=20")
+for codes in ("G5G26", "G5 G26", "G4 G53", "G74 G153"):
+    case(
+        f"two codes that hold for this block alone are not computed: {codes}", **KNOWN, setup=ZERO,
+        program=f"N10 G0 X2\nN20 {codes} X1\nN30 M30", runs="N10", alarm="code-not-computed", at="MAIN N20", word="G" + codes.split("G")[-1],
+    )

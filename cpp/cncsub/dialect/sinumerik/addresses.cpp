@@ -74,17 +74,11 @@ bool put(OpenBlock& open, Block& block, Words& words, int place, const Value& va
   return true;
 }
 
-namespace {
-
-/// Return whether a code holds for one block and says alone what is done with its words: a dwell, a
-/// reference point, a frame, a pole, machine coordinates, POS, FA and MEAS. [NCI ggroups]
 bool acts_alone(int group, int code) {
   constexpr int kMovements = 2, kFrames = 3, kSuppression = 9;
   return group == kMovements || group == kFrames || group == kSuppression ||
          code == kPositionAxes || code == kMeasure;
 }
-
-}  // namespace
 
 bool add_code(OpenBlock& open, Block& block, Words& words, int group, int code, std::uint32_t at) {
   if (!words.take_group(group))

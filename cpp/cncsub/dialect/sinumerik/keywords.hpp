@@ -23,6 +23,9 @@ bool is_among(const List& words, std::string_view word) {
 int group_of(int code);
 /// Return the same for a word such as BRISK.
 int group_of(std::string_view word);
+/// Return whether a code holds for one block and says alone what is done with its words: a dwell, a
+/// reference point, a frame, a pole, machine coordinates, POS, FA and MEAS. [NCI ggroups]
+bool acts_alone(int group, int code);
 
 /// Return the place in the mask of a block that holds the value of a long address: of CR, or I1; -1
 /// where it is none.

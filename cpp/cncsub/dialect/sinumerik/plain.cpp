@@ -51,14 +51,17 @@ struct PlainLanguage {
   }
 };
 
-/// Return whether two codes of one group stand in a block.
-bool shares_group(std::span<const int> codes) {
+/// Return whether two codes stand in a block that do not go together: of one group, or each of
+/// which says alone what is done with the words.
+bool has_two_alike(std::span<const int> codes) {
   if (codes.size() < 2) return false;
   std::bitset<kCodeGroups> groups;
+  bool acts = false;
   for (const int code : codes) {
-    const auto group = static_cast<std::size_t>(group_of(code));
-    if (group != 0 && groups.test(group)) return true;
-    groups.set(group);
+    const int group = group_of(code);
+    if (group != 0 && groups.test(static_cast<std::size_t>(group))) return true;
+    if (acts_alone(group, 10 * code) && std::exchange(acts, true)) return true;
+    groups.set(static_cast<std::size_t>(group));
   }
   return false;
 }
@@ -71,7 +74,7 @@ bool BlockReader::plain(std::string_view text, Block& block) {
   PlainWords words;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   PlainLanguage language{open_.to.control().calls.roles.value};
   if (!PlainWordReader(plain_, language).read(text.data(), text.data() + text.size(), words) ||
-      !words.any() || shares_group(words.codes()))
+      !words.any() || has_two_alike(words.codes()))
     return false;
   declarations_.end_definitions();
   block.n = words.n;

@@ -101,7 +101,8 @@ std::optional<Fault> syntec_expression(Builder& to, const ExpressionText& text,
   return iso_expression(to, text, expression, type);
 }
 
-std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from) {
+/// Read a word, in which := is one.
+static std::optional<WrittenWord> structured_word(std::string_view block, std::size_t& from) {
   if (from == 0 && !block.empty() && is_digit(block[0])) {  // the values of a branch: 2, 3:
     from = block.size();
     WrittenWord values;
@@ -123,6 +124,16 @@ std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from
     from += behind;
     return word;
   }
+}
+
+std::optional<WrittenWord> syntec_word(std::string_view block, std::size_t& from) {
+  auto word = structured_word(block, from);
+  if (word && word->at > 0 && block[word->at] == '=' && block[word->at - 1] == ':') {
+    --word->at;  // without a variable before it
+    ++word->width;
+    word->text = trimmed(block.substr(word->at, word->width));
+  }
+  return word;
 }
 
 std::vector<Keyword> syntec_keywords(const Control& control) {
