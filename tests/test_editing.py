@@ -459,3 +459,10 @@ def test_every_mention_is_where_it_says() -> None:
     assert len(found) > 7
     for m in found:
         assert lines[m.line - 1][m.column - 1 : m.end - 1] == m.text
+
+
+def test_a_part_whose_block_a_text_names_is_not_renumbered() -> None:
+    text = 'N1 DEF STRING[20] END1="N40"\nN15 CALL BLOCK ONE1 TO END1\nN30 ONE1: R1=1\nN40 R2=2\nN60 M30\n'
+    library = cncsub.loads(text, control="siemens-one")
+    with pytest.raises(EditError, match="END1"):
+        renumber(library)

@@ -54,6 +54,7 @@ class MentionReader {
   void jump(const JumpReference& jump);
   void back(const JumpReference& jump);
   void return_by_values(const CallRecord& back);
+  void searched_part(const CallRecord& call);
   void part(const CallRecord& call);
   void fault(const Fault& fault);
 

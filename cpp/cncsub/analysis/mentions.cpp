@@ -224,8 +224,25 @@ void MentionReader::return_by_values(const CallRecord& back) {
   }
 }
 
+/// Add the blocks of a part that is found when it is called. What a text names is computed, and so
+/// is a number in another program.
+void MentionReader::searched_part(const CallRecord& call) {
+  const CallExtras& extras = call.extras.get();
+  const bool is_own = call.name().empty() && !call.name_text().present();
+  for (const Operand* of : {&extras.first_text, &extras.last_text}) {
+    const TextPlace place{of->at, of->width};
+    const bool written = of->kind == Operand::Kind::Constant;
+    const std::string name = written ? code_.texts.at(to_whole<std::size_t>(of->value)) : "";
+    if (!written || (!is_own && block_number_in(name) >= 0))
+      computed(Mention::Kind::Number, place, is_own ? program_ : kNoProgram);
+    else if (is_own)
+      target(place, code_.named_return_target(own(), name, own().first - 1), false, program_);
+  }
+}
+
 void MentionReader::part(const CallRecord& call) {
   const CallExtras& extras = call.extras.get();
+  if (extras.first_text.present()) return searched_part(call);
   const Address first = call.target.start;
   target({extras.name_at, extras.name_width}, first, false, program_);
   if (extras.last_width == 0) return;
