@@ -181,8 +181,9 @@ def evidence_of(rule: _core.Rule) -> str:
     """Return how far a rule may be trusted: a list as far as the weakest of the entries that it
     has. An entry without a source of its own may be trusted as far as the rule says.
     """
+    sources = rule.sources
     told = (
-        rule.sources.get(entry) or rule.sources.get(entry.partition("=")[0])
+        sources.get(entry) or sources.get(entry.partition("=")[0])
         for entry in str(rule.value).split()
     )
     how = [entry[1] if entry else rule.evidence for entry in told]

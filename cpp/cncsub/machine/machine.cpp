@@ -223,34 +223,23 @@ std::map<std::int32_t, double> Machine::variables(int level) const {
   return cncsub::variables(run_, level);
 }
 
-namespace {
-
-/// Return the text of a frame; the run takes its value into what it keeps.
-std::optional<std::string> text_of_frame(Run& run, const VariablePlace& place) {
-  const auto value = read_frame(run, place);
-  return value ? written(frame_of(run, *value)) : std::nullopt;
-}
-
-}  // namespace
-
 std::optional<std::string> Machine::frame_text(std::int64_t number) const {
-  Run probe = run_;
-  return text_of_frame(probe, code().place(number));
+  const auto frame = control_frame(run_.motion.state(), code().place(number));
+  return frame ? written(*frame) : std::nullopt;
 }
 
 std::vector<Machine::ControlFrame> Machine::control_frames() const {
   std::vector<ControlFrame> frames;
-  Run probe = run_;
   for (const PlacedRange& placed : code().variables) {
     const VariableRange& of = placed.range;
     if (of.kind != VariableKind::StoredFrame && of.kind != VariableKind::FrameInForce) continue;
     for (std::int64_t number = of.first; number <= of.last; ++number) {
-      const VariablePlace place = code().place(number);
       std::optional<FrameInForce> role;
-      if (of.kind == VariableKind::FrameInForce) role = static_cast<FrameInForce>(place.index);
+      if (of.kind == VariableKind::FrameInForce)
+        role = static_cast<FrameInForce>(code().place(number).index);
       if (role == FrameInForce::Whole || role == FrameInForce::Other) continue;
-      frames.push_back({code().spelling->name_of_variable(*code().control, number), role,
-                        text_of_frame(probe, place)});
+      frames.push_back(
+          {code().spelling->name_of_variable(*code().control, number), role, frame_text(number)});
     }
   }
   return frames;

@@ -80,28 +80,28 @@ double keep_frame(Run& run, const FrameValue& frame) {
 }
 double keep_entry(Run& run, const FrameEntry& entry) { return keep(run, entry); }
 
+std::optional<FrameValue> control_frame(const MotionState& state, const VariablePlace& place) {
+  if (place.range == nullptr) return std::nullopt;
+  if (place.kind == VariableKind::StoredFrame) return stored_frame(state, place.index);
+  if (place.kind != VariableKind::FrameInForce) return std::nullopt;
+  return frame_in_force(state, static_cast<FrameInForce>(place.index));
+}
+
 std::optional<double> read_frame(Run& run, const VariablePlace& place) {
   if (place.range == nullptr) return std::nullopt;
   const MotionState& state = run.motion.state();
-  switch (place.kind) {
-    case VariableKind::StoredFrame:
-      return keep_frame(run, stored_frame(state, place.index));
-    case VariableKind::FrameInForce:
-      return keep_frame(run, frame_in_force(state, static_cast<FrameInForce>(place.index)));
-    case VariableKind::FrameNumber:
-      return frame_number(state);
-    default:
-      return std::nullopt;
-  }
+  if (place.kind == VariableKind::FrameNumber) return frame_number(state);
+  const auto frame = control_frame(state, place);
+  return frame ? std::optional(keep_frame(run, *frame)) : std::nullopt;
 }
 
 bool write_frame(Run& run, const VariablePlace& place, double value, std::optional<Fault>& wrong) {
   FrameValue frame = frame_of(run, value);
   const std::string* const bytes = bytes_of(run, value);
   if (bytes != nullptr && bytes->size() == sizeof(FrameEntry)) {
-    const auto now = read_frame(run, place);
+    const auto now = control_frame(run.motion.state(), place);
     if (!now) return false;
-    frame = frame_of(run, *now);
+    frame = *now;
     if (!set_part(frame, entry_of(run, value))) {
       wrong = Fault{.cause = Cause::CodeNotComputed,
                     .detail = "this part of a frame that shears is not computed"};

@@ -20,7 +20,9 @@ double keep_frame(Run& run, const FrameValue& frame);
 double keep_entry(Run& run, const FrameEntry& entry);
 FrameEntry entry_of(const Run& run, double value);
 
-/// Read a frame of the work systems or in force; nothing where the variable is none.
+/// Return a frame of the work systems or in force; nothing where the variable is none.
+std::optional<FrameValue> control_frame(const MotionState& state, const VariablePlace& place);
+/// Read one as a value, or the number of the work system in force.
 std::optional<double> read_frame(Run& run, const VariablePlace& place);
 /// Write one, or put an entry in it; return whether the variable is one, with the fault where it is
 /// refused.
