@@ -141,9 +141,7 @@ void power_on(const MotionFacts& facts, MotionState& state, bool reset) {
   state.incremental = state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (!reset) {
     state.feed = c.motion.power_on_feed.value;
-    const GCode units = state.modal[at(Group::Units)];
-    state.unit = unit_of(facts, units.meaning);
-    state.feed_unit = feed_unit_of(facts, units);
+    take_units(facts, state);
   }
   forget_program(facts, state);
 }

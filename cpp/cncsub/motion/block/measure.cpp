@@ -125,7 +125,7 @@ Result measure_tool(MotionContext& m, BlockWords& block) {
   // The measuring feed counts minutes whatever F counts.
   piece.state.feed = held_skip_feed(m, how.feed, FeedMode::PerMinute);
   piece.state.feed_mode = FeedMode::PerMinute;
-  piece.state.degree = m.state.feed_unit == kInch ? kInch : 1;
+  piece.state.degree = degree_of_feed(m.state);
   if (auto wrong = move(m, block, piece)) return wrong;
   take_measure(m, number, m.state.work[axis] - point);
   return std::nullopt;

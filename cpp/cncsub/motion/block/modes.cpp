@@ -171,9 +171,7 @@ Result set_modes(MotionContext& m, BlockWords& block) {
     if (const double last = spindle_at(move_state(m.state), diameter_now(m)); last > 0)
       m.state.speed = last;
   m.state.surface = surface;
-  const GCode units = m.state.modal[at(Group::Units)];
-  m.state.unit = unit_of(m.facts, units.meaning);
-  m.state.feed_unit = feed_unit_of(m.facts, units);
+  take_units(m.facts, m.state);
   m.state.incremental = m.state.modal[at(Group::Distance)].meaning == Meaning::Incremental;
   if (block.meaning(Group::Stroke) == Meaning::StrokeOn) {
     if (auto wrong = set_area(m, block)) return wrong;

@@ -212,12 +212,18 @@ Result shift_tool(MotionContext& m, BlockWords& block, const Axes& hole, bool aw
   return move(m, block, MoveKind::Rapid, end, named);
 }
 
-/// Leave the hole of a tap: to R or on to the level, as the control does.
-Result tap_up(MotionContext& m, BlockWords& block, int axis, double r, double level) {
-  if (m.facts.control->motion.tap_return.value != TapReturn::R)
-    return feed_tap(m, block, axis, level);
-  if (auto wrong = feed_tap(m, block, axis, r)) return wrong;
-  return level == r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
+/// Leave the hole of a tap or a bore at the feed: to R and on at rapid, or all the way to the
+/// level, as the control does. `to_r`: the level is R.
+Result feed_up(MotionContext& m, BlockWords& block, int axis, double r, double level, bool to_r) {
+  const TapReturn form = m.facts.control->motion.tap_return.value;
+  const bool tap = taps(m.state.cycle);
+  const bool whole = tap ? form != TapReturn::R
+                         : m.state.cycle.cycle == Meaning::BoreDwell && form == TapReturn::Shuffled;
+  const double end = whole ? level : r;
+  if (auto wrong =
+          tap ? feed_tap(m, block, axis, end) : move_axis(m, block, MoveKind::Feed, axis, end))
+    return wrong;
+  return whole || to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
 }
 
 Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
@@ -228,14 +234,9 @@ Result drill_up(MotionContext& m, BlockWords& block, int axis, double r) {
   switch (cycle.cycle) {
     case Meaning::LeftTap:
     case Meaning::Tap:
-      return tap_up(m, block, axis, r, level);
     case Meaning::Bore:
     case Meaning::BoreDwell:
-      if (cycle.cycle == Meaning::BoreDwell &&
-          m.facts.control->motion.tap_return.value == TapReturn::Shuffled)
-        return move_axis(m, block, MoveKind::Feed, axis, level);
-      if (auto wrong = move_axis(m, block, MoveKind::Feed, axis, r)) return wrong;
-      return to_r ? std::nullopt : move_axis(m, block, MoveKind::Rapid, axis, level);
+      return feed_up(m, block, axis, r, level, to_r);
     case Meaning::FineBore: {
       const Axes hole = m.state.work;
       if (auto wrong = shift_tool(m, block, hole, true)) return wrong;

@@ -100,7 +100,7 @@ MoveState move_state(const MotionState& state) {
   row.feed_mode = mode == Meaning::PerRevolution ? FeedMode::PerRevolution
                   : mode == Meaning::InverseTime ? FeedMode::InverseTime
                                                  : FeedMode::PerMinute;
-  row.degree = state.feed_unit == kInch && mode != Meaning::InverseTime ? kInch : 1;
+  row.degree = mode != Meaning::InverseTime ? degree_of_feed(state) : 1;
   return row;
 }
 

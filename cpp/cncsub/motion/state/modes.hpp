@@ -20,6 +20,10 @@ inline int side_of(const MotionState& state) {
 inline bool g20(const MotionState& state) {
   return state.modal[at(Group::Units)].meaning == Meaning::Inch;
 }
+/// Return what F counts of a round axis is divided by: degrees are not turned into millimetres.
+inline double degree_of_feed(const MotionState& state) {
+  return state.feed_unit == kInch ? kInch : 1;
+}
 inline bool polar(const MotionState& state) {
   return state.modal[at(Group::Polar)].meaning == Meaning::PolarOn;
 }

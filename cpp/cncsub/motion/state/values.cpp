@@ -7,13 +7,20 @@
 
 namespace cncsub {
 
-double unit_of(const MotionFacts& facts, Meaning units) {
+/// Return how many millimetres the unit of a code of units is.
+static double unit_of(const MotionFacts& facts, Meaning units) {
   return units == Meaning::Inch ? kInch : units == Meaning::Pulses ? facts.increment : 1;
 }
 
 double feed_unit_of(const MotionFacts& facts, const GCode& units) {
   if (units.variant != kLengthsAlone) return unit_of(facts, units.meaning);
   return facts.control->common.power_on.value.has(PowerOn::G20) ? kInch : 1;
+}
+
+void take_units(const MotionFacts& facts, MotionState& state) {
+  const GCode units = state.modal[at(Group::Units)];
+  state.unit = unit_of(facts, units.meaning);
+  state.feed_unit = feed_unit_of(facts, units);
 }
 
 namespace {

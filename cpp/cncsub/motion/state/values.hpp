@@ -15,10 +15,10 @@ inline double counted(MotionView m, const NcWords& words, char letter) {
   return rounds ? std::round(words[letter]) : words[letter];
 }
 
-/// Return how many millimetres the unit of a code of units is.
-double unit_of(const MotionFacts& facts, Meaning units);
 /// Return how many millimetres the unit of F is while a code of units is in force.
 double feed_unit_of(const MotionFacts& facts, const GCode& units);
+/// Let lengths and F count in the units that are in force.
+void take_units(const MotionFacts& facts, MotionState& state);
 /// Return whether the words of an address count degrees.
 constexpr bool counts_degrees(char address) {
   return ((bit('A') | bit('B') | bit('C') | bit('H')) & bit(address)) != 0;
