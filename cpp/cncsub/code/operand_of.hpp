@@ -1,7 +1,7 @@
-// A value that was read, as an operand of a call.
+// A value that was read, as an operand of a call and as one of a word.
 #pragma once
 
-#include "cncsub/code/expression_writer.hpp"
+#include "cncsub/code/builder.hpp"
 
 namespace cncsub {
 
@@ -13,6 +13,10 @@ inline Operand operand_of(const ValueRead& value) {
   operand.at = value.at;
   operand.width = value.width;
   return operand;
+}
+
+inline WordValue word_of(const ValueRead& value) {
+  return {value.computed, value.expression, value.number};
 }
 
 }  // namespace cncsub

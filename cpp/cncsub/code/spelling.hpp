@@ -80,6 +80,8 @@ struct Spelling {
   bool ignores_words = false;  // words may be ignored; else one that is dropped is obeyed, and
                                // a run goes on without it
   bool open_comments = false;  // a comment that is not closed may be read
+  // Return a written number, without a sign, as the language has it. Null: the nearest of 64 bits.
+  double (*read_number)(std::string_view digits) = nullptr;
 
   /// Return a variable as programs write it: #500, R5, $TC_DP3[5,1].
   std::string name_of_variable(const Control& control, std::int64_t number) const;

@@ -254,7 +254,11 @@ struct CodeCall {
 struct SystemProgram {
   std::string_view name;
   std::string_view text;     // empty: its moves are not computed
-  std::string_view needs{};  // what it would need for that
+  std::string_view needs{};  // what it would need for that; of an inner one: what is not computed
+
+  /// Return whether no program can name it: it stands for what programs of the control do not
+  /// compute.
+  bool is_inner() const { return name.starts_with('_'); }
 };
 
 /// An alarm that programs of the control raise by its number.

@@ -94,8 +94,6 @@ struct Dialect {
   std::vector<Keyword> (*keywords)(const Control& control);
   /// How exactly it reads a number, relative to the number: 4.4 may become 4.400000095.
   double precision;
-  /// Return a written number, without a sign, as it has it; null: it is the nearest of 64 bits.
-  double (*read_number)(std::string_view digits);
 };
 
 /// Return the dialect of this name; null if there is none.
@@ -106,7 +104,6 @@ const Dialect* find_dialect(std::string_view name);
   extern const Spelling folder##_spelling;                                              \
   extern const std::string_view folder##_rules;                                         \
   extern const double folder##_precision;                                               \
-  extern double (*const folder##_read_number)(std::string_view digits);                 \
   extern const std::span<const WordUse> folder##_word_uses;                             \
   std::vector<Keyword> folder##_keywords(const Control&);                               \
   FileReader folder##_reader(Builder& to, const ProgramNames& other_mode);              \

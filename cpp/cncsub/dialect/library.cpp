@@ -8,7 +8,6 @@
 #include <thread>
 #include <utility>
 
-#include "cncsub/code/number_reader.hpp"
 #include "cncsub/code/parameters.hpp"
 #include "cncsub/code/target.hpp"
 #include "cncsub/control/variable_table.hpp"
@@ -30,19 +29,13 @@ const Dialect* find_dialect(std::string_view name) {
    folder##_rules,      \
    folder##_word_uses,  \
    folder##_keywords,   \
-   folder##_precision,  \
-   folder##_read_number},
+   folder##_precision},
 #include "dialect/list.def"
 #undef DIALECT
   };
   for (const Dialect& dialect : kDialects)
     if (dialect.name == name) return &dialect;
   return nullptr;
-}
-
-NumberReader number_reader(std::string_view dialect) {
-  const Dialect* const found = find_dialect(dialect);
-  return found == nullptr ? nullptr : found->read_number;
 }
 
 namespace {
@@ -134,7 +127,7 @@ const SystemProgram* system_program(const Code& code, const CallRecord& call) {
 Fault not_computed(const CallRecord& call, const SystemProgram& called) {
   const CallExtras& extras = call.extras.get();
   std::string detail = "cncsub does not compute ";
-  if (!called.name.starts_with('_')) {  // else no program can name it: it stands for what it needs
+  if (!called.is_inner()) {
     detail.append(called.name);
     if (!called.needs.empty()) detail += ": ";
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "cncsub/code/number_reader.hpp"
 #include "cncsub/control/code_calls.hpp"
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/motion/block/block.hpp"
@@ -35,6 +34,8 @@ char letter_of(int place) {
 /// Return whether = stands between an address and its value.
 bool needs_equals(std::string_view address) { return address.size() > 1 && address.front() != ','; }
 
+using NumberReader = decltype(Spelling::read_number);
+
 /// Return the text with the fewest digits that a language reads as a number, of those that lie
 /// nearest to it; empty where it reads none of them so.
 std::string text_as_read(double value, NumberReader read) {
@@ -54,8 +55,8 @@ std::string text_as_read(double value, NumberReader read) {
   return "";
 }
 
-std::string text_on(double value, const Control& control) {
-  const NumberReader read = number_reader(control.dialect);
+std::string text_in(double value, const Spelling& language) {
+  const NumberReader read = language.read_number;
   std::string text;
   if (read != nullptr && std::isfinite(value)) text = text_as_read(value + 0.0, read);
   return text.empty() ? system::shortest_fixed(value + 0.0) : text;
@@ -64,8 +65,8 @@ std::string text_on(double value, const Control& control) {
 }  // namespace
 
 NumberText::NumberText(double value) : NumberText(value, system::shortest_fixed(value + 0.0)) {}
-NumberText::NumberText(double value, const Control& control)
-    : NumberText(value, text_on(value, control)) {}
+NumberText::NumberText(double value, const Spelling& language)
+    : NumberText(value, text_in(value, language)) {}
 NumberText::NumberText(double value, std::string text) : text_(std::move(text)) {
   end_of_whole_ = std::min(text_.find('.'), text_.size());
   whole_ = end_of_whole_ - (value < 0 ? 1 : 0);
@@ -93,7 +94,7 @@ std::string expression_text(double value, int most_digits) {
 
 std::string expression_text(double value, const Code& code) {
   return code.spelling->long_numbers
-             ? std::string(NumberText(value, *code.control).text())
+             ? std::string(NumberText(value, *code.spelling).text())
              : expression_text(value, code.control->macros.max_constant_digits.value);
 }
 
@@ -199,7 +200,7 @@ bool WordWriter::computed(std::string& to, int place, double value) const {
   const bool comma = place >= kCommaC;
   const char letter = letter_of(place);
   const bool rounded = round(place, value);
-  const NumberText text(value, control_);
+  const NumberText text(value, *code_.spelling);
   const std::string address = code_.spelling->address_of(place);
   const bool named = !comma && calls(letter, value);
   if (named || !takes(letter, comma, value, text, rounded)) return bracketed(to, address, value);
@@ -219,7 +220,7 @@ void WordWriter::value(std::string& to, int place, double value) const {
 
 bool WordWriter::constant(std::string& to, int place, double value, bool whole) const {
   const char letter = letter_of(place);
-  const NumberText text(value, control_);
+  const NumberText text(value, *code_.spelling);
   const std::string address = code_.spelling->address_of(place);
   if (place < kCommaC && calls(letter, value)) return bracketed(to, address, value);
   to += address;
@@ -243,7 +244,7 @@ bool WordWriter::code(std::string& to, char letter, int tenfold) const {
   const double value = tenfold / 10.0;
   if (!plain || calls(letter, value)) return bracketed(to, std::string(1, letter), value);
   to += letter;
-  to += NumberText(value, control_).text();
+  to += NumberText(value, *code_.spelling).text();
   return true;
 }
 

@@ -12,12 +12,12 @@
 
 namespace cncsub {
 
-/// A number with the fewest digits that give it back, without an exponent: on a control of any
-/// language that has 64 bits, or on this one.
+/// A number with the fewest digits that give it back, without an exponent: in any language that has
+/// 64 bits, or in this one.
 class NumberText {
  public:
   explicit NumberText(double value);
-  NumberText(double value, const Control& control);
+  NumberText(double value, const Spelling& language);
   std::string_view text() const { return text_; }
   std::size_t whole() const { return whole_; }
   std::size_t decimals() const {

@@ -19,8 +19,6 @@ constexpr std::size_t kMostAssignments =
     10;  // numbered ones [gHc, NGC_N_ASSIGN_PARAMETERS_PER_BLOCK]
 constexpr double kLastProgram = 65535;
 
-WordValue word_of(const Value& value) { return {value.computed, value.expression, value.number}; }
-
 /// Return the hundredths of a code, as the control has them.
 int hundredths(double value) {
   return to_whole<int>(std::round(100 * (value - std::trunc(value))));

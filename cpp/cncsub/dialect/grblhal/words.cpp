@@ -23,7 +23,6 @@ const std::string_view grblhal_rules =
 // A number has 32 bits, and comes to its decimals in a few steps, each with a rounding of its own.
 // [gHn, read_float]
 const double grblhal_precision = 0x1p-20;
-double (*const grblhal_read_number)(std::string_view) = grblhal::single_of;
 
 const Spelling grblhal_spelling{.comment = {";", ""},
                                 .value = {"[", "]"},
@@ -31,7 +30,8 @@ const Spelling grblhal_spelling{.comment = {";", ""},
                                 .head = {},
                                 .operators = [](LogicOrder) { return ngc_operators; },
                                 .long_numbers = true,
-                                .unsigned_words = "LST"};
+                                .unsigned_words = "LST",
+                                .read_number = grblhal::single_of};
 
 std::optional<WrittenWord> grblhal_word(std::string_view block, std::size_t& from) {
   return ngc_word(block, from);

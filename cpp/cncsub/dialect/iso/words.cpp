@@ -119,7 +119,6 @@ void complete(Scanner& s, const Lexeme& read, WrittenWord& word) {
 const std::string_view iso_rules;  // empty: all rules, for they were made for it
 
 const double iso_precision = 0;  // a number has 64 bits
-double (*const iso_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> iso_word_uses;
 const Spelling iso_spelling{.comment = {"(", ")"},

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/dialect/linuxcnc/codes.hpp"
 #include "cncsub/dialect/ngc_lines.hpp"
 #include "cncsub/text/scan.hpp"
@@ -17,10 +18,6 @@ namespace cncsub::linuxcnc {
 namespace {
 
 constexpr std::size_t kLongestLine = 253;  // characters [rs274 2.9: 254 are too many]
-
-WordValue word_of(const Value& value, double factor = 1) {
-  return {value.computed, value.expression, value.number * factor};
-}
 
 constexpr std::int32_t kMessageSwitch = 5599;  // (DEBUG,...) shows nothing while it is 0 or below
 

@@ -26,7 +26,6 @@ const std::string_view linuxcnc_rules =
     "codes_not_compensated m_codes_not_compensated feed_mode_change feed_unit written_offset";
 
 const double linuxcnc_precision = 0;  // a number has 64 bits
-double (*const linuxcnc_read_number)(std::string_view) = nullptr;
 
 // A comment in brackets after a message would be shown instead: the last comment counts.
 const Spelling linuxcnc_spelling{.comment = {";", ""},

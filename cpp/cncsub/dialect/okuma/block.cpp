@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/control/g_codes.hpp"
 
 namespace cncsub::okuma {
@@ -20,8 +21,6 @@ constexpr KnownWord kWords[] = {
 #include "cncsub/dialect/okuma/keywords.def"
 #undef WORD
 };
-
-WordValue word_of(const Value& value) { return {value.computed, value.expression, value.number}; }
 
 }  // namespace
 

@@ -11,6 +11,8 @@
 
 namespace cncsub::okuma {
 
+inline constexpr std::size_t kLongestProgram = 4;  // after O [OKA 2207]
+
 /// The name of a block as a jump names it, with its N.
 struct JumpTarget {
   std::string name;

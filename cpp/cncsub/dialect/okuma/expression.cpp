@@ -285,10 +285,16 @@ bool ExpressionReader::is_local(const std::string& name, std::uint32_t at) {
                "a value must stand here: the name of a local begins with two letters", at);
 }
 
+/// Refuse a variable that the block has assigned; return whether it has.
+bool ExpressionReader::is_assigned_here(const std::string& name, std::uint32_t at) {
+  if (!assigned_.contains(name)) return false;
+  wrong(Cause::CodeNotComputed,
+        "no source says which value " + name + " has in the block that assigns it", at);
+  return true;
+}
+
 bool ExpressionReader::read_local(const std::string& name, std::uint32_t at) {
-  if (assigned_.contains(name))
-    return wrong(Cause::CodeNotComputed,
-                 "no source says which value " + name + " has in the block that assigns it", at);
+  if (is_assigned_here(name, at)) return false;
   const std::uint32_t place = to_.names().variable(name, false);
   const auto index = static_cast<std::uint32_t>(to_.code().named_variables[place].index);
   bool vacant = false;
@@ -321,9 +327,7 @@ bool ExpressionReader::read_variable(const std::string& name, int depth) {
   if (digits_of_common(name).empty()) return read_system(name, depth);
   std::int32_t number = 0;
   if (!common_number(name, at, number)) return false;
-  if (assigned_.contains(name))
-    return wrong(Cause::CodeNotComputed,
-                 "no source says which value " + name + " has in the block that assigns it", at);
+  if (is_assigned_here(name, at)) return false;
   const VariablePlace place = to_.code().place(number);
   to_.expressions().emit(
       {Ins::Common, 0, static_cast<std::uint32_t>(place.index), static_cast<double>(number)});

@@ -75,6 +75,7 @@ class ExpressionReader {
   bool read_index(const SystemVariable& of, int depth);
   bool asks_existence(bool& is);
   bool is_local(const std::string& name, std::uint32_t at);
+  bool is_assigned_here(const std::string& name, std::uint32_t at);
   bool finish(Value& value, std::uint32_t at);
   void emit(Ins op, double value = 0);
 

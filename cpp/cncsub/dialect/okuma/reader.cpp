@@ -13,8 +13,6 @@ namespace okuma {
 
 namespace {
 
-constexpr std::size_t kLongestProgram = 4;  // after O [OKA 2207]
-
 /// Return whether a line is the name of a file on a tape, $NAME.MIN%, or the end of one.
 bool is_tape(std::string_view said) { return said == "%" || said.front() == '$'; }
 

@@ -9,8 +9,7 @@ namespace cncsub::okuma {
 
 namespace {
 
-constexpr std::size_t kLongestProgram = 4;  // after O [OKA 2207]
-constexpr std::size_t kLongestText = 16;    // of an alarm [OKA 2208]
+constexpr std::size_t kLongestText = 16;  // of an alarm [OKA 2208]
 constexpr std::string_view kAlarmText = "VUACM[1]";
 
 }  // namespace

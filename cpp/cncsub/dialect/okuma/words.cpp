@@ -1,7 +1,7 @@
 // The language of an OSP as others see it: its words, its spelling and the rules that it asks.
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/given_value.hpp"
 #include "cncsub/dialect/okuma/block.hpp"
-#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -21,9 +21,8 @@ void pass_brackets(Line& line) {
   }
 }
 
-bool is_operator(Line& line) {
-  const std::string name = capitals(line.name());
-  return !name.empty() && operator_of_letters(kOperators, name) != nullptr;
+bool is_operator(std::string_view name) {
+  return !name.empty() && operator_of_letters(kOperators, capitals(name)) != nullptr;
 }
 
 void pass_operand(Line& line) {
@@ -44,41 +43,12 @@ void pass_operand(Line& line) {
   if (line.ahead(0) == '[') pass_brackets(line);
 }
 
-/// Pass over an expression: operands as long as operators stand between them.
-void pass_expression(Line& line) {
-  for (;;) {
-    pass_operand(line);
-    const char c = line.peek();
-    if (is_operator(line))
-      line.pass(line.name().size());
-    else if (c != '\0' && std::string_view("+-*/").find(c) != std::string_view::npos)
-      line.pass(1);
-    else
-      return;
-  }
-}
+void pass_expression(Line& line) { pass_operands(line, "+-*/", pass_operand, is_operator); }
 
-/// Pass over a number with its sign, and give the word its value.
-void pass_number(Line& line, WrittenWord& word) {
-  const bool negative = line.peek() == '-';
-  if (negative || line.peek() == '+') line.pass(1);
-  line.peek();
-  const std::string_view text = line.take_number();
-  double number = 0;
-  word.known = !text.empty() && system::parse(text, number).length == text.size();
-  word.value = negative ? -number : number;
-}
-
-/// Pass over what is given after =.
+/// Pass over = and what is given after it.
 void pass_given(Line& line, WrittenWord& word) {
   line.pass(1);
-  line.peek();
-  Line number = line;
-  pass_number(number, word);
-  pass_expression(line);
-  line.peek();
-  number.peek();
-  word.known = word.known && line.rest().size() == number.rest().size();
+  cncsub::pass_given(line, word, pass_expression);
 }
 
 void pass_address(Line& line, char letter, WrittenWord& word) {
@@ -130,7 +100,6 @@ const std::string_view okuma_rules =
     "length_type computed_lengths angle_unit";
 
 const double okuma_precision = 0;  // a number has 64 bits
-double (*const okuma_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> okuma_word_uses;
 const Spelling okuma_spelling{.comment = {"(", ")"},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "cncsub/code/operand_of.hpp"
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/sinumerik/frames.hpp"
 #include "cncsub/dialect/sinumerik/iso_mode.hpp"
@@ -31,10 +32,6 @@ void refuse_mark(Builder& to, Block& block, bool o_word, std::uint32_t at, std::
   to.refuse(block, {Cause::StructureMarked, at, width,
                     o_word ? "a block of a control structure cannot have a label"
                            : "a block of a control structure cannot be skipped"});
-}
-
-WordValue word_of(const Value& value, double factor = 1) {
-  return {value.computed, value.expression, value.number * factor};
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ class Collection {
 
 void add_cycles(const Control& control, Collection& to) {
   for (const SystemProgram& of : control.system_programs) {
-    if (of.name.starts_with('_')) continue;  // no program can name it
+    if (of.is_inner()) continue;
     const bool computed = !of.text.empty();
     Keyword word{std::string(of.name), computed ? "computed" : "not-computed",
                  "is a standard cycle of the control"};

@@ -4,11 +4,11 @@
 
 #include "cncsub/control/g_codes.hpp"
 #include "cncsub/dialect/dialect.hpp"
+#include "cncsub/dialect/given_value.hpp"
 #include "cncsub/dialect/sinumerik/expression.hpp"
 #include "cncsub/dialect/sinumerik/keywords.hpp"
 #include "cncsub/dialect/sinumerik/line.hpp"
 #include "cncsub/dialect/sinumerik/operands.hpp"
-#include "cncsub/system/decimal.hpp"
 
 namespace cncsub {
 
@@ -41,41 +41,11 @@ void pass_operand(Line& line) {
   if (line.peek() == '[') line.pass_brackets('[', ']');
 }
 
-/// Pass over an expression: operands as long as operators stand between them.
-void pass_expression(Line& line) {
-  for (;;) {
-    pass_operand(line);
-    const char c = line.peek();
-    if (is_among(kBetween, capitals(line.name())))
-      line.pass(line.name().size());
-    else if (c != '\0' && std::string_view("+-*/<>=:").find(c) != std::string_view::npos)
-      line.pass(1);
-    else
-      return;
-  }
-}
-
-/// Pass over a number with its sign, and give the word its value.
-void pass_number(Line& line, WrittenWord& word) {
-  const bool negative = line.peek() == '-';
-  if (negative || line.peek() == '+') line.pass(1);
-  line.peek();
-  const std::string text = line.take_number();
-  double number = 0;
-  word.known = !text.empty() && system::parse(text, number).length == text.size();
-  word.value = negative ? -number : number;
-}
+bool is_operator(std::string_view name) { return is_among(kBetween, capitals(name)); }
+void pass_expression(Line& line) { pass_operands(line, "+-*/<>=:", pass_operand, is_operator); }
 
 /// Pass over the value after the equals sign of CR=5: a number, or an expression.
-void pass_value(Line& line, WrittenWord& word) {
-  line.peek();
-  Line number = line;
-  pass_number(number, word);
-  pass_expression(line);
-  line.peek();
-  number.peek();
-  word.known = word.known && line.rest().size() == number.rest().size();
-}
+void pass_value(Line& line, WrittenWord& word) { pass_given(line, word, pass_expression); }
 
 /// Pass over X10, X=R1 or G54: a letter and its value.
 void pass_address(Line& line, char letter, WrittenWord& word) {
@@ -170,7 +140,6 @@ constexpr std::string_view kFolders[] = {"MPF.DIR", "SPF.DIR", "WKS.DIR", "CUS.D
 }  // namespace sinumerik
 
 const double sinumerik_precision = 0;  // a number has 64 bits
-double (*const sinumerik_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> sinumerik_word_uses;
 // The feed of POS[X] stands where the centre of an arc along X does.

@@ -67,7 +67,6 @@ bool is_structured(std::string_view block) {
 
 const std::string_view syntec_rules;  // all that the ISO family asks
 const double syntec_precision = 0;    // a number has 64 bits
-double (*const syntec_read_number)(std::string_view) = nullptr;
 
 const std::span<const WordUse> syntec_word_uses;
 const Spelling syntec_spelling{.comment = {"(", ")"},
